@@ -49,7 +49,7 @@ void CaptureFrames::take(const io::CaptureRecord& record) {
 }
 
 void CaptureFrames::take_frame(Side& side, const Frame& frame) {
-  const std::uint64_t end = frame.offset + Framing::frame_size(frame.body.size());
+  const std::uint64_t end = frame.offset + frame_size(frame.framing, frame.body.size());
   while (side.marks.front().end < end) side.marks.pop_front();
   const io::CaptureTime time = side.marks.front().time;
   report_skipped(side, frame.offset, end, time);

@@ -57,7 +57,7 @@ class CaptureFrames {
 
   struct Side {
     Direction direction{};
-    Parser parser{};
+    ParserOfAll parser{};
     std::uint64_t size = 0;      // bytes fed
     std::uint64_t reported = 0;  // bytes reported to the listener
     GapExplainer explainer{direction};

@@ -85,7 +85,7 @@ bool looks_intended(const ParserCounters& counters) {
 }
 
 std::uint64_t end_of(const Frame& frame) {
-  return frame.offset + Framing::frame_size(frame.body.size());
+  return frame.offset + frame_size(frame.framing, frame.body.size());
 }
 
 /// Decodes a raw byte stream.
@@ -158,7 +158,7 @@ class RawDecoder {
   bool jsonl_;
   bool is_hex_;
   std::optional<Direction> direction_;
-  Parser parser_;
+  ParserOfAll parser_;
   FrameDecoder decoder_;
   GapExplainer explainer_;
   std::vector<std::uint8_t> begin_;

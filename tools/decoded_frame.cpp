@@ -98,6 +98,7 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
 Json DecodedFrame::to_json() const {
   Json result;
   result["offset"] = frame.offset;
+  result["framing"] = to_string(frame.framing);
   result["command"] = command.empty() ? Json() : Json(command);
   result["id"] = frame.id;
   result["message"] = message == nullptr ? Json() : Json(message->name);

@@ -38,7 +38,7 @@ struct Problems {
 
 /// Returns the frame of the message with these `fields`. Throws InputError or JsonError.
 template <class M>
-std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
+std::vector<std::uint8_t> encode_fields(const Json& fields, Framing framing, bool check) {
   M message{};
   from_json(fields, message);
   if (check) {
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
     if (!problems.empty()) throw InputError(problems);
   }
   std::vector<std::uint8_t> frame(max_frame_size);
-  const WriteResult written = encode_frame(message, frame);
+  const WriteResult written = encode_frame(framing, message, frame);
   if (!written) {
     throw InputError(to_string(written.status) + " (" + to_string(written.status.code) + ')');
   }
@@ -81,6 +81,18 @@ void check_rest(const Json& line, const MessageInfo& info) {
   }
 }
 
+/// Returns the framing that the line names, or the one that every board understands.
+Framing framing_named_in(const Json& line) {
+  if (!line.contains("framing")) return basic_framing;
+  const std::string name = text_of(line, "framing");
+  std::string known;
+  for (const Framing framing : framings) {
+    if (name == to_string(framing)) return framing;
+    known += (known.empty() ? "" : ", ") + std::string(to_string(framing));
+  }
+  throw InputError(fmt::format("unknown framing '{}'; known: {}", name, known));
+}
+
 std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptions& options) {
   const ParsedJson parsed = parse_json(text);
   if (!parsed) {
@@ -98,7 +110,7 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptio
     if (name != Meta<M>::info.name) return;
     known = true;
     check_rest(line, Meta<M>::info);
-    frame = encode_fields<M>(*fields, !options.no_validate);
+    frame = encode_fields<M>(*fields, framing_named_in(line), !options.no_validate);
   });
   if (!known) throw InputError(fmt::format("unknown message '{}'", name));
   return frame;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/frame.hpp>
+
 #include "command_lookup.hpp"
 
 namespace sbgc::tools {
@@ -58,14 +60,34 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
   return result;
 }
 
-std::string checksum(const char* of, std::uint8_t found, std::uint8_t right) {
-  return fmt::format("the checksum of its {} is 0x{:02x}, not 0x{:02x}", of, found, right);
-}
+/// The checksum in the trailer of a framing.
+struct Trailer {
+  std::size_t size{};
+  bool is_crc{};
+
+  explicit Trailer(Framing framing) {
+    with_framing(framing, [this](auto f) {
+      size = FramingFacts<f()>::trailer_size;
+      is_crc = FramingFacts<f()>::trailer_checksum == ChecksumKind::crc16;
+    });
+  }
+
+  std::string name(const char* body) const {
+    return is_crc ? "the CRC-16" : fmt::format("the checksum of its {}", body);
+  }
+  /// For example "0xbcdd".
+  std::string value(const std::uint8_t* at) const {
+    std::string digits;
+    for (std::size_t i = size; i-- > 0;) digits += fmt::format("{:02x}", at[i]);
+    return "0x" + digits;
+  }
+};
 
 /// True if a frame seems to begin here.
 bool is_next_frame(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < frame_header_size || bytes[0] != frame_start) return false;
-  return Framing::inspect(bytes.data(), bytes.size()).verdict != Verdict::bad_header;
+  if (bytes.size() < frame_header_size) return false;
+  const Verdict verdict = AllFrameFormats::inspect(bytes.data(), bytes.size()).verdict;
+  return verdict != Verdict::no_start && verdict != Verdict::bad_header;
 }
 
 /// Returns why the candidate that begins with the start byte `bytes[0]` is not a frame.
@@ -77,24 +99,29 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
   // The correct frame; missing bytes are 0.
   std::array<std::uint8_t, max_frame_size> right{};
   std::copy_n(bytes.begin(), std::min(bytes.size(), right.size()), right.begin());
-  Framing::finish(right.data(), id, size, right.data() + frame_header_size);
+  const Framing framing = framing_of(bytes.data());
+  AllFrameFormats::finish(framing, right.data(), id, size, right.data() + frame_header_size);
   if (candidate.verdict == Verdict::bad_header) {
     if (id == 0) return "a start byte, but no command has the id 0";
     constexpr std::size_t place = frame_header_checksum_offset;
-    return "a start byte, but " + checksum("header", bytes[place], right[place]);
+    return fmt::format("a start byte, but the checksum of its header is 0x{:02x}, not 0x{:02x}",
+                       bytes[place], right[place]);
   }
   std::string result = fmt::format("looks like {}, but ", claimed(id, size, sent));
-  const std::size_t place = candidate.size - 1;
+  const Trailer trailer(framing);
+  const std::size_t place = candidate.size - trailer.size;
+  const std::string right_value = trailer.value(&right[place]);
   const std::string own_checksum =
-      fmt::format("the checksum of its {}body, 0x{:02x},", size == 0 ? "empty " : "", right[place]);
+      fmt::format("{}, {},", trailer.name(size == 0 ? "empty body" : "body"), right_value);
   if (candidate.verdict == Verdict::bad_body) {
     if (!is_next_frame(bytes.subspan(place))) {
-      return result + checksum("body", bytes[place], right[place]);
+      return result + fmt::format("{} is {}, not {}", trailer.name("body"),
+                                  trailer.value(&bytes[place]), right_value);
     }
     return result + own_checksum + " is missing: the next frame begins in its place";
   }
   const std::size_t missing = candidate.size - bytes.size();
-  if (missing == 1) return result + own_checksum + " is missing at the end";
+  if (missing == trailer.size) return result + own_checksum + " is missing at the end";
   return result + fmt::format("the last {} of its {} bytes are missing", missing, candidate.size);
 }
 
@@ -105,9 +132,9 @@ std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t>
                                                    std::optional<Direction> direction) {
   std::vector<RejectedCandidate> result;
   for (std::size_t at = 0; at < gap && result.size() < limit; ++at) {
-    if (bytes[at] != frame_start) continue;
     const auto from = bytes.subspan(at);
-    const Candidate candidate = Framing::inspect(from.data(), from.size());
+    const Candidate candidate = AllFrameFormats::inspect(from.data(), from.size());
+    if (candidate.verdict == Verdict::no_start) continue;
     if (candidate.verdict == Verdict::frame) continue;  // belongs to another candidate
     const bool has_header =
         candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;

@@ -30,7 +30,7 @@ using asio::ip::tcp;
 
 constexpr unsigned boards = 200;
 constexpr int rate = 50;
-constexpr std::size_t sample_size = sbgc::Framing::frame_size(sbgc::msg::RealtimeData4::max_size);
+constexpr std::size_t sample_size = sbgc::frame_size(sbgc::msg::RealtimeData4::max_size);
 
 Bytes stream_request() {
   sbgc::msg::DataStreamInterval request;

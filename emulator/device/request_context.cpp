@@ -22,13 +22,15 @@ msg::ErrorExt error_about(std::uint8_t command, msg::BoardErrorCode reason, std:
 
 std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame) {
-  const Frame held{Framing::id(frame.data()), Framing::body(frame.data()), 0};
+  const Frame held = frame_at(frame.data());
   if (!roles::is_confirmation(held)) return {frame.begin(), frame.end()};
   if (!is_supported<msg::ErrorExt>(versions)) return {};
   std::vector<std::uint8_t> result(max_frame_size);
   const std::uint8_t command = roles::confirmed_command(held);
   result.resize(
-      encode_frame(error_about(command, msg::BoardErrorCode::operation_failed, 0), result).size);
+      encode_frame(held.framing, error_about(command, msg::BoardErrorCode::operation_failed, 0),
+                   result)
+          .size);
   return result;
 }
 

@@ -212,9 +212,12 @@ void Line::put_text(Instant until) {
 }
 
 void Line::follow_frame(std::uint8_t byte) {
-  if (frame_bytes_ == 0 && byte != frame_start) return;
+  if (frame_bytes_ == 0) {
+    if (AllFrameFormats::inspect(&byte, 1).verdict == Verdict::no_start) return;
+    framing_ = framing_of(&byte);
+  }
   ++frame_bytes_;
-  if (frame_bytes_ == frame_size_offset + 1) frame_size_ = Framing::frame_size(byte);
+  if (frame_bytes_ == frame_size_offset + 1) frame_size_ = frame_size(framing_, byte);
   if (frame_bytes_ >= frame_header_size && frame_bytes_ == frame_size_) frame_bytes_ = 0;
 }
 

@@ -1,8 +1,9 @@
-// Fuzzes the streaming parser against the reference parser. The input is a sequence of steps, each
+// Fuzzes the streaming parser, with each combination of framings, against the reference parser. The input is a sequence of steps, each
 // an opcode byte and its operands, so a mutation moves chunk boundaries and flushes as easily as
 // bytes:
 //   0..239:   feed as many bytes as the opcode specifies
-//   240..249: feed a frame from write_frame; operands: id, body size, space for the frame, body
+//   240..249: feed a frame from write_frame, of the second framing if the opcode is odd; operands:
+//             id, body size, space for the frame, body
 //   250..254: flush
 //   255:      feed the remaining bytes
 
@@ -21,6 +22,9 @@
 
 namespace {
 
+using sbgc::CrcTable;
+using sbgc::Framing;
+using sbgc::test::Accepts;
 using sbgc::test::Bytes;
 using sbgc::test::End;
 using sbgc::test::ReferenceFrame;
@@ -30,6 +34,8 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
+/// Checks a parser that accepts these framings.
+template <class Parser, Accepts accepts>
 class Checker {
  public:
   void feed(std::span<const std::uint8_t> bytes) {
@@ -57,11 +63,15 @@ class Checker {
 
  private:
   void keep(const sbgc::Frame& frame) {
-    frames_.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.offset});
+    frames_.push_back({frame.id,
+                       {frame.body.begin(), frame.body.end()},
+                       frame.offset,
+                       frame.framing == sbgc::Framing::v2});
   }
 
   void compare(End end) const {
-    const ReferenceResult reference = sbgc::test::reference_parse(segment_, end, segment_offset_);
+    const ReferenceResult reference =
+        sbgc::test::reference_parse(segment_, end, segment_offset_, accepts);
     require(frames_ == reference.frames);
     require(parser_.waiting_bytes() == reference.waiting_bytes);
     const sbgc::ParserCounters now = parser_.counters();
@@ -72,22 +82,45 @@ class Checker {
     require(now.incomplete - settled_.incomplete == reference.incomplete);
   }
 
-  sbgc::Parser parser_;
+  Parser parser_;
   sbgc::ParserCounters settled_;  // at the last flush
   Bytes segment_;                 // fed since the last flush
   std::uint64_t segment_offset_{};
   std::vector<ReferenceFrame> frames_;
 };
 
+/// Parsers of all combinations of framings.
+class Checkers {
+ public:
+  void feed(std::span<const std::uint8_t> bytes) {
+    v1_.feed(bytes);
+    v2_.feed(bytes);
+    both_.feed(bytes);
+  }
+  void flush() {
+    v1_.flush();
+    v2_.flush();
+    both_.flush();
+  }
+
+ private:
+  Checker<sbgc::Parser, Accepts::v1> v1_;
+  Checker<sbgc::BasicParser<sbgc::FrameFormats<CrcTable::nibbles, Framing::v2>>, Accepts::v2> v2_;
+  Checker<sbgc::BasicParser<sbgc::AnyFrameFormats>, Accepts::both> both_;
+};
+
 /// Returns the frame of `body` under `id`, and checks the result of write_frame.
-Bytes framed(std::uint8_t id, std::span<const std::uint8_t> body, std::size_t space) {
+Bytes framed(Framing framing, std::uint8_t id, std::span<const std::uint8_t> body,
+             std::size_t space) {
   Bytes out(space);
-  const sbgc::WriteResult result = sbgc::write_frame(id, body, out);
-  require(static_cast<bool>(result) == (id != 0 && body.size() <= 255 && space >= body.size() + 5));
-  require(result ? result.size == body.size() + 5 : result.size == 0);
+  const std::size_t size = body.size() + (framing == Framing::v1 ? 5 : 6);
+  const sbgc::WriteResult result = sbgc::write_frame(framing, id, body, out);
+  require(static_cast<bool>(result) == (id != 0 && body.size() <= 255 && space >= size));
+  require(result.size == (result ? size : 0));
   out.resize(result.size);
   if (result) {
-    const ReferenceResult reference = sbgc::test::reference_parse(out, End::final);
+    const Accepts accepts = framing == Framing::v1 ? Accepts::v1 : Accepts::v2;
+    const ReferenceResult reference = sbgc::test::reference_parse(out, End::final, 0, accepts);
     require(reference.frames.size() == 1 && reference.skipped_bytes == 0);
     require(reference.frames[0].id == id && std::ranges::equal(reference.frames[0].body, body));
   }
@@ -105,21 +138,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     input = input.subspan(taken.size());
     return taken;
   };
-  Checker checker;
+  Checkers checkers;
   while (!input.empty()) {
     const std::uint8_t step = take(1)[0];
     if (step < 240) {
-      checker.feed(take(step));
+      checkers.feed(take(step));
     } else if (step < 250) {
       const auto head = take(3);
       if (head.size() < 3) break;
-      checker.feed(framed(head[0], take(head[1]), head[2] + std::size_t{step} - 240));
+      const Framing framing = step % 2 == 0 ? Framing::v1 : Framing::v2;
+      checkers.feed(framed(framing, head[0], take(head[1]), head[2] + std::size_t{step} - 240));
     } else if (step < 255) {
-      checker.flush();
+      checkers.flush();
     } else {
-      checker.feed(take(input.size()));
+      checkers.feed(take(input.size()));
     }
   }
-  checker.flush();
+  checkers.flush();
   return 0;
 }

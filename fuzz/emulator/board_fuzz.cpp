@@ -46,7 +46,7 @@ class Player {
   struct Port {
     bool is_open{};
     bool is_torn{};  ///< the board restarted while a frame was being sent
-    sbgc::Parser parser{};
+    sbgc::ParserOfAll parser{};
   };
 
   std::uint8_t byte() {

@@ -136,8 +136,14 @@ class Player {
     sbgc::visit(id, body, sbgc::Direction::to_board, [&](const auto& message) {
       if constexpr (requires { response_policy(message); }) {
         const sbgc::ResponsePolicy policy = response_policy(message);
-        const sbgc::SendResult result = (flags & 64) != 0 ? session_.send(id, body, policy, options)
-                                                          : session_.send(message, options);
+        const auto send = [&] {
+          if ((flags & 128) != 0) {
+            return session_.try_framing(sbgc::framings.back(), id, body, policy, options);
+          }
+          return (flags & 64) != 0 ? session_.send(id, body, policy, options)
+                                   : session_.send(message, options);
+        };
+        const sbgc::SendResult result = send();
         require(static_cast<bool>(result) == static_cast<bool>(result.handle));
         if (!result) return;
         require(open_.insert(result.handle).second);
@@ -148,7 +154,7 @@ class Player {
 
   void feed_frame(std::uint8_t id, std::span<const std::uint8_t> body) {
     std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-    const std::size_t size = sbgc::write_frame(id, body, frame).size;
+    const std::size_t size = sbgc::write_frame(framing_, id, body, frame).size;
     session_.feed(std::span(frame).first(size), now_, sink());
   }
 
@@ -177,8 +183,11 @@ class Player {
     }
     ++written_;
     std::size_t frames = 0;
-    sbgc::Parser parser;
-    parser.feed(output.bytes, [&](const sbgc::Frame&) { ++frames; });
+    sbgc::ParserOfAll parser;
+    parser.feed(output.bytes, [&](const sbgc::Frame& frame) {
+      ++frames;
+      framing_ = frame.framing;
+    });
     require(frames == 1 && parser.counters().skipped_bytes == 0);
     return output.deadline < now_ || output.deadline == Instant::never ? now_ : output.deadline;
   }
@@ -209,6 +218,7 @@ class Player {
   Instant now_{};
   std::set<Handle> open_;
   sbgc::Responses newest_{};
+  sbgc::Framing framing_ = sbgc::basic_framing;  // of the last written frame
   std::uint64_t written_{};
 };
 

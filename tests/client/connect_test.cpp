@@ -105,6 +105,43 @@ TEST_F(Connect, WithThePausesOfTheProtocol) {
   EXPECT_GE(steady_clock::now() - begin, std::chrono::milliseconds(4 * 10));
 }
 
+TEST_F(Connect, UsesTheNewestFramingOfTheFirmware) {
+  introduce(board, 2680);
+  auto client = connect_over(over_memory(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_EQ(client->statistics().session.framing, Framing::v2);
+  EXPECT_TRUE(works(*client, board));
+  EXPECT_EQ(board.framing(), Framing::v2);
+}
+
+TEST_F(Connect, UsesTheFramingOfEveryBoardWithOldFirmware) {
+  introduce(board, 2679);
+  auto client = connect_over(over_memory(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(works(*client, board));
+  EXPECT_EQ(board.framing(), Framing::v1);
+  EXPECT_EQ(board.count<msg::BoardInfoRequest>(), 1U) << "no other framing was tried";
+}
+
+TEST_F(Connect, UsesTheFramingOfEveryBoardIfTheOtherIsNotAnswered) {
+  introduce(board, 2730);
+  board.knows_framings_up_to(Framing::v1);
+  auto client = connect_over(over_memory(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_EQ(client->statistics().session.framing, Framing::v1);
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, UsesTheFramingOfEveryBoardOnRequest) {
+  introduce(board, 2730);
+  ConnectOptions options = quick();
+  options.newest_framing = false;
+  auto client = connect_over(over_memory(board), options);
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(works(*client, board));
+  EXPECT_EQ(board.framing(), Framing::v1);
+}
+
 TEST_F(Connect, RecordsWhatItIsToldTo) {
   const auto file =
       std::filesystem::temp_directory_path() / ("sbgc_connect_test_" + std::to_string(::getpid()));

@@ -1,7 +1,6 @@
 /// Messages without their frames.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,8 +14,10 @@ namespace sbgc::test {
 struct Packet {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
+  Framing framing = basic_framing;
 
-  bool operator==(const Packet&) const = default;
+  /// The framing does not matter.
+  bool operator==(const Packet& other) const { return id == other.id && body == other.body; }
 };
 
 using Packets = std::vector<Packet>;
@@ -44,8 +45,7 @@ bool is(const Packet& packet) {
 /// Returns the frame of a packet.
 inline std::vector<std::uint8_t> to_frame(const Packet& packet) {
   std::vector<std::uint8_t> result(max_frame_size);
-  std::ranges::copy(packet.body, frame_body(result.data()));
-  result.resize(finish_frame(result.data(), packet.id, packet.body.size()));
+  result.resize(write_frame(packet.framing, packet.id, packet.body, result).size);
   return result;
 }
 

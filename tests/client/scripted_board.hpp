@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -95,7 +96,7 @@ class ScriptedBoard {
   template <Message M>
   void send(const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
-    const WriteResult written = encode_frame(message, frame);
+    const WriteResult written = encode_frame(framing_, message, frame);
     send_bytes(std::span(frame).first(written.size));
   }
   template <Message M>
@@ -110,6 +111,11 @@ class ScriptedBoard {
       write();
     });
   }
+
+  /// The board ignores frames of later framings. It answers in that of the last request.
+  void knows_framings_up_to(Framing newest) { newest_framing_ = newest; }
+  /// Returns the framing of the last request.
+  Framing framing() const { return framing_; }
 
   /// Unplugs the cable.
   void unplug() {
@@ -157,6 +163,8 @@ class ScriptedBoard {
   }
 
   void take(const Frame& frame) {
+    if (frame.framing > newest_framing_) return;
+    framing_ = frame.framing;
     Form form{};
     select(Direction::to_board, frame.id, frame.body.size(),
            [&]<class M>(Type<M>) { form = M::form; });
@@ -192,12 +200,15 @@ class ScriptedBoard {
   std::unique_ptr<io::Transport> transport_;
   std::vector<std::unique_ptr<io::Transport>> old_;
   std::vector<std::unique_ptr<asio::steady_timer>> timers_;
-  Parser parser_;
+  ParserOfAll parser_;
   std::array<std::uint8_t, 4096> in_{};
   std::vector<std::uint8_t> pending_;
   std::vector<std::uint8_t> out_;
   bool is_writing_ = false;
   bool is_stopping_ = false;
+
+  std::atomic<Framing> framing_ = basic_framing;  // of the last request
+  std::atomic<Framing> newest_framing_ = framings.back();
 
   std::mutex mutex_;
   std::condition_variable came_;

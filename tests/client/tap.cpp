@@ -31,7 +31,7 @@ void Tap::async_read(std::span<std::uint8_t> into, Handler handler) {
                                                                      std::size_t size) mutable {
     if (error) return handler(error, 0);
     requests_.feed(std::span(in_).first(size), [this](const Frame& frame) {
-      arrived_.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
+      arrived_.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.framing});
     });
     async_read(into, std::move(handler));
   });
@@ -70,7 +70,7 @@ void Tap::request_executed() {
 
 void Tap::async_write(std::span<const std::uint8_t> bytes, Handler handler) {
   answers_.feed(bytes, [this](const Frame& frame) {
-    leaving_.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
+    leaving_.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.framing});
   });
   Writing writing{bytes.size(), std::move(handler)};
   if (is_busy_ && !is_closed_) {

@@ -76,13 +76,13 @@ class Tap final : public io::Transport {
 
   // From the host
   std::array<std::uint8_t, 4096> in_{};
-  Parser requests_;
+  ParserOfAll requests_;
   std::deque<Packet> arrived_{};
   std::optional<Packet> request_{};  // the last one
   std::vector<std::uint8_t> ready_;  // the remaining bytes of its frame
 
   // From the board
-  Parser answers_;
+  ParserOfAll answers_;
   Packets leaving_{};
   std::vector<std::uint8_t> out_;
 

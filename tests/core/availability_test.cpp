@@ -62,7 +62,7 @@ TEST(Availability, OfFormsThatTakeEachOthersPlace) {
     EXPECT_EQ(is_supported<msg::AhrsHelperRequestExtWide>(info), firmware >= 2695);
   }
   EXPECT_EQ(Meta<msg::MotorsOff>::info.until.firmware, 2687);
-  EXPECT_EQ(newest_firmware, 2599);
+  EXPECT_EQ(newest_firmware, 2740);
 }
 
 TEST(Availability, ALaterFormSaysTheSame) {

@@ -30,12 +30,12 @@ static_assert([] {
   *frame_body(out.data()) = 0x01;
   return finish_frame(out.data(), 0x52, 1) == 6 && out == whole_frame;
 }());
-static_assert(Framing::inspect(whole_frame.data(), 6).verdict == Verdict::frame);
-static_assert(Framing::inspect(whole_frame.data(), 6).size == 6);
-static_assert(Framing::inspect(whole_frame.data(), 5).verdict == Verdict::incomplete);
-static_assert(Framing::inspect(whole_frame.data(), 5).size == 6);
-static_assert(Framing::inspect(whole_frame.data(), 3).size == 4);
-static_assert(Framing::inspect(whole_frame.data() + 1, 5).verdict == Verdict::no_start);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 6).verdict == Verdict::frame);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 6).size == 6);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 5).verdict == Verdict::incomplete);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 5).size == 6);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 3).size == 4);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data() + 1, 5).verdict == Verdict::no_start);
 
 static_assert(noexcept(write_frame(1, {}, {})));
 static_assert(write_frame(0, {}, {}).status.code == Code::invalid_id);
@@ -102,35 +102,95 @@ TEST(WriteFrame, WritesWhatTheParserReads) {
   }
 }
 
-// The search examines 16 positions at a time; every remainder and every position must count alike.
-TEST(Framing, FindsWhatAPlainSearchFinds) {
+// A frame of the second framing, written at compile time.
+constexpr Array<6> v2_frame{0x24, 0x4D, 0x00, 0x4D, 0x44, 0x0A};
+static_assert([] {
+  Array<6> out{};
+  return write_frame<Framing::v2>(0x4D, {}, out) && out == v2_frame;
+}());
+static_assert(frame_at(v2_frame.data()).framing == Framing::v2);
+static_assert(check_frame<Framing::v2>(1, 255, 260).code == Code::buffer_too_small);
+static_assert(check_frame<Framing::v2>(1, 255, 261).code == Code::ok);
+
+template <CrcTable table>
+using Crc = Crc16<FramingFacts<Framing::v2>::trailer_checksum_crc, table>;
+
+TEST(Crc16, IsTheSameWithEveryTable) {
+  const Bytes text{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+  EXPECT_EQ(reference_crc(text), 0xBCDDU);
+  Random random(3);
+  for (std::size_t size = 0; size < 300; ++size) {
+    const Bytes bytes = random.noise(size);
+    const std::size_t cut = random.below(size + 1);
+    const auto crc = [&]<CrcTable table>(Crc<table> crc) {
+      crc.add(bytes.data(), cut);
+      return unsigned{crc.add(bytes.data() + cut, size - cut).value()};
+    };
+    ASSERT_EQ(crc(Crc<CrcTable::nibbles>{}), reference_crc(bytes)) << size;
+    ASSERT_EQ(crc(Crc<CrcTable::bytes>{}), reference_crc(bytes)) << size;
+    ASSERT_EQ(crc(Crc<CrcTable::slices>{}), reference_crc(bytes)) << size;
+  }
+}
+
+TEST(WriteFrame, WritesEitherFraming) {
+  Random random(4);
+  for (std::size_t size = 0; size <= 255; ++size) {
+    const Bytes body = random.noise(size);
+    Bytes out(size + 6);
+    ASSERT_TRUE(write_frame<Framing::v2>(0xFE, body, out));
+    ASSERT_EQ(out, make_v2_frame(0xFE, body));
+    Bytes selected(max_frame_size);
+    for (const Framing framing : framings) {
+      const WriteResult written = write_frame(framing, 0xFE, body, selected);
+      ASSERT_TRUE(written);
+      const Bytes expected =
+          framing == Framing::v1 ? make_frame(0xFE, body) : make_v2_frame(0xFE, body);
+      ASSERT_EQ(Bytes(selected.data(), selected.data() + written.size), expected);
+    }
+  }
+}
+
+template <class Formats>
+void expect_the_plain_search(const Formats& formats, Accepts accepts) {
   for (std::uint32_t seed = 0; seed < 3000; ++seed) {
-    Random random(seed);
+    Random random(seed, accepts);
     Bytes s = random.noise(random.below(120));
     if (random.below(2) == 0 && s.size() >= 8) {
-      const Bytes header{0x3E, 5, 1, 6};
+      const Bytes header{random.start(), 5, 1, 6};
       std::copy(header.begin(), header.end(),
                 s.begin() + static_cast<std::ptrdiff_t>(random.below(s.size() - 3)));
     }
     std::uint64_t expected_headers = 7;
     std::size_t expected = 0;
     for (; expected < s.size(); ++expected) {
-      const Verdict verdict = Framing::inspect(&s[expected], s.size() - expected).verdict;
+      const Verdict verdict = formats.inspect(&s[expected], s.size() - expected).verdict;
       if (verdict == Verdict::bad_header) ++expected_headers;
       if (verdict != Verdict::bad_header && verdict != Verdict::no_start) break;
     }
     std::uint64_t bad_headers = 7;
-    const std::uint8_t* const found = Framing::find(s.data(), s.data() + s.size(), bad_headers);
+    const std::uint8_t* const found = formats.find(s.data(), s.data() + s.size(), bad_headers);
     ASSERT_EQ(static_cast<std::size_t>(found - s.data()), expected) << "seed " << seed;
     ASSERT_EQ(bad_headers, expected_headers) << "seed " << seed;
   }
+}
+
+// The search examines 16 positions at a time; every remainder and every position must count alike.
+TEST(Framing, FindsWhatAPlainSearchFinds) {
+  expect_the_plain_search(FrameFormats<CrcTable::slices, Framing::v1>{}, Accepts::v1);
+  expect_the_plain_search(FrameFormats<CrcTable::bytes, Framing::v2>{}, Accepts::v2);
+  expect_the_plain_search(AllFrameFormats{}, Accepts::both);
+  AnyFrameFormats selected;
+  expect_the_plain_search(selected, Accepts::both);
+  selected.accept_only(Framing::v2);
+  expect_the_plain_search(selected, Accepts::v2);
+  expect_the_plain_search(selected, Accepts::both);  // with starts that it must ignore
 }
 
 TEST(Framing, CountsManyStartsInOneSearch) {
   const Bytes starts(100'000, 0x3E);
   std::uint64_t bad_headers = 0;
   const std::uint8_t* const found =
-      Framing::find(starts.data(), starts.data() + starts.size(), bad_headers);
+      AllFrameFormats::find(starts.data(), starts.data() + starts.size(), bad_headers);
   EXPECT_EQ(found, starts.data() + starts.size() - 3);  // too few remaining bytes for a header
   EXPECT_EQ(bad_headers, starts.size() - 3);
 }

@@ -89,7 +89,7 @@ TEST_P(OutsideVectors, MeansWhatItsSourceSays) {
   Parser parser;
   const auto sink = [&](const Frame& frame) {
     ++frames;
-    EXPECT_EQ(Framing::frame_size(frame.body.size()), stream.size());
+    EXPECT_EQ(frame_size(frame.body.size()), stream.size());
     check(frame.id, {frame.body.begin(), frame.body.end()});
     ByteVector again(stream.size());
     EXPECT_TRUE(write_frame(frame.id, frame.body, again));

@@ -22,7 +22,10 @@ struct Collector {
   std::vector<ReferenceFrame> frames;
 
   void keep(const Frame& frame) {
-    frames.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.offset});
+    frames.push_back({frame.id,
+                      {frame.body.begin(), frame.body.end()},
+                      frame.offset,
+                      frame.framing == Framing::v2});
   }
   void feed(std::span<const std::uint8_t> chunk) {
     parser.feed(chunk, [this](const Frame& frame) { keep(frame); });
@@ -32,7 +35,25 @@ struct Collector {
   }
 };
 
-void expect_same(const Collector<>& collector, const ReferenceResult& reference) {
+using ParserV2 = BasicParser<FrameFormats<CrcTable::nibbles, Framing::v2>>;
+using SelectingParser = BasicParser<AnyFrameFormats>;
+
+/// Calls `test` for parsers of all combinations of framings.
+template <class Test>
+void for_each_parser(const Test& test) {
+  test(Collector<Parser>{}, Accepts::v1);
+  test(Collector<ParserV2>{}, Accepts::v2);
+  test(Collector<ParserOfAll>{}, Accepts::both);
+  Collector<SelectingParser> selecting;
+  test(selecting, Accepts::both);
+  selecting.parser.formats().accept_only(Framing::v1);
+  test(selecting, Accepts::v1);
+  selecting.parser.formats().accept_only(Framing::v2);
+  test(selecting, Accepts::v2);
+}
+
+template <class P>
+void expect_same(const Collector<P>& collector, const ReferenceResult& reference) {
   ASSERT_EQ(collector.frames, reference.frames);
   const ParserCounters counters = collector.parser.counters();
   ASSERT_EQ(counters.frames, reference.frames.size());
@@ -44,10 +65,10 @@ void expect_same(const Collector<>& collector, const ReferenceResult& reference)
 }
 
 /// Feeds `s` in chunks split at `cuts` (in ascending order); compares the results before and after
-/// the flush.
-void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts, const ReferenceResult& open,
-                const ReferenceResult& final) {
-  Collector<> collector;
+/// the flush. `collector` is new.
+template <class P>
+void check_cuts(Collector<P> collector, const Bytes& s, const std::vector<std::size_t>& cuts,
+                const ReferenceResult& open, const ReferenceResult& final) {
   std::size_t begin = 0;
   for (const std::size_t cut : cuts) {
     collector.feed(std::span(s).subspan(begin, cut - begin));
@@ -59,22 +80,24 @@ void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts, const Refe
   ASSERT_NO_FATAL_FAILURE(expect_same(collector, final));
 }
 
-void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts) {
-  check_cuts(s, cuts, reference_parse(s, End::open), reference_parse(s, End::final));
-}
-
-void check_every_cutting(const Bytes& s) {
+template <class P>
+void check_every_cutting(const Collector<P>& collector, Accepts accepts, const Bytes& s) {
   ASSERT_LE(s.size(), 18U);
-  const ReferenceResult open = reference_parse(s, End::open);
-  const ReferenceResult final = reference_parse(s, End::final);
+  const ReferenceResult open = reference_parse(s, End::open, 0, accepts);
+  const ReferenceResult final = reference_parse(s, End::final, 0, accepts);
   std::vector<std::size_t> cuts;
   for (std::uint32_t mask = 0; mask < (1U << (s.size() - 1)); ++mask) {
     cuts.clear();
     for (std::size_t i = 1; i < s.size(); ++i) {
       if ((mask >> (i - 1) & 1) != 0) cuts.push_back(i);
     }
-    ASSERT_NO_FATAL_FAILURE(check_cuts(s, cuts, open, final)) << "cutting " << mask;
+    ASSERT_NO_FATAL_FAILURE(check_cuts(collector, s, cuts, open, final)) << "cutting " << mask;
   }
+}
+
+void check_every_cutting(const Bytes& s) {
+  check_every_cutting(Collector<>{}, Accepts::v1, s);
+  check_every_cutting(Collector<ParserOfAll>{}, Accepts::both, s);
 }
 
 const Bytes read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};  // the specification's example
@@ -90,9 +113,15 @@ TEST(Parser, DeliversTheSpecificationsExample) {
 }
 
 TEST(Parser, DeliversTheLongestBody) {
-  const Bytes frame = make_frame(1, Bytes(255, 0x3E));
-  ASSERT_EQ(frame.size(), max_frame_size);
-  for (std::size_t cut = 0; cut <= frame.size(); ++cut) check_cuts(frame, {cut});
+  for_each_parser([](const auto& collector, Accepts accepts) {
+    const Bytes frame = accepts == Accepts::v1 ? make_frame(1, Bytes(255, 0x3E))
+                                               : make_v2_frame(1, Bytes(255, 0x24));
+    const ReferenceResult open = reference_parse(frame, End::open, 0, accepts);
+    ASSERT_EQ(open.frames.size(), 1U);
+    for (std::size_t cut = 0; cut <= frame.size(); ++cut) {
+      check_cuts(collector, frame, {cut}, open, open);
+    }
+  });
 }
 
 TEST(Parser, IsTheSameForEveryCuttingOfShortStreams) {
@@ -113,24 +142,46 @@ TEST(Parser, IsTheSameForEveryCuttingOfShortStreams) {
   check_every_cutting(Bytes(16, 0x3E));
 }
 
+TEST(Parser, IsTheSameForEveryCuttingOfShortStreamsOfBothFramings) {
+  const Bytes off = make_v2_frame(0x6D, {2});
+  const Bytes on = make_v2_frame(0x4D, {});
+  check_every_cutting(concat({on, motors_on, on}));
+  check_every_cutting(concat({{0x24, 0x3E}, on, {0x3E, 0x24}, motors_on}));
+  // A false candidate of each framing with a frame of the other in its body.
+  check_every_cutting(concat({{0x3E, 0x05, 0x08, 0x0D}, on, off, {0x24}}));
+  check_every_cutting(concat({{0x24, 0x05, 0x08, 0x0D}, motors_on, off, {0x3E}}));
+  // The header and body of one framing after the start byte of the other.
+  check_every_cutting(concat({{0x24}, {0x4D, 0, 0x4D, 0}, motors_on, on}));
+  check_every_cutting(concat({{0x3E}, {0x6D, 1, 0x6E, 2, 0xB3, 0x07}, off}));
+  check_every_cutting(concat({{0x24, 0, 0, 0, 0, 0}, on}));
+}
+
 TEST(Parser, IsTheSameForEveryCuttingOfShortRandomStreams) {
-  for (std::uint32_t seed = 0; seed < 60; ++seed) {
-    Bytes s = Random(seed).stream(6);
-    s.resize(11);
-    ASSERT_NO_FATAL_FAILURE(check_every_cutting(s)) << "seed " << seed;
-  }
+  for_each_parser([](const auto& collector, Accepts accepts) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+      Bytes s = Random(seed, accepts).stream(6);
+      s.resize(11);
+      ASSERT_NO_FATAL_FAILURE(check_every_cutting(collector, accepts, s)) << "seed " << seed;
+    }
+  });
 }
 
 TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    Bytes s = Random(seed).stream(20);
+    const Accepts accepts = seed < 3 ? Accepts::v1 : Accepts::both;
+    Bytes s = Random(seed, accepts).stream(20);
     s.resize(320);
-    const ReferenceResult open = reference_parse(s, End::open);
-    const ReferenceResult final = reference_parse(s, End::final);
+    const ReferenceResult open = reference_parse(s, End::open, 0, accepts);
+    const ReferenceResult final = reference_parse(s, End::final, 0, accepts);
     for (std::size_t a = 0; a <= s.size(); ++a) {
       for (std::size_t b = a; b <= s.size(); ++b) {
-        ASSERT_NO_FATAL_FAILURE(check_cuts(s, {a, b}, open, final))
-            << "seed " << seed << ", cut at " << a << " and " << b;
+        if (accepts == Accepts::v1) {
+          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<>{}, s, {a, b}, open, final))
+              << "seed " << seed << ", cut at " << a << " and " << b;
+        } else {
+          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<ParserOfAll>{}, s, {a, b}, open, final))
+              << "seed " << seed << ", cut at " << a << " and " << b;
+        }
       }
     }
   }
@@ -138,20 +189,21 @@ TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
 
 // Many streams, chunks of many sizes, flushes in between: after every step, the frames, the
 // counters and the waiting bytes match the reference.
-TEST(Parser, FollowsTheReferenceStepByStep) {
-  for (std::uint32_t seed = 0; seed < 1500; ++seed) {
-    Random random(seed);
+template <class P>
+void follow_the_reference(const Collector<P>& fresh, Accepts accepts) {
+  for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    Random random(seed, accepts);
     const Bytes s = random.stream(1 + random.below(25));
     const std::size_t longest = std::size_t{1} << random.below(10);
     const bool flushes = random.below(2) == 0;
 
-    Collector<> collector;
+    Collector<P> collector = fresh;
     ReferenceResult settled;  // of the segments closed by a flush
     Bytes segment;
     std::uint64_t segment_offset = 0;
     const auto expect_reference = [&](End end) {
       ReferenceResult all = settled;
-      const ReferenceResult now = reference_parse(segment, end, segment_offset);
+      const ReferenceResult now = reference_parse(segment, end, segment_offset, accepts);
       all.frames.insert(all.frames.end(), now.frames.begin(), now.frames.end());
       all.skipped_bytes += now.skipped_bytes;
       all.header_errors += now.header_errors;
@@ -180,6 +232,32 @@ TEST(Parser, FollowsTheReferenceStepByStep) {
     collector.flush();
     ASSERT_NO_FATAL_FAILURE(expect_reference(End::final)) << "seed " << seed;
   }
+}
+
+TEST(Parser, FollowsTheReferenceStepByStep) {
+  for_each_parser([](const auto& collector, Accepts accepts) {
+    ASSERT_NO_FATAL_FAILURE(follow_the_reference(collector, accepts));
+  });
+}
+
+TEST(Parser, AcceptsAnotherFramingFromTheNextByteOn) {
+  const Bytes v1 = make_frame(1, {});
+  const Bytes v2 = make_v2_frame(2, {});
+  Collector<SelectingParser> collector;
+  auto& formats = collector.parser.formats();
+  formats.accept_only(Framing::v1);
+  collector.parser.feed(concat({v2, v1, v1, v2, v1}), [&](const Frame& frame) {
+    collector.keep(frame);
+    if (collector.frames.size() == 2) formats.accept_only(Framing::v2);
+  });
+  const std::vector<ReferenceFrame> expected{{1, {}, 6}, {1, {}, 11}, {2, {}, 16, true}};
+  EXPECT_EQ(collector.frames, expected);
+  // A candidate that waits is judged by the framing in use when its bytes are complete.
+  collector.feed(std::span(v2).first(5));
+  formats.accept_only(Framing::v1);
+  collector.feed(concat({{v2[5]}, v1}));
+  EXPECT_EQ(collector.frames.size(), 4U);
+  EXPECT_EQ(collector.frames.back().id, 1);
 }
 
 TEST(Parser, FindsWhatADamagedLineLeavesIntact) {
@@ -329,13 +407,12 @@ TEST(Parser, ThrowsOnlyWhatItsSinkThrows) {
   static_assert(noexcept(parser.counters())&& noexcept(parser.reset()));
 }
 
-/// The framing, counting the inspected bytes.
-struct CountingFraming : Framing {
-  // Static, because the parser calls the rules without an object.
+/// All framings, counting the inspected bytes.
+struct CountingFraming : AllFrameFormats {
   static inline std::uint64_t operations = 0;  // NOLINT(*-avoid-non-const-global-variables)
 
   static Candidate inspect(const std::uint8_t* bytes, std::size_t available) {
-    const Candidate candidate = Framing::inspect(bytes, available);
+    const Candidate candidate = AllFrameFormats::inspect(bytes, available);
     const bool summed =
         candidate.verdict == Verdict::frame || candidate.verdict == Verdict::bad_body;
     operations += frame_header_size + (summed ? candidate.size : 0);
@@ -343,7 +420,7 @@ struct CountingFraming : Framing {
   }
   static const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
                                   std::uint64_t& bad_headers) {
-    const std::uint8_t* const found = Framing::find(begin, end, bad_headers);
+    const std::uint8_t* const found = AllFrameFormats::find(begin, end, bad_headers);
     operations += static_cast<std::uint64_t>(found - begin) + 1;
     return found;
   }
@@ -377,6 +454,11 @@ TEST(Parser, DoesBoundedWorkPerByte) {
       concat({{0x3E, 1, 255, 0}, Bytes(256, 0x3E)}),          // a false frame full of start bytes
       concat({{0x3E, 1, 254, 255}, repeat(motors_on, 255)}),  // or full of frames
       Random(1).noise(1000),
+      {0x24},
+      {0x24, 0x25, 0xFF, 0x3E, 0x3F, 0xFF},
+      make_v2_frame(1, repeat({0x24, 0x25, 0xFF}, 255)),
+      concat({{0x24, 1, 254, 255}, repeat(motors_on, 256)}),
+      Random(2, Accepts::both).noise(1000),
   };
   for (const Bytes& pattern : patterns) {
     for (const std::size_t chunk_size : {1U, 2U, 3U, 64U, 259U, 260U, 261U, 100'000U}) {

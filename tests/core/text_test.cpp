@@ -177,9 +177,9 @@ TEST(Violations, OfCountsAndAlignment) {
   msg::SetAdjVarsVal none;
   EXPECT_EQ(violations_in(none), Sentences{"num_vars: 0 is below 1"});
   msg::BeepSound long_melody;
-  EXPECT_TRUE(long_melody.note_freq_hz.resize(31));
+  EXPECT_TRUE(long_melody.note_freq_hz.resize(51));
   for (auto& note : long_melody.note_freq_hz) note = std::remove_cvref_t<decltype(note)>(1000);
-  EXPECT_EQ(violations_in(long_melody), Sentences{"note_freq_hz: 31 elements are more than 30"});
+  EXPECT_EQ(violations_in(long_melody), Sentences{"note_freq_hz: 51 elements are more than 50"});
 }
 
 TEST(Violations, OfVersionsNameTheVersion) {

@@ -51,10 +51,10 @@ TEST(Validate, MaximumAndSpecialValues) {
 
 TEST(Validate, Count) {
   msg::BeepSound message = good_beep();
-  while (message.note_freq_hz.size() < 30) message.note_freq_hz.push_back(msg::NoteFrequency(1000));
+  while (message.note_freq_hz.size() < 50) message.note_freq_hz.push_back(msg::NoteFrequency(1000));
   EXPECT_EQ(violations_of(message), Violations{});
   message.note_freq_hz.push_back(msg::NoteFrequency(1000));
-  EXPECT_EQ(violations_of(message), (Violations{{"note_freq_hz", 31, 30, Rule::count}}));
+  EXPECT_EQ(violations_of(message), (Violations{{"note_freq_hz", 51, 50, Rule::count}}));
 }
 
 TEST(Validate, FewestElements) {
@@ -87,7 +87,7 @@ TEST(Validate, PathsThroughAxesAndLists) {
   params.axis_top = msg::SensorAxis::z;
   const auto before = violations_of(params);
   params.axes.pitch.invert = 2;
-  params.rc.yaw.rc_lpf = 17;
+  params.rc.yaw.rc_follow = -128;
   params.servo_out[3] = 33;
   Violations added;
   for (const ViolationCopy& violation : violations_of(params)) {
@@ -96,7 +96,7 @@ TEST(Validate, PathsThroughAxesAndLists) {
     }
   }
   EXPECT_EQ(added, (Violations{{"axes.pitch.invert", 2, 1, Rule::maximum},
-                               {"rc.yaw.rc_lpf", 17, 16, Rule::maximum},
+                               {"rc.yaw.rc_follow", -128, -127, Rule::minimum},
                                {"servo_out[3]", 33, 32, Rule::maximum}}));
 }
 

@@ -1,6 +1,7 @@
 // Tests of the adjustable variables and the settings they represent.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <tuple>
@@ -58,9 +59,13 @@ std::vector<std::size_t> differences(const Settings& a, const Settings& b) {
   return places;
 }
 
+/// Variables without a setting that any source names.
 bool has_no_setting(msg::VariableId id) {
-  return id == msg::VariableId::frame_heading_angle ||
-         id == msg::VariableId::gyro_heading_correction;
+  using enum msg::VariableId;
+  constexpr std::array without{frame_heading_angle, gyro_heading_correction, h_corr_factor,
+                               auto_pid_target,     rc_mode_roll,            rc_mode_pitch,
+                               rc_mode_yaw,         euler_order,             shake_master_gain};
+  return std::ranges::find(without, id) != without.end();
 }
 
 /// Returns the change of the variable for one step of the setting.
@@ -70,6 +75,7 @@ std::int32_t step_of(msg::VariableId id) {
     case msg::VariableId::acc_limiter_roll:
     case msg::VariableId::acc_limiter_pitch:
     case msg::VariableId::acc_limiter_yaw: return 5;
+    case msg::VariableId::shake_pause_period: return 20;
     default: return 1;
   }
 }

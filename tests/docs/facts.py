@@ -8,13 +8,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol, Union
 
-from sbgcgen.views.words import versions
+from sbgcgen.views.words import default_words, rules_in, versions
 from sbgcgen.model import (
     EFFECTS,
+    Alias,
     Answer,
     Availability,
+    Condition,
     Effect,
     Enum,
+    Field,
     Layout,
     Leaf,
     Message,
@@ -111,7 +114,8 @@ def shapes_of(fact: Fact) -> re.Pattern[str]:
         shapes = [r"\s+".join(re.escape(word) for word in fact.wanted.split())]
     else:
         number = fact.wanted.numerator
-        shapes = [str(number), r"\d+/\d+", r"\d+\.\d+", f"0x0*{number & 0xFFFFFFFF:x}"]
+        digits = f"0*{number}" if number >= 0 else str(number)  # 02 in a row of bytes
+        shapes = [digits, r"\d+/\d+", r"\d+\.\d+", f"0x0*{number & 0xFFFFFFFF:x}"]
     return re.compile("|".join(rf"(?<!\w){shape}(?!\w)" for shape in shapes), re.IGNORECASE)
 
 
@@ -148,6 +152,14 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
     if message.form:
         yield Fact(place, "message form", message.form)
     yield from _since(place, "message since", message.since)
+    yield from _unconfirmed(place, "message", message.unconfirmed)
+    for since, size in message.lengths:
+        yield Fact(place, "message size of a firmware", Fraction(size))
+        yield from _since(place, "message size of a firmware", since)
+    for rule in rules_in(message.body):
+        for name in rule.replace("<=", "<").split(" < "):
+            yield Fact(place, "rule", name)
+        yield Fact(place, "rule", re.findall("<=?", rule)[0])
     if message.until:
         yield from _since(place, "message until", message.until.versions)
         if message.until.instead:
@@ -184,6 +196,28 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
             yield from _leaf(message, case)
 
 
+def _unconfirmed(place: Place, kind: str, is_unconfirmed: bool, column: str = "") -> Iterator[Fact]:
+    if is_unconfirmed:
+        yield Fact(place, f"{kind} unconfirmed", "unconfirmed", column, re.IGNORECASE)
+
+
+def _formerly(
+    place: Place, kind: str, aliases: tuple[Alias, ...], column: str = ""
+) -> Iterator[Fact]:
+    for alias in aliases:
+        yield Fact(place, f"{kind} formerly", alias.spec_name, column)
+
+
+def _condition(place: Place, kind: str, when: Condition, column: str = "") -> Iterator[Fact]:
+    """Its source, and each clause with its verb; numbers as numbers."""
+    yield Fact(place, kind, when.source, column)
+    for verb, _, values in when.clauses:
+        yield Fact(place, f"{kind} verb", verb, column)
+        for value in values:
+            wanted = Fraction(value) if isinstance(value, int) else value.name
+            yield Fact(place, kind, wanted, column)
+
+
 def _since(place: Place, kind: str, since: Availability, column: str = "") -> Iterator[Fact]:
     for word in versions(since).split(", ") if since else ():
         yield Fact(place, kind, word, column)
@@ -193,16 +227,14 @@ def _effect(place: Place, effect: Effect) -> Iterator[Fact]:
     for case in effect.cases:
         for word in case.words:
             yield Fact(place, "message effect", EFFECTS[word])
-        for value in (*case.when.flags, *case.when.values) if case.when else ():
-            yield Fact(place, "message effect condition", value.name)
+        if case.when:
+            yield from _condition(place, "message effect condition", case.when)
 
 
 def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
     for case in answer.cases:
         if case.when:
-            yield Fact(place, "answer condition", case.when.source)
-            for value in case.when.flags + case.when.values:
-                yield Fact(place, "answer condition", value.name)
+            yield from _condition(place, "answer condition", case.when)
         for name in case.messages:
             yield Fact(place, "answer", name)
         if case.messages or case.confirm == "always":
@@ -255,16 +287,21 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         yield Fact(place, "field alignment", Fraction(field.align), "meaning")
     if field.counter:
         yield Fact(place, "field counter", field.counter, "meaning")
+        if field.counting != "elements":
+            word = {"bytes": "bytes", "minus_1": "minus 1", "bits": "each bit that is set"}
+            yield Fact(place, "field counting", word[field.counting], "meaning")
     if field.variable:
         yield Fact(place, "field variable", field.variable, "meaning")
     if field.when:
-        yield Fact(place, "field condition", field.when.source, "meaning")
-        for value in (*field.when.flags, *field.when.values):
-            yield Fact(place, "field condition", value.name, "meaning")
+        yield from _condition(place, "field condition", field.when, "meaning")
     if field.alternative:
         yield Fact(place, "field other unit", field.alternative.flag.name, "meaning")
         yield Fact(place, "field other unit", field.alternative.quantity.name, "meaning")
     yield from _since(place, "field since", field.since, "meaning")
+    yield from _before(place, field, message)
+    yield from _formerly(place, "field", field.aliases, "meaning")
+    yield from _unconfirmed(place, "field", field.unconfirmed, "meaning")
+    yield from _default(place, field)
     if field.deprecated:
         yield Fact(place, "field deprecated", "deprecated", "meaning", re.IGNORECASE)
         yield from _since(place, "field deprecated since", field.deprecated.since, "meaning")
@@ -272,6 +309,24 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
             yield Fact(place, "field replaced by", field.deprecated.replaced_by, "meaning")
     for number in field.errata:
         yield Fact(place, "field errata", number, "meaning")
+
+
+def _before(place: Place, field: Field, message: Message) -> Iterator[Fact]:
+    """What bodies of firmware without the field have in its place."""
+    if field.appended:
+        yield Fact(place, "field appended", "before, the body ends here", "meaning")
+    elif message.was_reserved(field):
+        yield Fact(place, "field reserved before", "before, its bytes are reserved", "meaning")
+
+
+def _default(place: Place, field: Field) -> Iterator[Fact]:
+    if not field.constant and not field.default:
+        return
+    kind = "field constant" if field.constant else "field default"
+    yield Fact(place, kind, "always" if field.constant else "default", "meaning", re.IGNORECASE)
+    for word in default_words(field):
+        is_number = re.fullmatch(r"-?\d+", word)
+        yield Fact(place, kind, Fraction(word) if is_number else word, "meaning")
 
 
 def _unit_of_field(place: Place, quantity: Quantity) -> Iterator[Fact]:
@@ -298,6 +353,11 @@ def _enum(enum: Enum) -> Iterator[Fact]:
         yield Fact(at, "value number", Fraction(value.value), "number")
         yield Fact(at, "value summary", value.summary, "meaning")
         yield from _since(at, "value since", value.since, "meaning")
+        yield from _formerly(at, "value", value.aliases, "meaning")
+        yield from _unconfirmed(at, "value", value.unconfirmed, "meaning")
+        if value.former:
+            yield from _since(at, "value changed", value.former.firmware, "meaning")
+            yield Fact(at, "value changed", value.former.summary, "meaning")
         for number in value.errata:
             yield Fact(at, "value errata", number, "meaning")
 
@@ -317,6 +377,16 @@ def _packed(packed: Packed) -> Iterator[Fact]:
         yield Fact(place, "part summary", part.summary)
         if part.enum:
             yield Fact(place, "part enum", part.enum.name)
+        if part.quantity:
+            yield Fact(place, "part quantity", part.quantity.name)
+            if part.quantity.unit:
+                yield Fact(place, "part unit", part.quantity.unit)
+            if part.quantity.scale != 1:
+                yield Fact(place, "part scale", part.quantity.scale)
+        if part.signed:
+            yield Fact(place, "part signed", "in two's complement")
+        if part.sign:
+            yield Fact(place, "part sign", Fraction(part.sign.bit_length() - 1))
         yield from _bits(place, part)
 
 
@@ -356,6 +426,8 @@ def _variables(layout: Layout) -> Iterator[Fact]:
         yield Fact(place, "variable summary", variable.summary, "meaning")
         if variable.quantity:
             yield Fact(place, "variable unit", variable.quantity.name, "unit")
+        yield from _since(place, "variable since", variable.since, "meaning")
+        yield from _unconfirmed(place, "variable", variable.unconfirmed, "meaning")
         for setting in variable.settings:
             yield Fact(place, "variable setting", setting.path, "setting")
             yield Fact(place, "variable setting", setting.message, "setting")
@@ -383,3 +455,7 @@ def _commands(layout: Layout) -> Iterator[Fact]:
             yield Fact(place, "command id", Fraction(command.id))
         yield Fact(place, "command summary", command.summary)
         yield from _since(place, "command since", command.since)
+        yield from _formerly(place, "command", command.aliases)
+        yield from _unconfirmed(place, "command", command.unconfirmed)
+        for number in command.errata:
+            yield Fact(place, "command errata", number)

@@ -28,7 +28,7 @@ _COLUMNS = {
 def plain(text: str) -> str:
     """Returns the text without Markdown."""
     text = re.sub(r"\[((?:[^\]\\]|\\.)*)\]\([^)]*\)", r"\1", text)
-    text = re.sub(r"<[^>]*>", " ", text)
+    text = re.sub(r"<[/!a-z][^>]*>", " ", text)
     parts = re.split(r"(`[^`]*`)", text)
     for i in range(0, len(parts), 2):
         parts[i] = re.sub(r"(?<!\\)\*", "", parts[i])

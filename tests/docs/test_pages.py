@@ -308,7 +308,98 @@ def test_search_knows_versions_and_pages_of_their_own(files: Files, layout: Layo
     for message in layout.messages:
         if message.since.firmware:
             version = versions(replace(message.since, board=0)).split()[-1]
-            assert f"availability.html#firmware-{version}" in found
+            assert any(page.startswith("firmware/") and page.endswith(f"#{version}") for page in found)
+
+
+def test_each_firmware_has_a_page_of_what_it_brought(pages: Pages, layout: Layout) -> None:
+    """Each version is a section of one page, which links everything that has this version."""
+    sections = {
+        heading.get("id"): (page, heading.parent)
+        for page in pages.values()
+        if page.path.startswith("firmware/")
+        for heading in page.root.all("main")[0].all("h2")
+    }
+    things = [
+        *((m.since, m.name) for m in layout.definitions),
+        *((m.until.versions, m.name) for m in layout.definitions if m.until),
+        *((c.since, c.name) for c in layout.commands),
+        *((v.since, v.name) for v in layout.variables),
+        *((v.since, v.name) for e in layout.enums for v in e.values),
+        *((v.former.firmware, v.name) for e in layout.enums for v in e.values if v.former),
+        *((f.since, f.name) for m in layout.definitions for f in m.fields if not m.same_as),
+    ]
+    by_firmware = [(since, name) for since, name in things if since.firmware]
+    assert len(by_firmware) > 100
+    assert set(sections) == {since.firmware_text for since, _ in by_firmware}
+    for since, name in by_firmware:
+        page, section = sections[since.firmware_text]
+        assert section is not None and since.firmware_text.startswith(page.path[9:-5])
+        assert name in section.text, f"{since.firmware_text}: {name}"
+
+
+def test_the_index_of_versions_lists_each_with_a_link(pages: Pages, layout: Layout) -> None:
+    links = {f"{page}#{name}" for page, name in pages["availability.html"].links}
+    for page in pages.values():
+        if page.path.startswith("firmware/"):
+            for heading in page.root.all("main")[0].all("h2"):
+                assert f"{page.path}#{heading.get('id')}" in links
+    for message in layout.messages:
+        if message.since.board:
+            assert f"board-{message.since.board_text}" in pages["availability.html"].ids
+
+
+def test_marks_of_versions_lead_to_what_else_the_version_brought(pages: Pages) -> None:
+    found = 0
+    for page in pages.values():
+        for tag in page.root.with_class("tag"):
+            if re.match(r"since (firmware|board) ", tag.text):
+                (link, *_) = tag.all("a")
+                assert re.search(r"firmware/[\d.]+\.html#|#board-", link.get("href")), tag.text
+                found += 1
+    assert found > 200
+
+
+def test_what_a_firmware_lacks_is_marked_for_the_choice(pages: Pages, layout: Layout) -> None:
+    for enum in layout.enums:
+        marked = _marked(pages[page_of_type(enum)])
+        for value in enum.values:
+            assert marked.get(value.name, 0) == value.since.firmware, value.name
+    marked = _marked(pages["variables.html"])
+    for variable in layout.variables:
+        assert marked.get(variable.name, 0) == variable.since.firmware, variable.name
+    for message in layout.definitions:
+        page = pages[page_of_message(message)]
+        marked = _marked(page)
+        for field in message.fields:
+            since = field.since if field.since.is_after(message.since) else None
+            rows = [n for i, n in marked.items() if re.match(rf"field-{field.name}(\W|$)", i)]
+            assert not since or since.firmware == 0 or since.firmware in rows, field.name
+        notes = [e.get("data-absent-before") for e in page.root.with_class("absent")]
+        wanted = [str(message.since.firmware)] if message.since.firmware else []
+        assert [note for note in notes if note] == wanted, message.name
+    for command in layout.commands:
+        marked = _marked(pages[f"families/{command.family}.html"])
+        assert marked.get(command.name, 0) == command.since.firmware, command.name
+
+
+def _marked(page: Page) -> dict[str, int]:
+    """Returns the firmware that brought each element with an id, or with something in it."""
+    return {
+        inner.get("id"): int(element.get("data-since"))
+        for element in page.root.all()
+        if "data-since" in element.attributes
+        for inner in (element, *element.all())
+        if "id" in inner.attributes
+    }
+
+
+def test_the_choice_offers_each_firmware(pages: Pages, layout: Layout) -> None:
+    (select,) = pages["index.html"].root.all("select")
+    offered = [int(o.get("value")) for o in select.all("option") if o.get("value")]
+    assert offered == sorted(set(offered))
+    named = {m.since.firmware for m in layout.messages} | {v.since.firmware for v in layout.variables}
+    assert named - {0} <= set(offered)
+    assert layout.newest_firmware in offered
 
 
 def test_search_knows_the_lines_of_the_specification(files: Files, layout: Layout) -> None:

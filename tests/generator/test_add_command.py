@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,8 +27,8 @@ PROGRAM = """
 int main() {
 %s
   static_assert(sbgc::msg::SetLights::max_size == 5);
-  static_assert(!sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2690, 30}));
-  static_assert(sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2700, 30}));
+  static_assert(!sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2730, 30}));
+  static_assert(sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2740, 30}));
   if (!sbgc::is_valid(lights)) return 1;
   std::uint8_t frame[sbgc::max_frame_size];
   const sbgc::WriteResult written = sbgc::encode_frame(lights, frame);
@@ -37,39 +38,40 @@ int main() {
     if constexpr (requires { message.period; }) same = message == lights;
   };
   const sbgc::Status status =
-      sbgc::visit(140, std::span(frame + 4, written.size - 5), sbgc::Direction::to_board, check);
+      sbgc::visit(199, std::span(frame + 4, written.size - 5), sbgc::Direction::to_board, check);
   lights.period = sbgc::msg::Milliseconds(10);
   return status && same && !sbgc::is_valid(lights) ? 0 : 2;
 }
 """
 
 
-def guide_block(language: str) -> str:
-    """Returns the fenced block of the guide in this language."""
+def guide_blocks(language: str) -> list[str]:
+    """Returns the fenced blocks of the guide in this language."""
     text = (ROOT / "docs/10-new-commands.md").read_text(encoding="utf-8")
-    found: list[str] = re.findall(
-        rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL
+    return re.findall(rf"^ *```{re.escape(language)}\n(.*?)^ *```", text, re.MULTILINE | re.DOTALL)
+
+
+def add_family(spec: Path, name: str, text: str) -> None:
+    """Writes a family, and adds it to the list of the main file."""
+    (spec / f"{name}.yaml").write_text(text, encoding="utf-8")
+    main_file = spec / "simplebgc.yaml"
+    content = main_file.read_text(encoding="utf-8")
+    main_file.write_text(
+        content.replace("families:\n", f"families:\n  - {name}\n"), encoding="utf-8"
     )
-    assert len(found) == 1
-    return found[0]
 
 
 def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     spec = tmp_path / "spec"
     shutil.copytree(ROOT / "spec", spec)
-    (spec / "lights.yaml").write_text(guide_block("yaml"), encoding="utf-8")
-    main_file = spec / "simplebgc.yaml"
-    main_file.write_text(
-        main_file.read_text(encoding="utf-8").replace("families:\n", "families:\n  - lights\n"),
-        encoding="utf-8",
-    )
+    add_family(spec, "lights", guide_blocks("yaml")[0])
     assert main(["generate", "--root", str(tmp_path)]) == 0
 
     compiler = os.environ.get("CXX") or shutil.which("g++") or shutil.which("clang++")
     if compiler is None:
         pytest.fail("a C++ compiler is needed")
     source = tmp_path / "lights.cpp"
-    source.write_text(PROGRAM % guide_block("c++"), encoding="utf-8")
+    source.write_text(PROGRAM % guide_blocks("c++")[0], encoding="utf-8")
     program = tmp_path / "lights"
     includes = [f"-I{ROOT / 'runtime/core/include'}", f"-I{tmp_path / 'generated/include'}"]
     subprocess.run(
@@ -78,7 +80,61 @@ def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     )
     result = subprocess.run([program], capture_output=True, text=True, check=False)
     assert result.returncode == 0
-    # Start, id 140, 5 bytes, their sum; roll, pitch, yaw = blink | 31 << 2, 500 ms; the sum.
-    assert result.stdout == "3e8c0591" + "00007e" + "f401" + "73"
+    # Start, id 199, 5 bytes, their sum; roll, pitch, yaw = blink | 31 << 2, 500 ms; the sum.
+    assert result.stdout == "3ec705cc" + "00007e" + "f401" + "73"
     assert (tmp_path / "generated/vectors/lights.jsonl").is_file()
     assert list((tmp_path / "generated/fuzz/messages").glob("to_board_set_lights_*"))
+
+
+# The ids of commands that the spec does not have.
+_FREE_IDS = range(200, 250)
+_COMMAND = """commands:
+  CMD_EXAMPLE_{id}:
+    id: {id}
+    summary: An example.
+    from_board:
+      source: Release notes of firmware 2.74
+"""
+
+
+def example_family(block: str, number: int) -> str:
+    """Returns a family with a block of the guide: the body of a message, or types and their uses."""
+    head = f"family: example_{number}\nsummary: An example of the guide.\n"
+    command = _COMMAND.format(id=_FREE_IDS[number])
+    if re.match(r"(enums|flags|packed):\n", block):
+        names = re.findall(r"^  (\w+):$", block, re.MULTILINE)
+        uses = [
+            f"        - {{name: USE_{i}, type: {name}, summary: Its use.}}\n"
+            for i, name in enumerate(names)
+        ]
+        return head + block + command + "      fields:\n" + "".join(uses)
+    return head + command + "".join(f"      {line}\n" for line in block.splitlines())
+
+
+def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -> None:
+    spec = tmp_path / "spec"
+    shutil.copytree(ROOT / "spec", spec)
+    first, *blocks = guide_blocks("yaml")
+    add_family(spec, "lights", first)
+    assert len(blocks) >= 11
+    for number, block in enumerate(blocks):
+        add_family(spec, f"example_{number}", example_family(block, number))
+    layout = load_protocol(spec).layout
+    made = [m for m in layout.messages if m.family.startswith("example_")]
+    made.sort(key=lambda message: message.id)
+    assert len(made) == len(blocks)
+    fields = {f"{m.id - _FREE_IDS[0]}.{f.name}": f for m in made for f in m.fields}
+    assert fields["0.delay"].appended and made[0].lengths[-1][1] == made[0].max_size
+    assert made[1].was_reserved(fields["1.level"]) and made[1].has_fixed_size
+    assert fields["3.speed"].when and fields["3.data"].when
+    assert made[4].unconfirmed and fields["4.temperature"].unconfirmed
+    assert fields["5.version"].constant and fields["5.light"].default == 1
+    assert [rule.text("") for rule in made[6].body.rules] == ["min_level <= max_level"]
+    assert [alias.name for alias in fields["7.brightness"].aliases] == ["level"]
+    assert fields["9.lamps"].counting == "bytes"
+    enums = {e.name: e for e in layout.enums}
+    assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
+    assert enums["LampEffect"].values[0].former
+    (packed,) = [p for p in layout.packed if p.name == "LampState"]
+    assert packed.parts[0].limits == (-2048, 2047)
+    assert packed.parts[1].limits == (-32767, 32767) and packed.parts[1].quantity

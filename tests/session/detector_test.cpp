@@ -117,8 +117,8 @@ TEST(Detector, TriesTheLikelyFirst) {
   const auto first_even =
       std::find_if(port.visited.begin(), port.visited.end(),
                    [](const auto& line) { return line.parity == Parity::even; });
-  EXPECT_EQ(first_even - port.visited.begin(), 5) << "after the five rates of the protocol";
-  EXPECT_EQ(port.visited[10].baud_rate, 256000U) << "others come last";
+  EXPECT_EQ(first_even - port.visited.begin(), 6) << "after the six rates of the protocol";
+  EXPECT_EQ(port.visited[12].baud_rate, 230400U) << "others come last";
 }
 
 TEST(Detector, IsQuickWhereTheBoardIsLikelyToBe) {

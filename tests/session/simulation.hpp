@@ -22,9 +22,10 @@ using Body = std::vector<std::uint8_t>;
 
 inline constexpr sbgc::Instant start = sbgc::Instant{} + sbgc::seconds(1000);
 
-inline Body frame_of(std::uint8_t id, const Body& body) {
+inline Body frame_of(std::uint8_t id, const Body& body,
+                     sbgc::Framing framing = sbgc::basic_framing) {
   Body frame(sbgc::max_frame_size);
-  frame.resize(sbgc::write_frame(id, body, frame).size);
+  frame.resize(sbgc::write_frame(framing, id, body, frame).size);
   return frame;
 }
 
@@ -48,6 +49,7 @@ struct Written {
   std::uint8_t id;
   Body body;
   sbgc::Instant at;
+  sbgc::Framing framing = sbgc::basic_framing;
 };
 
 /// Returns the ids of frames.
@@ -167,9 +169,9 @@ class Basic {
  private:
   void write(std::span<const std::uint8_t> bytes) {
     std::optional<Written> frame;
-    sbgc::Parser parser;
+    sbgc::ParserOfAll parser;
     parser.feed(bytes, [&](const sbgc::Frame& found) {
-      frame = Written{found.id, {found.body.begin(), found.body.end()}, now};
+      frame = Written{found.id, {found.body.begin(), found.body.end()}, now, found.framing};
     });
     ASSERT_TRUE(frame) << "not exactly one complete frame";
     written.push_back(*frame);

@@ -95,8 +95,9 @@ class Decoding {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
     Json line;
     line["frame"] = decoded.to_json();
-    line["size"] = Framing::frame_size(frame.body.size());
+    line["size"] = frame_size(frame.framing, frame.body.size());
     line["body"] = frame_header_size;
+    line["checksum"] = frame_header_size + frame.body.size();
     line["rows"] = rows_of(decoded);
     if (!decoded.status) line["reason"] = text(decoded.status.code);
     add_line(out, line);
@@ -111,7 +112,7 @@ class Decoding {
 
   std::optional<Direction> direction_;
   FrameDecoder decoder_;
-  Parser parser_;
+  ParserOfAll parser_;
   HexDecoder hex_;
   std::vector<std::uint8_t> bytes_;
   std::uint64_t size_ = 0;

@@ -252,7 +252,7 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
   // Checking the room first saves a measurement.
-  const std::size_t size = Framing::frame_size(stream_change(request).size);
+  const std::size_t size = frame_size(device.ports.framing(port), stream_change(request).size);
   if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {
     measure(device, what..., now, data);

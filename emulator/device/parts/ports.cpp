@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <sbgc/availability.hpp>
+
 namespace sbgc::emulator {
 namespace {
 
@@ -16,6 +18,7 @@ std::size_t limit(std::size_t size) {
 Ports::Ports(const BoardOptions& options)
     : input_limit_(std::min(limit(options.input_buffer), max_input)),
       output_limit_(limit(options.output_buffer)),
+      newest_framing_(newest_framing({options.firmware.raw(), options.board.raw()})),
       holds_(options.waits_for_saving) {}
 
 std::optional<std::size_t> Ports::open(bool is_usb) {
@@ -24,6 +27,7 @@ std::optional<std::size_t> Ports::open(bool is_usb) {
     ports_[port] = {};
     ports_[port].is_open = true;
     ports_[port].is_usb = is_usb;
+    if (newest_framing_ == basic_framing) ports_[port].parser.formats().accept_only(basic_framing);
     return port;
   }
   return {};
@@ -37,13 +41,12 @@ bool Ports::is_usb(std::size_t port) const { return is_open(port) && ports_[port
 
 void Ports::end_input(std::size_t port) { ports_[port].has_ended = true; }
 
-std::uint64_t Ports::parser_errors(const Parser& parser) {
-  const ParserCounters counters = parser.counters();
+std::uint64_t Ports::parser_errors(const ParserCounters& counters) {
   return counters.header_errors + counters.body_errors + counters.incomplete;
 }
 
 std::uint64_t Ports::errors(std::size_t port) const {
-  return is_open(port) ? parser_errors(ports_[port].parser) : 0;
+  return is_open(port) ? parser_errors(ports_[port].parser.counters()) : 0;
 }
 
 void Ports::report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const {
@@ -58,10 +61,13 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
     return;
   }
   if (to.output_begin > to.output.size() / 2) to.forget_sent();
-  if (holds_) to.held.push_back({to.output.size(), frame.size(), {}});
-  to.output.insert(to.output.end(), frame.begin(), frame.end());
+  const std::size_t begin = to.output.size();
+  const Frame message = frame_at(frame.data());
+  to.output.resize(begin + frame_size(to.framing, message.body.size()));
+  static_cast<void>(write_frame(to.framing, message.id, message.body, std::span(to.output).subspan(begin)));
+  if (holds_) to.held.push_back({begin, to.output.size() - begin, {}});
   ++counters.sent;
-  const Frame sent{Framing::id(frame.data()), Framing::body(frame.data()), 0};
+  const Frame sent = frame_at(to.output.data() + begin);
   report(port, sent, {});
   if (on_sent) on_sent(port, sent);
 }
@@ -101,7 +107,7 @@ void Ports::fail(std::uint32_t revision, const Refusal& refusal) {
       port.output.insert(place, instead.begin(), instead.end());
       for (Held& later : port.held) later.begin += instead.size() - frame.size;
       if (!is_other || instead.empty()) continue;
-      report(number, {Framing::id(instead.data()), Framing::body(instead.data()), 0}, {});
+      report(number, frame_at(instead.data()), {});
     }
   }
 }
@@ -129,12 +135,12 @@ void Ports::keep(std::size_t port, const Frame& frame, bool is_listening) {
   ++counters.requests;
   if (!is_listening) return report(port, frame, Outcome::not_listening);
   Port& from = ports_[port];
-  const std::size_t size = Framing::frame_size(frame.body.size());
+  const std::size_t size = frame_size(frame.framing, frame.body.size());
   if (size > input_limit_ || from.requests_size > input_limit_ - size) {
     ++counters.lost;
     return report(port, frame, Outcome::lost);
   }
-  from.requests.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
+  from.requests.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.framing});
   from.requests_size += size;
 }
 
@@ -147,7 +153,8 @@ QueuedRequest Ports::take(std::size_t port) {
   Port& from = ports_[port];
   QueuedRequest first = std::move(from.requests.front());
   from.requests.pop_front();
-  from.requests_size -= Framing::frame_size(first.body.size());
+  from.requests_size -= frame_size(first.framing, first.body.size());
+  from.framing = first.framing;
   return first;
 }
 
@@ -167,6 +174,7 @@ void Ports::forget_input(Port& port) {
   port.requests.clear();
   port.requests_size = 0;
   port.parser.reset();
+  port.framing = basic_framing;
 }
 
 std::span<const std::uint8_t> Ports::output(std::size_t port) const {

@@ -20,6 +20,7 @@ namespace sbgc::emulator {
 struct QueuedRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
+  Framing framing{};
 };
 
 /// Buffers of frames; they do not interpret them.
@@ -61,11 +62,18 @@ class Ports {
   bool offer(std::size_t port, const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
     const WriteResult written = encode_frame(message, frame);
-    if (!written || written.size > room(port)) return false;
+    if (!written) return false;
+    const std::size_t body_size = written.size - frame_size(0);
+    if (frame_size(framing(port), body_size) > room(port)) return false;
     send_frame(port, std::span(frame).first(written.size));
     return true;
   }
+  /// Sends the message of a frame in the framing of the port.
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
+  /// The framing of the last request, in which the board sends.
+  Framing framing(std::size_t port) const {
+    return is_open(port) ? ports_[port].framing : basic_framing;
+  }
   /// The number of bytes of samples that fit into the output buffer now; 0 for a closed port.
   std::size_t room(std::size_t port) const;
 
@@ -118,7 +126,8 @@ class Ports {
 
   struct Port {
     bool is_open{}, is_usb{}, has_ended{};
-    Parser parser{};
+    BasicParser<AnyFrameFormats> parser{};
+    Framing framing = basic_framing;
     std::deque<QueuedRequest> requests{};
     std::size_t requests_size{};
     std::vector<std::uint8_t> output{};  ///< starts at `output_begin`
@@ -130,13 +139,14 @@ class Ports {
     void forget_sent();
   };
 
-  static std::uint64_t parser_errors(const Parser& parser);
+  static std::uint64_t parser_errors(const ParserCounters& counters);
   static void forget_input(Port& port);
   void keep(std::size_t port, const Frame& frame, bool is_listening);
 
   std::array<Port, Board::max_ports> ports_{};
   std::size_t input_limit_{};
   std::size_t output_limit_{};
+  Framing newest_framing_{};
   bool holds_{};
   bool is_silent_{};
 };

@@ -529,109 +529,111 @@ enum class VariableId : std::uint8_t {
   timelapse_time = 48,
   /// MAV_CTRL_MODE: What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes.
   mav_ctrl_mode = 49,
-  /// H_CORR_FACTOR: Strength of the heading correction.
+  /// H_CORR_FACTOR: Strength of the heading correction. Since firmware 2.68b7.
   h_corr_factor = 50,
-  /// SW_LIM_MIN_ROLL: Lowest angle of the roll joint.
+  /// SW_LIM_MIN_ROLL: Lowest angle of the roll joint. Since firmware 2.68b8.
   sw_lim_min_roll = 51,
-  /// SW_LIM_MAX_ROLL: Highest angle of the roll joint.
+  /// SW_LIM_MAX_ROLL: Highest angle of the roll joint. Since firmware 2.68b8.
   sw_lim_max_roll = 52,
-  /// SW_LIM_MIN_PITCH: Lowest angle of the pitch joint.
+  /// SW_LIM_MIN_PITCH: Lowest angle of the pitch joint. Since firmware 2.68b8.
   sw_lim_min_pitch = 53,
-  /// SW_LIM_MAX_PITCH: Highest angle of the pitch joint.
+  /// SW_LIM_MAX_PITCH: Highest angle of the pitch joint. Since firmware 2.68b8.
   sw_lim_max_pitch = 54,
-  /// SW_LIM_MIN_YAW: Lowest angle of the yaw joint.
+  /// SW_LIM_MIN_YAW: Lowest angle of the yaw joint. Since firmware 2.68b8.
   sw_lim_min_yaw = 55,
-  /// SW_LIM_MAX_YAW: Highest angle of the yaw joint.
+  /// SW_LIM_MAX_YAW: Highest angle of the yaw joint. Since firmware 2.68b8.
   sw_lim_max_yaw = 56,
-  /// FOLLOW_RANGE_ROLL: Range of the follow mode of roll.
+  /// FOLLOW_RANGE_ROLL: Range of the follow mode of roll. Since firmware 2.68b9.
   follow_range_roll = 57,
-  /// FOLLOW_RANGE_PITCH: Range of the follow mode of pitch.
+  /// FOLLOW_RANGE_PITCH: Range of the follow mode of pitch. Since firmware 2.68b9.
   follow_range_pitch = 58,
-  /// FOLLOW_RANGE_YAW: Range of the follow mode of yaw.
+  /// FOLLOW_RANGE_YAW: Range of the follow mode of yaw. Since firmware 2.68b9.
   follow_range_yaw = 59,
-  /// AUTO_PID_TARGET: Target of the automatic PID tuning.
+  /// AUTO_PID_TARGET: Target of the automatic PID tuning. Since firmware 2.68b9.
   auto_pid_target = 60,
-  /// RC_MODE_ROLL: What the RC signal of roll controls, as in RC_MODE.
+  /// RC_MODE_ROLL: What the RC signal of roll controls, as in RC_MODE. Since firmware 2.69b3.
   rc_mode_roll = 61,
-  /// RC_MODE_PITCH: What the RC signal of pitch controls, as in RC_MODE.
+  /// RC_MODE_PITCH: What the RC signal of pitch controls, as in RC_MODE. Since firmware 2.69b3.
   rc_mode_pitch = 62,
-  /// RC_MODE_YAW: What the RC signal of yaw controls, as in RC_MODE.
+  /// RC_MODE_YAW: What the RC signal of yaw controls, as in RC_MODE. Since firmware 2.69b3.
   rc_mode_yaw = 63,
-  /// EULER_ORDER: Order of the Euler angles.
+  /// EULER_ORDER: Order of the Euler angles. Since firmware 2.69b3.
   euler_order = 64,
-  /// FOLLOW_IN_DBAND: How much to follow inside the follow mode's dead band.
+  /// FOLLOW_IN_DBAND: How much to follow inside the follow mode's dead band. Since firmware 2.70b4.
   follow_in_dband = 65,
-  /// RC_LIMIT_MIN_ROLL: Angle of roll at the lowest RC signal.
+  /// RC_LIMIT_MIN_ROLL: Angle of roll at the lowest RC signal. Since firmware 2.72.
   rc_limit_min_roll = 66,
-  /// RC_LIMIT_MAX_ROLL: Angle of roll at the highest RC signal.
+  /// RC_LIMIT_MAX_ROLL: Angle of roll at the highest RC signal. Since firmware 2.72.
   rc_limit_max_roll = 67,
-  /// RC_LIMIT_MIN_PITCH: Angle of pitch at the lowest RC signal.
+  /// RC_LIMIT_MIN_PITCH: Angle of pitch at the lowest RC signal. Since firmware 2.72.
   rc_limit_min_pitch = 68,
-  /// RC_LIMIT_MAX_PITCH: Angle of pitch at the highest RC signal.
+  /// RC_LIMIT_MAX_PITCH: Angle of pitch at the highest RC signal. Since firmware 2.72.
   rc_limit_max_pitch = 69,
-  /// RC_LIMIT_MIN_YAW: Angle of yaw at the lowest RC signal.
+  /// RC_LIMIT_MIN_YAW: Angle of yaw at the lowest RC signal. Since firmware 2.72.
   rc_limit_min_yaw = 70,
-  /// RC_LIMIT_MAX_YAW: Angle of yaw at the highest RC signal.
+  /// RC_LIMIT_MAX_YAW: Angle of yaw at the highest RC signal. Since firmware 2.72.
   rc_limit_max_yaw = 71,
-  /// RC_DEADBAND_PITCH: Dead band around the center of the RC signal of pitch.
+  /// RC_DEADBAND_PITCH: Dead band around the center of the RC signal of pitch. Since firmware 2.72.
   rc_deadband_pitch = 72,
-  /// RC_DEADBAND_YAW: Dead band around the center of the RC signal of yaw.
+  /// RC_DEADBAND_YAW: Dead band around the center of the RC signal of yaw. Since firmware 2.72.
   rc_deadband_yaw = 73,
-  /// RC_EXPO_RATE_PITCH: Expo rate of the RC signal of pitch.
+  /// RC_EXPO_RATE_PITCH: Expo rate of the RC signal of pitch. Since firmware 2.72.
   rc_expo_rate_pitch = 74,
-  /// RC_EXPO_RATE_YAW: Expo rate of the RC signal of yaw.
+  /// RC_EXPO_RATE_YAW: Expo rate of the RC signal of yaw. Since firmware 2.72.
   rc_expo_rate_yaw = 75,
-  /// SHAKE_AMP_ROLL: Amplitude of the shake generator in roll.
+  /// SHAKE_AMP_ROLL: Amplitude of the shake generator in roll. Since firmware 2.73.
   shake_amp_roll = 76,
-  /// SHAKE_AMP_TILT: Amplitude of the shake generator in tilt.
+  /// SHAKE_AMP_TILT: Amplitude of the shake generator in tilt. Since firmware 2.73.
   shake_amp_tilt = 77,
-  /// SHAKE_AMP_PAN: Amplitude of the shake generator in pan.
+  /// SHAKE_AMP_PAN: Amplitude of the shake generator in pan. Since firmware 2.73.
   shake_amp_pan = 78,
-  /// SHAKE_FREQ: Base frequency of the shake generator.
+  /// SHAKE_FREQ: Base frequency of the shake generator. Since firmware 2.73.
   shake_freq = 79,
-  /// SHAKE_FREQ_RANGE: Frequency range of the shake generator.
+  /// SHAKE_FREQ_RANGE: Frequency range of the shake generator. Since firmware 2.73.
   shake_freq_range = 80,
-  /// SHAKE_PAUSE_PERIOD: Period of the pauses of the shake generator.
+  /// SHAKE_PAUSE_PERIOD: Period of the pauses of the shake generator. Since firmware 2.73.
   shake_pause_period = 81,
-  /// SHAKE_PAUSE_BALANCE: Share of the pauses of the shake generator.
+  /// SHAKE_PAUSE_BALANCE: Share of the pauses of the shake generator. Since firmware 2.73.
   shake_pause_balance = 82,
-  /// SHAKE_PAUSE_RANDOMNESS: Randomness of the pauses of the shake generator.
+  /// SHAKE_PAUSE_RANDOMNESS: Randomness of the pauses of the shake generator. Since firmware 2.73.
   shake_pause_randomness = 83,
-  /// SHAKE_RESONANCE_GAIN_ROLL: Gain of the shake generator's resonance in roll.
+  /// SHAKE_RESONANCE_GAIN_ROLL: Gain of the shake generator's resonance in roll. Since firmware
+  /// 2.73.
   shake_resonance_gain_roll = 84,
-  /// SHAKE_RESONANCE_GAIN_TILT: Gain of the shake generator's resonance in tilt.
+  /// SHAKE_RESONANCE_GAIN_TILT: Gain of the shake generator's resonance in tilt. Since firmware
+  /// 2.73.
   shake_resonance_gain_tilt = 85,
-  /// SHAKE_RESONANCE_GAIN_PAN: Gain of the shake generator's resonance in pan.
+  /// SHAKE_RESONANCE_GAIN_PAN: Gain of the shake generator's resonance in pan. Since firmware 2.73.
   shake_resonance_gain_pan = 86,
-  /// SHAKE_FREQ_SHIFT_ROLL: Shift of the shake generator's frequency in roll.
+  /// SHAKE_FREQ_SHIFT_ROLL: Shift of the shake generator's frequency in roll. Since firmware 2.73.
   shake_freq_shift_roll = 87,
-  /// SHAKE_FREQ_SHIFT_TILT: Shift of the shake generator's frequency in tilt.
+  /// SHAKE_FREQ_SHIFT_TILT: Shift of the shake generator's frequency in tilt. Since firmware 2.73.
   shake_freq_shift_tilt = 88,
-  /// SHAKE_FREQ_SHIFT_PAN: Shift of the shake generator's frequency in pan.
+  /// SHAKE_FREQ_SHIFT_PAN: Shift of the shake generator's frequency in pan. Since firmware 2.73.
   shake_freq_shift_pan = 89,
-  /// SHAKE_MASTER_GAIN: Gain of the shake generator in all directions.
+  /// SHAKE_MASTER_GAIN: Gain of the shake generator in all directions. Since firmware 2.73.
   shake_master_gain = 90,
-  /// OUTER_P_ROLL: Proportional gain of the outer loop of roll.
+  /// OUTER_P_ROLL: Proportional gain of the outer loop of roll. Since firmware 2.73b7.
   outer_p_roll = 91,
-  /// OUTER_P_PITCH: Proportional gain of the outer loop of pitch.
+  /// OUTER_P_PITCH: Proportional gain of the outer loop of pitch. Since firmware 2.73b7.
   outer_p_pitch = 92,
-  /// OUTER_P_YAW: Proportional gain of the outer loop of yaw.
+  /// OUTER_P_YAW: Proportional gain of the outer loop of yaw. Since firmware 2.73b7.
   outer_p_yaw = 93,
-  /// D_LPF_FREQ_ROLL: Low-pass filter of the derivative term of roll.
+  /// D_LPF_FREQ_ROLL: Low-pass filter of the derivative term of roll. Since firmware 2.73b7.
   d_lpf_freq_roll = 94,
-  /// D_LPF_FREQ_PITCH: Low-pass filter of the derivative term of pitch.
+  /// D_LPF_FREQ_PITCH: Low-pass filter of the derivative term of pitch. Since firmware 2.73b7.
   d_lpf_freq_pitch = 95,
-  /// D_LPF_FREQ_YAW: Low-pass filter of the derivative term of yaw.
+  /// D_LPF_FREQ_YAW: Low-pass filter of the derivative term of yaw. Since firmware 2.73b7.
   d_lpf_freq_yaw = 96,
-  /// IMU_ANGLE_CORR_ROLL: Correction of the roll angle of the IMU.
+  /// IMU_ANGLE_CORR_ROLL: Correction of the roll angle of the IMU. Since firmware 2.73b8.
   imu_angle_corr_roll = 97,
-  /// IMU_ANGLE_CORR_PITCH: Correction of the pitch angle of the IMU.
+  /// IMU_ANGLE_CORR_PITCH: Correction of the pitch angle of the IMU. Since firmware 2.73b8.
   imu_angle_corr_pitch = 98,
-  /// SW_LIM_WIDTH_ROLL: Width of the soft limits of the roll joint.
+  /// SW_LIM_WIDTH_ROLL: Width of the soft limits of the roll joint. Since firmware 2.73b8.
   sw_lim_width_roll = 99,
-  /// SW_LIM_WIDTH_PITCH: Width of the soft limits of the pitch joint.
+  /// SW_LIM_WIDTH_PITCH: Width of the soft limits of the pitch joint. Since firmware 2.73b8.
   sw_lim_width_pitch = 100,
-  /// SW_LIM_WIDTH_YAW: Width of the soft limits of the yaw joint.
+  /// SW_LIM_WIDTH_YAW: Width of the soft limits of the yaw joint. Since firmware 2.73b8.
   sw_lim_width_yaw = 101,
 };
 

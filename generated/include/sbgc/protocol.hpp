@@ -1,7 +1,7 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Constants of the framing, the line and the protocol.
-/// Source: Message format (L41-L61); Message format (L35-L41); Variables L1031.
+/// Constants of the framings, the line and the protocol.
+/// Source: Message format (L41-L61); Later firmware; Message format (L35-L41); Variables L1031.
 #pragma once
 
 #include <array>
@@ -10,41 +10,110 @@
 
 namespace sbgc {
 
-/// First byte of every frame.
-inline constexpr std::uint8_t frame_start = 0x3E;
+/// The framings of the protocol: what surrounds the body of a message on the line.
+enum class Framing : std::uint8_t { v1, v2 };
+
 /// Bytes before the body: start, id, size, header checksum.
 inline constexpr std::size_t frame_header_size = 4;
-/// Bytes after the body: body checksum.
-inline constexpr std::size_t frame_trailer_size = 1;
 /// Maximum size of a body.
 inline constexpr std::size_t max_body_size = 255;
-/// Maximum size of a frame.
+/// Maximum size of a frame in any framing.
 inline constexpr std::size_t max_frame_size =
-    frame_header_size + max_body_size + frame_trailer_size;
+    frame_header_size + max_body_size + 2;
 /// Offsets in the header.
 inline constexpr std::size_t frame_id_offset = 1;
 inline constexpr std::size_t frame_size_offset = 2;
 inline constexpr std::size_t frame_header_checksum_offset = 3;
 
 /// The parts of a frame.
-enum class FramePart : std::uint8_t { start, id, size, body, header_checksum, body_checksum };
+enum class FramePart : std::uint8_t {
+  start,
+  id,
+  size,
+  header_checksum,
+  body,
+  body_checksum,
+  frame_checksum,
+};
 
-/// The order of the parts before and after the body, and what each checksum covers.
-/// <sbgc/framing.hpp> implements this framing and does not compile for an unsupported one.
-struct FrameParts {
-  /// How a checksum is computed; sum8 is the sum of all bytes modulo 256.
-  enum class Checksum : std::uint8_t { sum8 };
+/// How a checksum is computed: sum8 is the sum of all bytes modulo 256, crc16 a cyclic redundancy
+/// check.
+enum class ChecksumKind : std::uint8_t { sum8, crc16 };
+
+/// The parameters of a cyclic redundancy check of 16 bits, as catalogues list them.
+struct Crc16Parameters {
+  std::uint16_t polynomial{};
+  std::uint16_t initial{};
+  bool reflect_in{};
+  bool reflect_out{};
+  std::uint16_t final_xor{};
+};
+
+/// The facts of a framing: its start byte, the order of the parts around the body, and what the
+/// checksum in the header and the one in the trailer cover. <sbgc/framing.hpp> implements them and
+/// does not compile for unsupported ones.
+template <Framing framing>
+struct FramingFacts;
+
+/// Source: Message format (L41-L61).
+template <>
+struct FramingFacts<Framing::v1> {
+  /// The first firmware and board versions that know it; 0: all.
+  static constexpr std::uint16_t since_firmware = 0;
+  static constexpr std::uint8_t since_board = 0;
+  static constexpr std::uint8_t start = 0x3E;
+  static constexpr std::size_t trailer_size = 1;
 
   static constexpr auto header =
       std::array{FramePart::start, FramePart::id, FramePart::size, FramePart::header_checksum};
   static constexpr auto trailer = std::array{FramePart::body_checksum};
 
-  static constexpr Checksum header_checksum = Checksum::sum8;
+  static constexpr ChecksumKind header_checksum = ChecksumKind::sum8;
   static constexpr auto header_checksum_covers = std::array{FramePart::id, FramePart::size};
 
-  static constexpr Checksum body_checksum = Checksum::sum8;
-  static constexpr auto body_checksum_covers = std::array{FramePart::body};
+  static constexpr ChecksumKind trailer_checksum = ChecksumKind::sum8;
+  static constexpr auto trailer_checksum_covers = std::array{FramePart::body};
 };
+
+/// Source: Later firmware.
+template <>
+struct FramingFacts<Framing::v2> {
+  /// The first firmware and board versions that know it; 0: all.
+  static constexpr std::uint16_t since_firmware = 2680;
+  static constexpr std::uint8_t since_board = 0;
+  static constexpr std::uint8_t start = 0x24;
+  static constexpr std::size_t trailer_size = 2;
+
+  static constexpr auto header =
+      std::array{FramePart::start, FramePart::id, FramePart::size, FramePart::header_checksum};
+  static constexpr auto trailer = std::array{FramePart::frame_checksum};
+
+  static constexpr ChecksumKind header_checksum = ChecksumKind::sum8;
+  static constexpr auto header_checksum_covers = std::array{FramePart::id, FramePart::size};
+
+  static constexpr ChecksumKind trailer_checksum = ChecksumKind::crc16;
+  static constexpr auto trailer_checksum_covers =
+      std::array{FramePart::id, FramePart::size, FramePart::header_checksum, FramePart::body};
+  static constexpr Crc16Parameters trailer_checksum_crc{
+      .polynomial = 0x8005,
+      .initial = 0x00,
+      .reflect_in = true,
+      .reflect_out = false,
+      .final_xor = 0x00};
+};
+
+/// All framings.
+inline constexpr std::array framings{Framing::v1, Framing::v2};
+/// The framing that every board understands.
+inline constexpr Framing basic_framing = framings[0];
+
+constexpr const char* to_string(Framing framing) noexcept {
+  switch (framing) {
+    case Framing::v1: return "v1";
+    case Framing::v2: return "v2";
+  }
+  return "";
+}
 
 /// The form of a message among the bodies of its command; `only` if there is one.
 enum class Form : std::uint8_t {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sbgcgen.compat.changes import Change, Changes, Level
-from sbgcgen.compat.fields import compare_fields, places
+from sbgcgen.compat.fields import compare_fields, compare_rules, compare_structs, places
 from sbgcgen.compat.types import (
     compare_enum,
     compare_packed,
@@ -17,8 +17,10 @@ from sbgcgen.model import (
     Answer,
     AnswerCase,
     Command,
+    Condition,
     Effect,
     EffectCase,
+    Framing,
     Layout,
     Message,
     Position,
@@ -32,7 +34,7 @@ from sbgcgen.spec.load import MAIN_FILE
 def compare(old: Layout, new: Layout) -> list[Change]:
     """All changes, the worst first; those of equal severity are grouped by kind of entry."""
     changes = Changes(new.versions)
-    _compare_framing(old, new, changes)
+    _compare_framings(old, new, changes)
     _compare_versions(old, new, changes)
     _compare_line(old, new, changes)
     commands = _compare_commands(old, new, changes)
@@ -44,17 +46,32 @@ def compare(old: Layout, new: Layout) -> list[Change]:
     return sorted(changes.found, key=lambda change: rank.index(change.level))
 
 
-def _compare_framing(old: Layout, new: Layout, changes: Changes) -> None:
+def _compare_framings(old: Layout, new: Layout, changes: Changes) -> None:
     at = Position(f"spec/{MAIN_FILE}")
+    now = {framing.name: framing for framing in new.framings}
+    for framing in old.framings:
+        if framing.name in now:
+            _compare_framing(framing, now[framing.name], changes)
+        else:
+            changes.deleted(Level.WIRE, f"framing {framing.name}", at)
+    known = [framing.name for framing in old.framings]
+    for name in now:
+        if name not in known:
+            changes.added(f"framing {name}", at)
+
+
+def _compare_framing(old: Framing, new: Framing, changes: Changes) -> None:
+    at = Position(f"spec/{MAIN_FILE}")
+    framing = f"framing {new.name}"
     for key in ("start", "header", "trailer", "max_body"):
-        before, now = getattr(old.framing, key), getattr(new.framing, key)
-        changes.compare(Level.WIRE, f"framing: {key}", before, now, at)
-    for checksum in new.framing.checksums:
-        other = old.framing.checksum(checksum.name)
+        changes.compare(Level.WIRE, f"{framing}: {key}", getattr(old, key), getattr(new, key), at)
+    for checksum in new.checksums:
+        other = old.checksum(checksum.name)
         if other is not None:
-            what = f"framing: {checksum.name}"
-            changes.compare(Level.WIRE, f"{what}: kind", other.kind, checksum.kind, at)
-            changes.compare(Level.WIRE, f"{what}: covers", other.covers, checksum.covers, at)
+            what = f"{framing}: {checksum.name}"
+            for key in ("kind", "covers", "crc"):
+                before, now = getattr(other, key), getattr(checksum, key)
+                changes.compare(Level.WIRE, f"{what}: {key}", before, now, at)
 
 
 def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
@@ -94,7 +111,7 @@ def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
     structs = [tuple(s for f in layout.families for s in f.structs) for layout in (old, new)]
     for before, now in pair_named("struct", structs[0], structs[1], _same_struct, changes):
         what = f"struct {now.name}"
-        compare_fields(what, before.fields, now.fields, changes)
+        compare_structs(what, before, now, changes)
         sizes = [s.size if s.is_region else None for s in (before, now)]
         changes.compare(Level.WIRE, f"{what}: size", sizes[0], sizes[1], now.at)
         changes.compare(Level.SOURCE, f"{what}: family", before.family, now.family, now.at)
@@ -136,7 +153,9 @@ def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, s
                 changes.deleted(Level.WIRE, what, command.at, command.id)
                 continue
             come.remove(now)
-            changes.add(Level.SOURCE, f"{what}: name", command.name, now.name, now.at)
+            is_alias = command.identifier in {a.name for a in now.aliases}
+            level = Level.COMPATIBLE if is_alias else Level.SOURCE
+            changes.add(level, f"{what}: name", command.name, now.name, now.at)
         same[command.name] = now.name
         _compare_command(what, command, now, changes)
     for command in come:
@@ -161,6 +180,8 @@ def _compare_command(what: str, old: Command, new: Command, changes: Changes) ->
     changes.since(what, old.since, new.since, new.at)
     marks = (old.undocumented, new.undocumented)
     changes.compare(Level.COMPATIBLE, f"{what}: undocumented", marks[0], marks[1], new.at)
+    marks = (old.unconfirmed, new.unconfirmed)
+    changes.compare(Level.COMPATIBLE, f"{what}: unconfirmed", marks[0], marks[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
 
 
@@ -197,6 +218,7 @@ def _compare_messages(old: Layout, new: Layout, commands: dict[str, str], change
         _compare_message(before, now, renamed, changes)
         if (id(before.body), id(now.body)) not in bodies:
             bodies.add((id(before.body), id(now.body)))
+            compare_rules(now.name, before.body, now.body, changes)
             compare_fields(now.name, before.fields, now.fields, changes, before.keeps_tail)
 
 
@@ -318,10 +340,49 @@ def _compare_answers(
 def _compare_effects(
     what: str, old: Effect | None, new: Effect | None, at: Position, changes: Changes
 ) -> None:
-    """Programs may rely on the effect, for example to confirm requests that move the camera."""
+    """Programs may rely on the effect, for example to confirm requests that move the camera.
+
+    New values of an enum may have any.
+    """
     before, now = ([_effect_words(c) for c in e.cases] if e else [] for e in (old, new))
     level = Level.MEANING if before else Level.COMPATIBLE
+    values = _effects_by_value(old, new)
+    changed = [name for name, (was, is_) in values.items() if was != is_]
+    if values and before != now:
+        for name in changed:
+            was, is_ = (" ".join(words) for words in values[name])
+            changes.add(level, f"{what}: effect of {name}", was, is_, at)
+        if not changed:
+            changes.add(Level.COMPATIBLE, f"{what}: effect", before, now, at)
+        return
     changes.compare(level, f"{what}: effect", before, now, at)
+
+
+Words = tuple[str, ...]
+
+
+def _effects_by_value(old: Effect | None, new: Effect | None) -> dict[str, tuple[Words, Words]]:
+    """The effects for each old value of the enum that both depend on; empty if there is none."""
+    if old is None or new is None:
+        return {}
+    conditions = [*_conditions(old), *_conditions(new)]
+    enums = [when.enum for when in _conditions(old) if when.enum and not when.is_on_flags]
+    if not enums or len({(when.source, when.from_context) for when in conditions}) != 1:
+        return {}
+    return {
+        value.name: (_effect_at(old, value.value), _effect_at(new, value.value))
+        for value in enums[0].values
+    }
+
+
+def _conditions(effect: Effect) -> list[Condition]:
+    return [case.when for case in effect.cases if case.when]
+
+
+def _effect_at(effect: Effect, value: int) -> Words:
+    """The words of the first case that holds for a value."""
+    cases = (case for case in effect.cases if case.when is None or case.when.holds(value))
+    return tuple(next((case.words for case in cases), ()))
 
 
 def _effect_words(case: EffectCase) -> str:
@@ -407,6 +468,7 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
     level = Level.MEANING if narrowed else Level.COMPATIBLE
     ranges = [f"{v.minimum}..{v.maximum}" for v in (old, new)]
     changes.compare(level, f"{what}: range", ranges[0], ranges[1], new.at)
+    changes.since(what, old.since, new.since, new.at)
     level = Level.MEANING if old.settings else Level.COMPATIBLE
     sets = [" ".join(f"{s.message}.{s.path}" for s in v.settings) for v in (old, new)]
     changes.compare(level, f"{what}: sets", sets[0], sets[1], new.at)

@@ -2,7 +2,8 @@
 
 Reserved bytes are not part of the C++ interface; they are members only to keep their values. So new
 fields in reserved bytes are a compatible addition, although the member `reserved` shrinks, moves or
-disappears.
+disappears. The same holds for bytes without a meaning that get names, except that the C++ member is
+lost. A tagged union may get further cases, which do not hold together with those that it has.
 """
 
 from __future__ import annotations
@@ -78,6 +79,23 @@ def places(fields: Fields) -> list[Place]:
     return found
 
 
+def case_places(fields: Fields) -> list[Place]:
+    """The place of each field of a tagged union: what can be before it."""
+    return [
+        tuple(wire_form(before) for before in fields[:index] if not _exclude(before, field))
+        for index, field in enumerate(fields)
+    ]
+
+
+def _exclude(one: Field, other: Field) -> bool:
+    """True if no body has both fields, because of different values of one field."""
+    a, b = one.when, other.when
+    if a is None or b is None or a.is_on_flags or b.is_on_flags or a.negated or b.negated:
+        return False
+    same = (a.source, a.from_context) == (b.source, b.from_context)
+    return same and not set(a.numbers) & set(b.numbers)
+
+
 def _place_text(place: Place) -> str:
     if len(place) == 1:
         return f"byte {place[0]}"
@@ -92,12 +110,16 @@ def _is_padding(field: Field) -> bool:
 
 
 def _pairs(old: Fields, new: Fields) -> list[tuple[Field, Field]]:
-    """Corresponding fields: those with the same protocol name, or the same place and form."""
+    """Corresponding fields: those with the same protocol name, or the same place and form.
+
+    The same name, or that which the new one had before.
+    """
     by_name = _by_name(new)
+    formerly = {alias.name: key for key, f in by_name.items() for alias in f.aliases}
     pairs = []
     left = []
     for name, field in _by_name(old).items():
-        twin = by_name.pop(name, None)
+        twin = by_name.pop(name if name in by_name else formerly.get(field.name, name), None)
         if twin is None:
             left.append(field)
         else:
@@ -123,6 +145,37 @@ def _by_name(fields: Fields) -> dict[tuple[str, int], Field]:
     return found
 
 
+def compare_cases(owner: str, old: Fields, new: Fields, changes: Changes) -> None:
+    """Compare the fields of two tagged unions."""
+    pairs = _pairs(old, new)
+    for before, now in pairs:
+        _compare_field(owner, before, now, pairs, changes)
+    where_old = dict(zip((id(f) for f in old), case_places(old)))
+    where_new = dict(zip((id(f) for f in new), case_places(new)))
+    for before, now in pairs:
+        if where_old[id(before)] != where_new[id(now)]:
+            label = f"{owner}.{now.spec_name}: place"
+            texts = (len(where_old[id(before)]), len(where_new[id(now)]))
+            changes.add(Level.WIRE, label, *(f"after {n} others" for n in texts), now.at)
+    kept = {id(before) for before, _ in pairs}
+    for field in old:
+        if id(field) not in kept and not _is_padding(field):
+            label = f"{owner}.{field.spec_name}"
+            changes.deleted(Level.WIRE, label, field.at, _form_text(field))
+    known = {id(now) for _, now in pairs}
+    for field in new:
+        if id(field) not in known and not _is_padding(field):
+            form = f"{_form_text(field)} if {_when_text(field.when)}"
+            changes.added(f"{owner}.{field.spec_name}", field.at, form)
+
+
+def compare_structs(owner: str, old: Struct, new: Struct, changes: Changes) -> None:
+    """Compare the fields and rules of two structs."""
+    compare_rules(owner, old, new, changes)
+    compare = compare_cases if old.is_region and new.is_region else compare_fields
+    compare(owner, old.fields, new.fields, changes)
+
+
 def compare_fields(
     owner: str, old: Fields, new: Fields, changes: Changes, open_ended: bool = False
 ) -> None:
@@ -131,11 +184,16 @@ def compare_fields(
     for before, now in pairs:
         _compare_field(owner, before, now, pairs, changes)
     kept = {id(before) for before, _ in pairs}
-    gone = [f for f in old if id(f) not in kept and not _is_padding(f)]
+    named = [f for f in old if id(f) not in kept and _is_named_now(f, new, pairs)]
+    for field in named:
+        label = f"{owner}.{field.spec_name}"
+        changes.deleted(Level.SOURCE, label, field.at, f"{_form_text(field)}, which has names now")
+    gone = [f for f in old if id(f) not in kept and not _is_padding(f) and f not in named]
     for field in gone:
         label = f"{owner}.{field.spec_name}"
         changes.deleted(Level.WIRE, label, field.at, _form_text(field))
-    explained = _compare_additions(owner, old, new, pairs, changes, open_ended)
+    free = [f for f in old if _is_padding(f) or f in named]
+    explained = _compare_additions(owner, old, new, free, pairs, changes, open_ended)
     explained = _compare_places(owner, old, new, pairs, changes) or explained
     explained = explained or bool(gone) or any(wire_form(f) != wire_form(g) for f, g in pairs)
     end_old, end_new = places(old)[-1], places(new)[-1]
@@ -150,11 +208,12 @@ def _compare_additions(
     owner: str,
     old: Fields,
     new: Fields,
+    free: list[Field],
     pairs: list[tuple[Field, Field]],
     changes: Changes,
     open_ended: bool,
 ) -> bool:
-    """Compare new fields, which can be in reserved bytes, at the end, or in between.
+    """Compare new fields, which can be in free bytes, at the end, or in between.
 
     Returns true if they move the end of the list.
     """
@@ -170,7 +229,7 @@ def _compare_additions(
         at_the_end = begins[index][: len(end) - 1] == end[:-1] and (
             len(begins[index]) > len(end) or begins[index][-1] >= end[-1]
         )
-        if _takes_reserved(field, old):
+        if _takes(field, free):
             changes.added(label, field.at, f"{form} in reserved bytes")
             continue
         longer = True
@@ -186,17 +245,30 @@ def _may_be_empty(field: Field) -> bool:
     return field.dim == "rest" or (field.when is not None and field.when.may_be_missing)
 
 
-def _takes_reserved(field: Field, old: Fields) -> bool:
+def _is_named_now(field: Field, new: Fields, pairs: list[tuple[Field, Field]]) -> bool:
+    """True for bytes without a meaning in whose place there are only new fields."""
+    known = {id(now) for _, now in pairs}
+    if not isinstance(field.type, Blob) or field.offset is None or not field.size:
+        return False
+    if field.type.kind != "bytes" or field.may_be_absent or field.reserved:
+        return False
+    end = field.offset + field.size
+    inside = [f for f in new if f.offset is not None and field.offset <= f.offset < end]
+    sizes = [f.size for f in inside if f.size is not None and not f.may_be_absent]
+    return sum(sizes) == field.size and not any(id(f) in known for f in inside)
+
+
+def _takes(field: Field, free: list[Field]) -> bool:
+    """True if a field is inside bytes that were free."""
     if field.offset is None or field.size is None or field.may_be_absent:
         return False
     end = field.offset + field.size
     return any(
-        _is_padding(f)
-        and f.offset is not None
+        f.offset is not None
         and f.size is not None
         and f.offset <= field.offset
         and end <= f.offset + f.size
-        for f in old
+        for f in free
     )
 
 
@@ -224,7 +296,9 @@ def _compare_field(
 ) -> None:
     label = f"{owner}.{new.spec_name}"
     at = new.at
-    changes.compare(Level.SOURCE, f"{label}: C++ name", old.name, new.name, at)
+    is_alias = old.name in {alias.name for alias in new.aliases}
+    level = Level.COMPATIBLE if is_alias else Level.SOURCE
+    changes.compare(level, f"{label}: C++ name", old.name, new.name, at)
     changes.compare(Level.COMPATIBLE, f"{label}: name", old.spec_name, new.spec_name, at)
     _compare_types(label, old, new, changes)
     names = {before.name: now.name for before, now in pairs}
@@ -234,7 +308,10 @@ def _compare_field(
         changes.add(Level.SOURCE, f"{label}: index", _index(old), _index(new), at)
     if names.get(old.counter, old.counter) != new.counter:
         changes.add(Level.WIRE, f"{label}: counted by", old.counter, new.counter, at)
+    changes.compare(Level.WIRE, f"{label}: counted in", old.counting, new.counting, at)
+    changes.compare(Level.WIRE, f"{label}: may be absent", old.appended, new.appended, at)
     _compare_conditions(label, old, new, names, changes)
+    _compare_defaults(label, old, new, changes)
     _compare_limits(label, old, new, changes)
     _compare_alternatives(label, old, new, changes)
     changes.compare(Level.MEANING, f"{label}: variable", old.variable, new.variable, at)
@@ -243,6 +320,24 @@ def _compare_field(
     marks = [bool(old.deprecated), bool(new.deprecated)]
     changes.compare(Level.COMPATIBLE, f"{label}: deprecated", marks[0], marks[1], at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, at)
+
+
+def _compare_defaults(label: str, old: Field, new: Field, changes: Changes) -> None:
+    """A new default changes what a program sends that does not set the field."""
+    changes.compare(Level.MEANING, f"{label}: default", old.default, new.default, new.at)
+    level = Level.MEANING if new.constant else Level.COMPATIBLE
+    changes.compare(level, f"{label}: constant", old.constant, new.constant, new.at)
+    marks = (old.unconfirmed, new.unconfirmed)
+    changes.compare(Level.COMPATIBLE, f"{label}: unconfirmed", *marks, new.at)
+
+
+def compare_rules(what: str, old: Struct, new: Struct, changes: Changes) -> None:
+    """Another rule makes values invalid that were valid."""
+    before, now = [{f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)]
+    for rule in sorted(now - before):
+        changes.added(f"{what}: rule", new.at, rule, Level.MEANING)
+    for rule in sorted(before - now):
+        changes.deleted(Level.COMPATIBLE, f"{what}: rule", old.at, rule)
 
 
 def _index(field: Field) -> str:
@@ -275,7 +370,7 @@ def _compare_types(label: str, old: Field, new: Field, changes: Changes) -> None
     elif texts[0] != texts[1]:
         changes.add(Level.SOURCE, f"{label}: C++ type", *texts, at)
     if isinstance(before, Struct) and isinstance(now, Struct):
-        compare_fields(label, before.fields, now.fields, changes)
+        compare_structs(label, before, now, changes)
     elif isinstance(before, Quantity) and isinstance(now, Quantity):
         compare_unit(label, before, now, changes)
     elif isinstance(before, Quantity) and same_wire:
@@ -308,7 +403,7 @@ def _accepted(when: Condition) -> str:
     if not when.is_on_flags:
         names = {v.value: f"{v.name} ({v.value:#x})" for v in when.values}
         words = " ".join(names.get(number, f"{number:#x}") for number in when.numbers)
-        return f"is not {words}" if when.negated else f"has {words}"
+        return f"is not {words}" if when.negated else f"is {words}"
     parts = (("has", when.flags), ("any of", when.any_flags), ("not", when.no_flags))
     return ", ".join(
         f"{word} {' '.join(f'{f.name} ({f.value:#x})' for f in flags)}"

@@ -128,7 +128,8 @@ def _answer(facts: Facts) -> Facts:
 
 
 def _framing(facts: Facts) -> Facts:
-    """Formerly, the model had only the sizes of header and trailer."""
+    """Formerly, there was one framing, of which the model had only the sizes of the parts."""
+    facts = {"name": "v1", **facts}
     if "header" in facts:
         return facts
     checksums = (
@@ -139,4 +140,21 @@ def _framing(facts: Facts) -> Facts:
     return {**facts, **parts, "checksums": checksums}
 
 
-_UPGRADES: dict[str, Callable[[Facts], Facts]] = {"Answer": _answer, "Framing": _framing}
+def _condition(facts: Facts) -> Facts:
+    """Formerly, a condition had the values that it accepts, but not their numbers."""
+    if "numbers" in facts:
+        return facts
+    return {**facts, "numbers": tuple(value.value for value in facts.get("values", ()))}
+
+
+def _layout(facts: Facts) -> Facts:
+    """Formerly, there was one framing."""
+    return facts if "framings" in facts else {**facts, "framings": (facts["framing"],)}
+
+
+_UPGRADES: dict[str, Callable[[Facts], Facts]] = {
+    "Answer": _answer,
+    "Condition": _condition,
+    "Framing": _framing,
+    "Layout": _layout,
+}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TypeVar, Union
 
 from sbgcgen.compat.changes import Changes, Level
@@ -99,7 +100,10 @@ def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
             _compare_value(label, value, now, changes)
             continue
         other = by_number.get(value.value)
-        if other is not None:
+        if other is not None and value.identifier in {a.name for a in other.aliases}:
+            changes.add(Level.COMPATIBLE, label, value.name, other.name, other.at)
+            _compare_value(label, value, replace(other, identifier=value.identifier), changes)
+        elif other is not None:
             changes.add(Level.MEANING, f"{what}: {value.value}", value.name, other.name, other.at)
         else:
             changes.deleted(Level.SOURCE, label, value.at, value.value)
@@ -118,6 +122,11 @@ def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes)
     level = Level.COMPATIBLE if old.number is None else Level.MEANING
     changes.compare(level, f"{label}: number", old.number, new.number, new.at)
     changes.since(label, old.since, new.since, new.at)
+    formers = [v.former.summary if v.former else None for v in (old, new)]
+    level = Level.MEANING if new.former else Level.COMPATIBLE
+    changes.compare(level, f"{label}: before", formers[0], formers[1], new.at)
+    marks = (old.unconfirmed, new.unconfirmed)
+    changes.compare(Level.COMPATIBLE, f"{label}: unconfirmed", marks[0], marks[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, new.at)
 
 
@@ -177,6 +186,9 @@ def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None
         elif _cut(part) != _cut(now):
             changes.add(Level.MEANING, label, _cut_text(part), _cut_text(now), now.at)
         _compare_enums_of(label, part.enum, now.enum, now, changes)
+        units = [p.quantity.name if p.quantity else None for p in (part, now)]
+        level = Level.MEANING if units[0] else Level.SOURCE
+        changes.compare(level, f"{label}: quantity", units[0], units[1], now.at)
         changes.compare(Level.COMPATIBLE, f"{label}: summary", part.summary, now.summary, now.at)
     for part in come:
         changes.added(f"{what}.{part.name}", part.at, _cut_text(part))

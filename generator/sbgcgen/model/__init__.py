@@ -5,6 +5,7 @@ It holds every size, offset, name and reference. Targets print them and never co
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
+    Alias,
     Availability,
     Deprecation,
     Enum,
@@ -58,7 +59,7 @@ from sbgcgen.model.messages import (
     copy_field,
 )
 from sbgcgen.model.variables import Variable, VariableSetting
-from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
+from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing
 from sbgcgen.model.protocol import Erratum, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
 
@@ -66,10 +67,12 @@ __all__ = [
     "BODY",
     "CHECKSUM_SIZES",
     "Checksum",
+    "Crc",
     "ID",
     "SIZE",
     "START",
     "Addition",
+    "Alias",
     "Alternative",
     "Announced",
     "Announcement",

@@ -10,6 +10,7 @@ from typing import Any, Union
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
     SCALARS,
+    Alias,
     Availability,
     Deprecation,
     Enum,
@@ -39,6 +40,10 @@ class FieldRule:
     high: str
     is_strict: bool
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    def text(self, path: str) -> str:
+        """The rule with the paths of its fields, which are at the level of `path`."""
+        return f"{path}{self.low} {'<' if self.is_strict else '<='} {path}{self.high}"
 
 
 @dataclass(frozen=True)
@@ -259,7 +264,7 @@ class Field:
     counting: str = "elements"
     default: int = 0
     constant: bool = False
-    aliases: tuple[Identifier, ...] = ()
+    aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
@@ -293,7 +298,7 @@ class Leaf:
     """One value or run of bytes of a body, with its full path.
 
     `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
-    before an `optional` leaf.
+    before an `optional` leaf. `when` is the condition of the field or of a group that it is in.
     """
 
     path: str
@@ -304,6 +309,7 @@ class Leaf:
     offset: int | None
     cases: tuple[Leaf, ...] = ()
     optional: bool = False
+    when: Condition | None = None
 
     @property
     def size(self) -> int | None:

@@ -9,7 +9,7 @@ from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
-from sbgcgen.model.values import Availability, Deprecation, Enum, Identifier, Until
+from sbgcgen.model.values import Alias, Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
 # The enum of command ids of each direction.
@@ -98,6 +98,28 @@ class Message:
     def has_fixed_size(self) -> bool:
         return self.body.size is not None
 
+    @property
+    def lengths(self) -> tuple[tuple[Availability, int], ...]:
+        """The sizes of the body by the versions that introduced them; empty if there is only one."""
+        appended = [field for field in self.fields if field.appended]
+        if any(field.offset is None or field.size is None for field in appended):
+            return ()
+        appended.sort(key=lambda field: (field.since.firmware, field.since.board))
+        ends: dict[Availability, int] = {}
+        for field in appended:
+            end = (field.offset or 0) + (field.size or 0)
+            ends[field.since] = max([end, *ends.values()])
+        sizes = [(self.since, min((field.offset or 0 for field in appended), default=0))]
+        for since, size in ends.items():
+            if size > sizes[-1][1]:
+                sizes.append((since, size))
+        return tuple(sizes) if len(sizes) > 1 else ()
+
+    def was_reserved(self, field: Field) -> bool:
+        """True if earlier firmware has reserved bytes in the place of the field."""
+        is_later = field.since.is_after(self.since)
+        return is_later and not field.may_be_absent and field.dim != "rest"
+
 
 @dataclass(frozen=True)
 class Command:
@@ -112,7 +134,7 @@ class Command:
     errata: tuple[str, ...]
     since: Availability
     undocumented: bool
-    aliases: tuple[Identifier, ...] = ()
+    aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 

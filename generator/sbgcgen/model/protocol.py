@@ -48,14 +48,14 @@ class Line:
 class Layout:
     """The whole protocol.
 
-    `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
+    All framings are known; the first one is understood by every board. `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
     state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
     `synonyms` are groups of words for the same thing; `identifiers` are all words that become names
     in code, including those of fields that could not be resolved.
     """
 
     protocol: dict[str, str]
-    framing: Framing
+    framings: tuple[Framing, ...]
     line: Line
     families: tuple[Family, ...]
     quantities: tuple[Quantity, ...]
@@ -72,6 +72,16 @@ class Layout:
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
     identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)
+
+    @property
+    def framing(self) -> Framing:
+        """The framing that every board understands."""
+        return self.framings[0]
+
+    @property
+    def max_body(self) -> int:
+        """The maximum size of a body, the same in all framings."""
+        return self.framing.max_body
 
     @property
     def messages(self) -> tuple[Message, ...]:

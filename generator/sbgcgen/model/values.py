@@ -17,6 +17,13 @@ class Identifier:
 
 
 @dataclass(frozen=True)
+class Alias(Identifier):
+    """A former name in code, and in the protocol."""
+
+    spec_name: str = ""
+
+
+@dataclass(frozen=True)
 class Scalar:
     """A number on the wire, little-endian."""
 
@@ -29,6 +36,12 @@ class Scalar:
     @property
     def is_float(self) -> bool:
         return self.minimum is None
+
+    def holds(self, number: int) -> bool:
+        """True if a value of this type can be the number."""
+        if self.minimum is None or self.maximum is None:
+            return True
+        return self.minimum <= number <= self.maximum
 
 
 def _integer(name: str, size: int, signed: bool) -> Scalar:
@@ -77,6 +90,14 @@ class Availability:
     def is_after(self, other: Availability) -> bool:
         """True if some versions that have the other thing do not have this one."""
         return self.firmware > other.firmware or self.board > other.board
+
+    def later(self, other: Availability) -> Availability:
+        """The first versions that have both things."""
+        firmware = self if self.firmware >= other.firmware else other
+        board = self if self.board >= other.board else other
+        return Availability(
+            firmware.firmware, board.board, firmware.firmware_text, board.board_text
+        )
 
 
 @dataclass(frozen=True)
@@ -140,7 +161,7 @@ class EnumValue:
     errata: tuple[str, ...]
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     number: int | None = None
-    aliases: tuple[Identifier, ...] = ()
+    aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     former: Former | None = None
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import floor, lcm
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import Quantity, Scalar
+from sbgcgen.model.values import Availability, Quantity, Scalar
 
 
 @dataclass(frozen=True)
@@ -78,4 +78,6 @@ class Variable:
     errata: tuple[str, ...]
     settings: tuple[VariableSetting, ...] = ()
     is_switch: bool = False
+    since: Availability = Availability()
+    unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from sbgcgen.model import BODY, ID, SIZE, START, Framing, Layout, Message
 from sbgcgen.oracle.codec import CodecError
@@ -51,16 +52,31 @@ def header_of(framing: Framing, id: int, size: int) -> bytes:
     return b"".join(_header(framing, id, size).values())
 
 
-def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, bytes]]:
-    """Position, id and body of each frame in a stream; continues after an invalid start byte."""
+@dataclass(frozen=True)
+class FoundFrame:
+    """A frame in a stream, at `offset`."""
+
+    offset: int
+    framing: Framing
+    id: int
+    body: bytes
+
+
+def read_frames(framings: Sequence[Framing], stream: bytes) -> Iterator[FoundFrame]:
+    """The frames in a stream whose start byte is that of one of the framings.
+
+    The start byte of a candidate says which framing it must follow. If it does not, the search
+    continues with the next byte.
+    """
     at = 0
     while at < len(stream):
-        frame = _frame_at(framing, stream[at:])
-        if frame is None:
+        framing = next((f for f in framings if f.start == stream[at]), None)
+        frame = _frame_at(framing, stream[at:]) if framing else None
+        if framing is None or frame is None:
             at += 1
         else:
-            yield at, frame[0], frame[1]
-            at += framing.header_size + len(frame[1]) + framing.trailer_size
+            yield FoundFrame(at, framing, *frame)
+            at += framing.frame_size(len(frame[1]))
 
 
 def _frame_at(framing: Framing, data: bytes) -> tuple[int, bytes] | None:
@@ -89,7 +105,4 @@ def _checksum(framing: Framing, name: str, parts: dict[str, bytes]) -> bytes:
     checksum = framing.checksum(name)
     assert checksum is not None
     covered = b"".join(parts[part] for part in checksum.covers)
-    return _CHECKSUMS[checksum.kind](covered).to_bytes(checksum.size, "little")
-
-
-_CHECKSUMS: dict[str, Callable[[bytes], int]] = {"sum8": lambda covered: sum(covered) % 256}
+    return checksum.value(covered).to_bytes(checksum.size, "little")

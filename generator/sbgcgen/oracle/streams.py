@@ -1,13 +1,14 @@
 """Test vectors for framing: byte streams, and the frames in them.
 
-A line is {"stream", "frames", "why"}: the stream in hex, and "offset", "id" and "body" of each
-frame. With "written", the stream is exactly the frame that a writer makes from the id and body.
+A line is {"stream", "framings", "frames", "why"}: the stream in hex, the names of the framings that
+the parser accepts, and "offset", "framing", "id" and "body" of each frame. With "written", the
+stream is exactly the frame that a writer makes from framing, id and body.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from sbgcgen.model import Framing, Layout
@@ -17,18 +18,36 @@ from sbgcgen.oracle.vectors import typical_vector
 
 
 def stream_lines(layout: Layout) -> Iterator[str]:
-    """The lines of the vector file for a protocol's framing."""
-    framing = layout.framing
+    """The lines of the vector file for the framings of a protocol."""
     for message in layout.definitions:
         vector = typical_vector(message)
         if vector.body is not None and message.id:
-            frame = write_frame(framing, message.id, vector.body)
-            yield _line(framing, frame, f"a frame of {message.name}", written=True)
-    for size in (0, 1, 15, 16, 17, framing.max_body):
-        frame = write_frame(framing, 1, counting(size))
-        yield _line(framing, frame, f"a body of {size} bytes", written=True)
-    for stream, why in _broken(framing):
-        yield _line(framing, stream, why)
+            yield _written(layout.framing, message.id, vector.body, f"a frame of {message.name}")
+    for framing in layout.framings:
+        for size in (0, 1, 2, 7, 8, 9, 15, 16, 17, framing.max_body):
+            yield _written(framing, 1, counting(size), f"a body of {size} bytes")
+        for stream, why in _broken(framing):
+            yield _line([framing], stream, why)
+    if len(layout.framings) > 1:
+        for stream, why in _mixed(layout.framings):
+            for framings in (layout.framings, *([f] for f in layout.framings)):
+                yield _line(framings, stream, why)
+
+
+def _mixed(framings: Sequence[Framing]) -> Iterator[tuple[bytes, str]]:
+    """Streams with frames of all framings."""
+    good = [write_frame(framing, 86, counting(5)) for framing in framings]
+    yield b"".join(good), "a frame of each framing"
+    yield b"".join(bytes((f.start,)) for f in framings) + b"".join(good), "start bytes before frames"
+    for one, other in zip(framings, (*framings[1:], framings[0])):
+        frame = write_frame(other, 86, counting(5))
+        inner = write_frame(one, 2, frame)
+        yield inner, f"a frame of {other.name} as the body of one of {one.name}"
+        broken = inner[:-1] + bytes(((inner[-1] + 1) % 256,))
+        yield broken, f"a frame of {other.name} in the body of a broken one of {one.name}"
+        yield frame[:-1] + write_frame(one, 1, b""), f"{other.name} without its last byte"
+        swapped = bytes((one.start,)) + frame[1:]
+        yield swapped + frame, f"a frame of {other.name} with the start byte of {one.name}"
 
 
 def _broken(framing: Framing) -> Iterator[tuple[bytes, str]]:
@@ -54,12 +73,24 @@ def _broken(framing: Framing) -> Iterator[tuple[bytes, str]]:
     yield inner[:-1] + bytes(((inner[-1] + 1) % 256,)), "a frame in the body of a broken one"
 
 
-def _line(framing: Framing, stream: bytes, why: str, written: bool = False) -> str:
-    frames = [
-        {"offset": at, "id": id, "body": body.hex()}
-        for at, id, body in read_frames(framing, stream)
-    ]
-    result: dict[str, Any] = {"stream": stream.hex(), "frames": frames}
+def _written(framing: Framing, id: int, body: bytes, why: str) -> str:
+    return _line([framing], write_frame(framing, id, body), why, written=True)
+
+
+def _line(framings: Sequence[Framing], stream: bytes, why: str, written: bool = False) -> str:
+    result: dict[str, Any] = {
+        "stream": stream.hex(),
+        "framings": [framing.name for framing in framings],
+        "frames": [
+            {
+                "offset": frame.offset,
+                "framing": frame.framing.name,
+                "id": frame.id,
+                "body": frame.body.hex(),
+            }
+            for frame in read_frames(framings, stream)
+        ],
+    }
     if written:
         result["written"] = True
     result["why"] = why

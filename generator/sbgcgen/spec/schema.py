@@ -194,6 +194,7 @@ def _child_position(node: Any, step: Any) -> Position | None:
 def _words(kind: Any) -> str:
     kinds = kind if isinstance(kind, list) else [kind]
     names = {"object": "a mapping", "array": "a list", "string": "text", "integer": "a number"}
+    names["boolean"] = "true or false"
     return " or ".join(names.get(k, str(k)) for k in kinds)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sbgcgen.model import BODY, ID, SIZE, START, Framing
+from sbgcgen.model import BODY, ID, SIZE, START, Crc, Framing
 
-_KINDS = {"sum8": "the sum of {}, modulo 256"}
+_KINDS = {"sum8": "the sum of {}, modulo 256", "crc16": "CRC-16 of {}"}
 _ALL_BYTES = "all bytes of the body"
 
 
@@ -41,6 +41,20 @@ def checksum_text(framing: Framing, name: str) -> str:
     covers = [_ALL_BYTES if part == BODY else part_name(part) for part in checksum.covers]
     words = " and ".join(filter(None, [", ".join(covers[:-1]), covers[-1]]))
     return _KINDS[checksum.kind].format(words)
+
+
+def crc_text(crc: Crc) -> str:
+    """The definition of a cyclic redundancy check, as catalogues put it."""
+    order = {True: "least", False: "most"}
+    words = [
+        f"CRC-16 with the polynomial 0x{crc.polynomial:04X}",
+        f"initial value 0x{crc.initial:04X}",
+        f"bytes {order[crc.reflect_in]} significant bit first",
+        f"result {'' if crc.reflect_out else 'not '}reflected",
+        f"final XOR 0x{crc.final_xor:04X}",
+    ]
+    check = crc.check if crc.check is not None else crc.value(b"123456789")
+    return f"{', '.join(words)}; the check value of \"123456789\" is 0x{check:04X}"
 
 
 def part_name(part: str) -> str:

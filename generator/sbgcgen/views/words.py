@@ -14,13 +14,16 @@ from sbgcgen.model import (
     Blob,
     Effect,
     Enum,
+    Field,
+    Message,
     Packed,
     Quantity,
     Scalar,
     Struct,
+    field_rules,
 )
 from sbgcgen.model.names import slug
-from sbgcgen.views.framing import frame_parts, sums_in
+from sbgcgen.views.framing import crc_text, frame_parts, sums_in
 
 
 def to_json(value: Any) -> str:
@@ -54,12 +57,38 @@ def hexadecimal(value: int, digits: int = 2) -> str:
     return f"0x{value:0{digits}X}"
 
 
+def body_size(message: Message) -> str:
+    """The size of a body: "1 byte", "0 or 1 byte", "2 to 9 bytes"."""
+    low, high = message.min_size, message.max_size
+    if low == high:
+        return f"{high} byte{'s' if high != 1 else ''}"
+    return "0 or 1 byte" if high == 1 else f"{low} to {high} bytes"
+
+
+def default_words(field: Field) -> list[str]:
+    """The value of a field in a new message: a number, or the names of an enum value or of flags."""
+    type_ = field.type
+    if not isinstance(type_, Enum):
+        return [str(field.default)]
+    if type_.kind == "enum":
+        return [v.name for v in type_.values if v.value == field.default] or [str(field.default)]
+    named = [v for v in type_.values if v.value and v.value & field.default == v.value]
+    rest = field.default - sum(v.value for v in named)
+    return [*(v.name for v in named), *([str(rest)] if rest else [])]
+
+
+def rules_in(body: Struct) -> list[str]:
+    """The rules across fields of a body, such as "min <= max"."""
+    return [rule.text(path) for path, rule in field_rules(body)]
+
+
 def title_of(name: str) -> str:
     """adjustable_variables -> Adjustable variables; a short name is an abbreviation: imu -> IMU."""
     return name.upper() if len(name) <= 3 else name.replace("_", " ").capitalize()
 
 
 FILTERS: dict[str, Callable[..., Any]] = {
+    "crc_text": crc_text,
     "frame_parts": frame_parts,
     "sums_in": sums_in,
     "to_json": to_json,
@@ -70,6 +99,9 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "hex": hexadecimal,
     "slug": slug,
     "title_of": title_of,
+    "body_size": body_size,
+    "default_words": default_words,
+    "rules_in": rules_in,
 }
 
 TESTS: dict[str, Callable[..., bool]] = {

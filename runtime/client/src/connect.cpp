@@ -117,6 +117,7 @@ class Connector {
     if (!info) return no_introduction(std::move(info).error());
     board.info = *std::move(info);
     state_->set_identity(board);
+    change_framing(board.versions());
     if (is_supported<roles::DetailsRequest>(board.versions())) {
       if (auto details = ask(roles::DetailsRequest{})) {
         board.details = *std::move(details);
@@ -138,10 +139,18 @@ class Connector {
     return std::chrono::milliseconds(std::max<std::int64_t>(duration.us / 1000, 1));
   }
 
+  /// Changes to the newest framing of the board, if the board answers in it.
+  void change_framing(const Availability& versions) {
+    const Framing newest = newest_framing(versions);
+    if (!options_.newest_framing || newest == basic_framing) return;
+    static_cast<void>(ask(roles::IntroductionRequest{}, newest));
+  }
+
   template <Message M>
-  Result<CallResponse<M>> ask(const M& request) {
+  Result<CallResponse<M>> ask(const M& request, std::optional<Framing> tried_framing = {}) {
     Result<Request> prepared = conversation().prepare(request, {});
     if (!prepared) return std::move(prepared).error();
+    prepared->tried_framing = tried_framing;
     const auto usual = std::chrono::milliseconds(prepared->policy.timeout_ms);
     const auto all = usual * (options_.retries + 1);
     return read_response<M>(

@@ -23,6 +23,7 @@ struct Packet {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
   Instant at{};
+  Framing framing{};
 };
 
 using Packets = std::vector<Packet>;
@@ -96,7 +97,7 @@ class Host {
   template <Message M>
   void send(const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
-    const WriteResult written = encode_frame(message, frame);
+    const WriteResult written = encode_frame(framing, message, frame);
     ASSERT_TRUE(written);
     send_bytes(std::span(frame).first(written.size));
   }
@@ -119,17 +120,18 @@ class Host {
   emulator::Board board;
   std::size_t port;
   Instant now{};
+  Framing framing = basic_framing;  ///< of requests
 
  private:
   void collect(Packets& into) {
     const auto bytes = board.output(port);
     parser_.feed(bytes, [&](const Frame& frame) {
-      into.push_back({frame.id, {frame.body.begin(), frame.body.end()}, now});
+      into.push_back({frame.id, {frame.body.begin(), frame.body.end()}, now, frame.framing});
     });
     board.sent(port, bytes.size(), now);
   }
 
-  Parser parser_;
+  ParserOfAll parser_;
 };
 
 }  // namespace sbgc::test

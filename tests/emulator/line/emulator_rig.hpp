@@ -29,7 +29,7 @@ inline Bytes stream_of(std::uint16_t interval_ms) {
   return frame_of(request);
 }
 
-constexpr std::size_t sample_size = Framing::frame_size(msg::RealtimeData4::max_size);
+constexpr std::size_t sample_size = frame_size(msg::RealtimeData4::max_size);
 
 /// One host on one port.
 struct Bench {
@@ -61,7 +61,7 @@ struct Bench {
 
 inline std::size_t frames_in(const Bytes& bytes, msg::CommandFromBoard id) {
   std::size_t result = 0;
-  Parser parser;
+  ParserOfAll parser;
   parser.feed(bytes, [&](const Frame& frame) {
     result += frame.id == static_cast<std::uint8_t>(id) ? 1U : 0U;
   });

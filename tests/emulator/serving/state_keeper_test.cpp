@@ -106,7 +106,7 @@ struct Kept {
   LiveBoard board;
   std::vector<std::string> warnings{};
   StateKeeper keeper;
-  Parser parser{};
+  ParserOfAll parser{};
   std::vector<std::uint8_t> heard{};  // ids of frames
   std::size_t port;
 };

@@ -7,7 +7,7 @@ in tests/data/fidelity_exceptions.yaml, each with its erratum.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Any
@@ -16,6 +16,7 @@ Json = dict[str, Any]
 
 TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
 SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}
+SIZES |= {"u24": 3, "i24": 3, "u64": 8, "i64": 8, "f64": 8}
 UNITS = {
     "degree": "deg",
     "degrees": "deg",
@@ -159,12 +160,19 @@ def body_paths(message: Json) -> list[str]:
 
 
 class Comparison:
-    """All checks of the facts against the model."""
+    """All checks of the facts against the model.
 
-    def __init__(self, facts: Json, model: Json, table: Table) -> None:
+    `later` are the leaves that the notes on the later protocol tell about: by message, direction and
+    path. They may have names for bytes that are reserved in the text.
+    """
+
+    def __init__(
+        self, facts: Json, model: Json, table: Table, later: Collection[tuple[str, str, str]] = ()
+    ) -> None:
         self.facts = facts
         self.model = model
         self.table = table
+        self.later = later
         self.enums = {e["name"]: e for e in model["enums"]}
         self.packed = {p["name"]: p for p in model["packed"]}
         self.commands = {c["name"]: c for c in model["commands"]}
@@ -172,6 +180,7 @@ class Comparison:
         self.measured: set[tuple[str, str]] = set()  # (message, path) with a unit in the text
         self.named: set[tuple[str, int]] = set()  # constants of the text
         self.met: set[tuple[str, str]] = set()  # (message, direction) with a body in the text
+        self.compared: set[tuple[str, str, str]] = set()  # leaves: message, direction, path
 
     def run(self) -> Iterator[Check]:
         yield from self.defines()
@@ -271,7 +280,14 @@ class Comparison:
         if body["fields"]:
             yield from self.fields(body, message)
         elif "same_as" not in body:
-            yield Check("size", body["line"], message["name"], 0, message["max_size"])
+            grown = all(self.is_later(message, leaf) for leaf in message["layout"])
+            ours = message["min_size" if grown else "max_size"]
+            yield Check("size", body["line"], message["name"], 0, ours)
+
+    def is_later(self, message: Json, leaf: Json) -> bool:
+        """Returns True if a leaf is newer than the text, according to the notes."""
+        key = (message["name"], message["direction"], leaf["path"])
+        return "since" in leaf and key in self.later
 
     def same_body(self, body: Json, command: str, message: Json) -> Iterator[Check]:
         """'Same structure as': equal layouts; 'same meaning': equal fields of the same name."""
@@ -286,12 +302,14 @@ class Comparison:
             if m["command"] == other and m["direction"] == direction
         ]
         own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
+        direction_of = message["direction"]
         if not models:
             yield Check("same body", body["line"], command, other, None)
         elif not body["fields"]:
             shape = [(f["path"], f["type"], f["count"]) for f in message["layout"]]
             theirs = [(f["path"], f["type"], f["count"]) for f in models[0]["layout"]]
             ours = other if shape == theirs else "another body"
+            self.compared |= {(message["name"], direction_of, f["path"]) for f in message["layout"]}
             yield Check("same body", body["line"], command, other, ours)
         else:
             for leaf in models[0]["layout"]:
@@ -309,6 +327,17 @@ class Comparison:
         varies = False
         for element in text_elements(body):
             name = f"{where}.{element.name}"
+            named = self.take_named(waiting, element, message)
+            if named is not None:
+                for ours in named[0]:
+                    yield Check("extra field", element.line, f"{where}.{ours.name}", None, ours.type)
+                    offset = None if offset is None else offset + ours.size
+                for kind in ("field", "type"):
+                    yield Check(kind, element.line, name, element.name, element.name)
+                if offset is not None:
+                    yield Check("offset", element.line, name, offset, named[1][0].offset)
+                    offset += element.size
+                continue
             expected = self.expected_name(name, element)
             extra = self.skip_extra(waiting, expected, element)
             for ours in extra:
@@ -323,6 +352,7 @@ class Comparison:
                     varies = True
                 continue
             ours = waiting.pop(0)
+            self.compared.add((where, message["direction"], ours.path))
             said = element.name.upper() if ours.name == "RESERVED" else element.name
             yield Check("field", element.line, name, said, ours.name)
             yield Check("type", element.line, name, element.type, self.type_said(element, ours))
@@ -344,6 +374,33 @@ class Comparison:
         if not varies:
             yield Check("size", body["line"], where, offset, message["max_size"])
             yield Check("size", body["line"], where, offset, message["min_size"])
+
+    def take_named(
+        self, waiting: list[Ours], element: Element, message: Json
+    ) -> tuple[list[Ours], list[Ours]] | None:
+        """Takes the elements that name reserved bytes of the text, and what is before them.
+
+        They must be as many bytes, and each must be reserved or known to the notes.
+        """
+        is_run = element.type.startswith("bytes ") and element.name.upper() == "RESERVED"
+        first = waiting[0] if waiting else None
+        if not is_run or first is None or same_name(element.name, first.name) and (
+            first.type == element.type
+        ):
+            return None
+        direction = message["direction"]
+        for start in range(min(2, len(waiting))):
+            size = 0
+            for end, ours in enumerate(waiting[start:], start + 1):
+                known = (message["name"], direction, ours.path) in self.later
+                if not ours.size or not (known or ours.name == "RESERVED"):
+                    break
+                size += ours.size
+                if size == element.size:
+                    extra, named = waiting[:start], waiting[start:end]
+                    del waiting[:end]
+                    return extra, named
+        return None
 
     def expected_name(self, name: str, element: Element) -> str:
         entry = self.table.find("field", element.line, name)
@@ -386,6 +443,7 @@ class Comparison:
             where = f"{commands[0]}.{name}"
             leaves, check = self.row_leaves(row, name, where)
             yield check
+            self.compared |= {(m["name"], m["direction"], leaf["path"]) for m, leaf in leaves}
             if not leaves:
                 continue
             line = row["line"]
@@ -419,6 +477,7 @@ class Comparison:
             (message, leaf)
             for message in self.model["messages"]
             if message["command"] in row["commands"]
+            and self.is_old(message)
             and row.get("direction", message["direction"]) == message["direction"]
             for leaf in message["layout"]
             if any(fnmatchcase(leaf["spec_name"], pattern) for pattern in wanted)
@@ -427,6 +486,13 @@ class Comparison:
         complete = commands == set(row["commands"])
         ours = (entry["ours"] if entry else name) if complete else None
         return found, Check("row", row["line"], where, name, ours)
+
+    def is_old(self, message: Json) -> bool:
+        """Returns False for a form that only the notes have."""
+        key = (message["name"], message["direction"])
+        return key in self.met or message["form"] is None or not message["layout"] or (
+            (*key, message["layout"][0]["path"]) not in self.later
+        )
 
     def one(self, values: Iterable[Any]) -> Any:
         """Returns the value if all are equal, else the list of distinct values."""
@@ -476,8 +542,8 @@ class Comparison:
             yield Check("bits", line, f"{name}[{first}..{last}]", (first, last), ours)
         for low, high in fact.get("ranges", []):
             limits = self.one((f["min"], f["max"]) for f in leaves)
-            if (low, high) == (0, leaves[0].get("max_count")):
-                limits = (low, high)
+            if low == 0 and leaves[0].get("max_count") is not None:
+                limits = (low, leaves[0]["max_count"])
             yield Check("range", line, f"{name}[{low}..{high}]", (low, high), limits)
         for unit in fact.get("units", []):
             yield self.unit(unit, line, name, leaves)

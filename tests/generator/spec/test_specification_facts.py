@@ -70,11 +70,11 @@ SIZES = [
 
 # Message, direction, minimum and maximum size.
 VARIABLE_SIZES = [
-    ("BeepSound", TO, 2 + 1 + 1 + 8, 12 + 30 * 2),
+    ("BeepSound", TO, 2 + 1 + 1 + 8, 12 + 50 * 2),  # E369: later firmware plays 50 notes, not 30
     ("SetAdjVarsVal", TO, 1, 1 + 40 * (1 + 4)),
     ("ReadFile", FROM, 2 + 2, 255),
     ("WriteFile", TO, 2 + 2 + 2, 255),
-    ("RealtimeDataCustom", FROM, 2, 2 + 5 * 6 + 12 + 24 + 36 + 6),
+    ("RealtimeDataCustom", FROM, 2, 255),  # L1210-L1220: 110; later blocks exceed a body
     ("BoardInfoRequestExt", TO, 2, 255),
     ("ApiVirtChControl", TO, 2, 32 * 2),  # E217: trailing channels may be omitted
 ]

@@ -10,6 +10,7 @@
 
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/line.hpp>
+#include <sbgc/protocol.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
@@ -151,6 +152,7 @@ class Line {
   std::optional<Instant> text_due_{};
   std::size_t frame_bytes_ = 0;  // bytes of the current frame; 0 between frames
   std::size_t frame_size_ = 0;
+  Framing framing_{};
   std::deque<Arrival> arrivals_{};
   Instant last_arrival_;
   LineCounters counters_{};

@@ -434,7 +434,7 @@ struct CalibMotorMagLinkRequest {
 
 /// Calibrate the offsets of the encoders.
 ///
-/// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 to 1 bytes. Effect: stores. Since board 3.0.
+/// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 or 1 byte. Effect: stores. Since board 3.0.
 /// Source: Outgoing commands L993.
 struct EncodersCalibOffset4 {
   static constexpr CommandToBoard command = CommandToBoard::encoders_calib_offset_4;

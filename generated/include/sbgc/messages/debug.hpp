@@ -65,7 +65,7 @@ struct DebugVarsInfo3 {
 
 /// Request the names and types of the debug variables.
 ///
-/// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 to 1 bytes. Effect: reads. Since board 3.0. Source:
+/// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 or 1 byte. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L847.
 struct DebugVarsInfo3Request {
   static constexpr CommandToBoard command = CommandToBoard::debug_vars_info_3;

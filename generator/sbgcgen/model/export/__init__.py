@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
-from sbgcgen.model import Command, Layout
+from sbgcgen.model import Command, Framing, Layout
 from sbgcgen.model.export.messages import message_json
 from sbgcgen.model.export.types import enum_json, packed_json, quantity_json, variable_json, version
 
@@ -15,20 +16,7 @@ def export(layout: Layout) -> dict[str, Any]:
     """The whole model as plain data for JSON."""
     return {
         "protocol": layout.protocol,
-        "framing": {
-            "start": layout.framing.start,
-            "header": list(layout.framing.header),
-            "trailer": list(layout.framing.trailer),
-            "checksums": [
-                {"name": checksum.name, "kind": checksum.kind, "covers": list(checksum.covers)}
-                for checksum in layout.framing.checksums
-            ],
-            "header_size": layout.framing.header_size,
-            "trailer_size": layout.framing.trailer_size,
-            "max_body": layout.framing.max_body,
-            "source": layout.framing.source,
-            "errata": list(layout.framing.errata),
-        },
+        "framings": [_framing(framing) for framing in layout.framings],
         "versions": {
             "firmware": layout.versions.firmware.name if layout.versions.firmware else None,
             "board": layout.versions.board.name if layout.versions.board else None,
@@ -77,6 +65,30 @@ def export(layout: Layout) -> dict[str, Any]:
     }
 
 
+def _framing(framing: Framing) -> dict[str, Any]:
+    return {
+        "name": framing.name,
+        "since": version(framing.since),
+        "start": framing.start,
+        "header": list(framing.header),
+        "trailer": list(framing.trailer),
+        "checksums": [
+            {
+                "name": checksum.name,
+                "kind": checksum.kind,
+                "covers": list(checksum.covers),
+                **(asdict(checksum.crc) if checksum.crc else {}),
+            }
+            for checksum in framing.checksums
+        ],
+        "header_size": framing.header_size,
+        "trailer_size": framing.trailer_size,
+        "max_body": framing.max_body,
+        "source": framing.source,
+        "errata": list(framing.errata),
+    }
+
+
 def _command(command: Command) -> dict[str, Any]:
     result: dict[str, Any] = {
         "name": command.name,
@@ -89,7 +101,7 @@ def _command(command: Command) -> dict[str, Any]:
         "documented": not command.undocumented,
     }
     if command.aliases:
-        result["formerly"] = [alias.name for alias in command.aliases]
+        result["formerly"] = [alias.spec_name for alias in command.aliases]
     if command.unconfirmed:
         result["unconfirmed"] = True
     return result

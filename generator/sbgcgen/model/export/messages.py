@@ -106,8 +106,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["counted_by"] = field.counter
     if field.counting != "elements":
         result["counted_in"] = field.counting
-    if field.when:
-        result["when"] = _condition(field.when)
+    if leaf.when:
+        result["when"] = _condition(leaf.when)
     if field.alternative:
         other = field.alternative
         result["alternative"] = {
@@ -127,7 +127,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
     if field.constant:
         result["constant"] = field.default
     if field.aliases:
-        result["formerly"] = [alias.name for alias in field.aliases]
+        result["formerly"] = [alias.spec_name for alias in field.aliases]
     if field.unconfirmed:
         result["unconfirmed"] = True
     if field.errata:
@@ -262,10 +262,11 @@ def message_json(message: Message) -> dict[str, Any]:
     }
     if message.unconfirmed:
         result["unconfirmed"] = True
-    rules = [
-        f"{path}{rule.low} {'<' if rule.is_strict else '<='} {path}{rule.high}"
-        for path, rule in field_rules(message.body)
-    ]
+    if message.lengths:
+        result["sizes"] = [
+            {"since": version(since), "size": size} for since, size in message.lengths
+        ]
+    rules = [rule.text(path) for path, rule in field_rules(message.body)]
     if rules:
         result["rules"] = rules
     return result

@@ -51,7 +51,7 @@ def _value(value: EnumValue) -> dict[str, Any]:
         "number_type": value.wire or None,
     }
     if value.aliases:
-        result["formerly"] = [alias.name for alias in value.aliases]
+        result["formerly"] = [alias.spec_name for alias in value.aliases]
     if value.unconfirmed:
         result["unconfirmed"] = True
     if value.former:
@@ -128,7 +128,7 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
 def variable_json(variable: Variable) -> dict[str, Any]:
     """An adjustable variable and the parameters that it sets, as plain data."""
     quantity = variable.quantity
-    return {
+    result = {
         "name": variable.name,
         "id": variable.id,
         "type": variable.scalar.name,
@@ -138,6 +138,7 @@ def variable_json(variable: Variable) -> dict[str, Any]:
         "scale": number(quantity.scale) if quantity else None,
         "add": number(quantity.offset) if quantity else None,
         "summary": variable.summary,
+        "since": version(variable.since),
         "errata": list(variable.errata),
         "sets": [
             {
@@ -150,3 +151,8 @@ def variable_json(variable: Variable) -> dict[str, Any]:
         ],
         "as_switch": variable.is_switch,
     }
+    if variable.since:
+        result["since"] = version(variable.since)
+    if variable.unconfirmed:
+        result["unconfirmed"] = True
+    return result

@@ -29,7 +29,7 @@ def lint_bodies(layout: Layout, found: Diagnostics) -> None:
     _check_families(layout, found)
     for message in layout.messages:
         _check_list(message.fields, found)
-        _check_message(message, layout.framing.max_body, found)
+        _check_message(message, layout.max_body, found)
         _check_regions(message, found)
         _check_same_as(message, layout, found)
         _check_contexts(message, layout, found)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Availability, Deprecation, Identifier, Position
+from sbgcgen.model import Alias, Availability, Deprecation, Identifier, Position
 from sbgcgen.model.names import is_name, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
@@ -67,13 +67,13 @@ class Entries:
             self.found.add(at, "SBGC020", f"{what} has no source", hint)
         return text
 
-    def aliases(self, node: Map, prefix: str = "") -> tuple[Identifier, ...]:
-        """The identifiers of former names."""
+    def aliases(self, node: Map, prefix: str = "") -> tuple[Alias, ...]:
+        """The former names, with their identifiers."""
         names = node.get("was", [])
         at = node.at("was")
         return tuple(
-            Identifier(self.identifier(snake_case(str(name).removeprefix(prefix)), at), at)
-            for name in (names if isinstance(names, list) else [names])
+            Alias(self.identifier(snake_case(name.removeprefix(prefix)), at), at, name)
+            for name in map(str, names if isinstance(names, list) else [names])
         )
 
     def identifier(self, name: str, at: Position) -> str:

@@ -18,6 +18,7 @@ from sbgcgen.model import (
     Field,
     FieldRule,
     Position,
+    Quantity,
     Scalar,
     Struct,
     Type,
@@ -105,14 +106,14 @@ class FieldResolver:
             if unknown:
                 continue
             first, second = by_name[low], by_name[high]
-            scalar = scalar_of(first.type)
-            if scalar is None or (first.type, first.dim, first.count) != (
+            is_number = isinstance(first.type, (Scalar, Quantity))
+            if first is second or not is_number or (first.type, first.dim, first.count) != (
                 second.type,
                 second.dim,
                 second.count,
             ):
-                hint = "a rule compares numbers of the same type, one or several each"
-                self.found.add(at, "SBGC026", f"'{low}' and '{high}' are not alike", hint)
+                hint = "a rule is about two fields that hold numbers of the same type, equally many"
+                self.found.add(at, "SBGC026", f"'{low}' and '{high}' cannot be compared", hint)
                 continue
             result.append(FieldRule(first.name, second.name, sign == "<", at))
         return tuple(result)
@@ -175,6 +176,10 @@ class FieldResolver:
             return Blob("string", self.max_body)
         string = _STRING.match(text)
         if string:
+            longest = SCALARS["u8"].maximum or 0
+            if int(string[1]) > longest:
+                hint = f"its length is a u8: write string[{longest}] or less"
+                self.found.add(at, "SBGC042", f"'{text}' is longer than a length can say", hint)
             return Blob("string", min(int(string[1]), self.max_body))
         announced = _ANNOUNCED.match(text)
         if announced:
@@ -227,6 +232,7 @@ class FieldResolver:
         if reserved > 1:
             result = _number_reserved(result)
         self._check_names(result, broken_before, owner)
+        self._check_former_names(result, owner)
         self._check_order(result, owner)
         return tuple(_mark_counters(result))
 
@@ -317,6 +323,7 @@ class FieldResolver:
             unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
+        self._check_default(field, node, text)
         if field.constant:
             value = Fraction(field.default)
             field = replace(field, minimum=value, maximum=value)
@@ -327,22 +334,45 @@ class FieldResolver:
         key = "constant" if "constant" in node else "default"
         if key not in node:
             return 0
-        said = node[key]
+        for other in ("default", "range", "special") if key == "constant" else ():
+            if other in node:
+                hint = f"no other value is valid: delete '{other}'"
+                self.found.add(node.at(other), "SBGC017", f"{text} has a constant", hint)
+        at = node.at(key)
         scalar = scalar_of(type_)
-        value: int | None = said if isinstance(said, int) else None
-        if isinstance(type_, Enum) and not isinstance(said, int):
-            by_name = {v.name: v.value for v in type_.values}
-            names = said if isinstance(said, list) else [said]
-            if all(name in by_name for name in names):
-                value = sum(by_name[name] for name in names)
-        if scalar is None or value is None or not _fits(scalar, value):
-            hint = "give a raw integer, or names of the field's enum or flag set"
-            self.found.add(node.at(key), "SBGC017", f"the {key} of {text} is not a value", hint)
+        said = node[key] if isinstance(node[key], list) else [node[key]]
+        known = {v.name: v.value for v in type_.values} if isinstance(type_, Enum) else {}
+        is_flags = isinstance(type_, Enum) and type_.kind == "flags"
+        unknown = [name for name in said if not isinstance(name, int) and name not in known]
+        if scalar is None or scalar.is_float or (len(said) > 1 and not is_flags):
+            hint = "only an integer, an enum or a flag set has one; several names are flags"
+            self.found.add(at, "SBGC017", f"the {key} of {text} is not a value of its type", hint)
             return 0
-        if "constant" in node and "default" in node:
-            hint = "'constant' is the default as well"
-            self.found.add(node.at("default"), "SBGC017", f"{text} has a constant", hint)
+        if unknown:
+            hint = did_you_mean(str(unknown[0]), known)
+            hint = hint or ("name one of its values" if known else "give a raw integer")
+            message = f"the {key} of {text} is not a value: '{unknown[0]}'"
+            self.found.add(at, "SBGC017", message, hint)
+            return 0
+        value = sum(known.get(name, name) for name in dict.fromkeys(said))
+        if not scalar.holds(value):
+            hint = f"its type is {scalar.name}: {scalar.minimum} to {scalar.maximum}"
+            self.found.add(at, "SBGC017", f"{text} cannot be {value}", hint)
+        elif known and not is_flags and value not in known.values():
+            hint = f"{getattr(type_, 'name')} has no such value; name one of its values"
+            self.found.add(at, "SBGC017", f"the {key} of {text} has no name: {value}", hint)
         return value
+
+    def _check_default(self, field: Field, node: Map, text: str) -> None:
+        """A new message must be valid."""
+        low, high = field.minimum, field.maximum
+        if "default" not in node or low is None or high is None:
+            return
+        is_special = any(special.value == field.default for special in field.special)
+        if not low <= field.default <= high and not is_special:
+            hint = f"its range is {node.get('range')}"
+            at = node.at("default")
+            self.found.add(at, "SBGC017", f"the default of {text} is out of range", hint)
 
     def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
         """How the counter of a list counts."""
@@ -413,6 +443,17 @@ class FieldResolver:
                 message = f"duplicate field name '{name}' in {owner} (first at {first})"
                 self.found.add(at, "SBGC012", message, "give one of them a name with 'as'")
 
+    def _check_former_names(self, fields: list[Field], owner: str) -> None:
+        taken = {field.name: f"the name of '{field.name}'" for field in fields}
+        for field in fields:
+            for alias in field.aliases:
+                if alias.name in taken:
+                    message = f"the former name '{alias.spec_name}' of '{field.name}' in {owner}"
+                    hint = "a former name belongs to one field, which now has another"
+                    text = f"{message} is {taken[alias.name]}"
+                    self.found.add(alias.at, "SBGC012", text, hint)
+                taken.setdefault(alias.name, f"a former name of '{field.name}'")
+
     def _check_order(self, fields: list[Field], owner: str) -> None:
         for field, following in zip(fields, fields[1:]):
             if field.dim == "rest":
@@ -451,8 +492,3 @@ def _mark_counters(fields: list[Field]) -> list[Field]:
     counters = {f.counter for f in fields if f.has_hidden_counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]
 
-
-def _fits(scalar: Scalar, value: int) -> bool:
-    if scalar.minimum is None or scalar.maximum is None:
-        return True
-    return scalar.minimum <= value <= scalar.maximum

@@ -2,22 +2,55 @@
 
 from __future__ import annotations
 
-from sbgcgen.model import BODY, ID, SIZE, START, Checksum, Framing, Position
+from collections.abc import Sequence
+
+from sbgcgen.model import BODY, ID, SIZE, START, Checksum, Crc, Framing, Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.entries import Entries
 
 # The largest value of the size byte.
 _MOST = 255
+# The text of which catalogues of cyclic redundancy checks state the value.
+_CHECK_TEXT = b"123456789"
+# The parameters of a cyclic redundancy check.
+_CRC_KEYS = ("polynomial", "initial", "reflect_in", "reflect_out", "final_xor", "check")
 
 
-def framing_of(node: Map, entries: Entries, found: Diagnostics) -> Framing:
-    """Resolve the value of `framing:`; findings go into `found`."""
+def framings_of(nodes: Map, entries: Entries, found: Diagnostics) -> tuple[Framing, ...]:
+    """Resolve the value of `framings:`; findings go into `found`."""
+    framings = tuple(_framing(name, node, entries, found) for name, node in nodes.items())
+    _check_together(framings, nodes, found)
+    return framings
+
+
+def _check_together(framings: Sequence[Framing], nodes: Map, found: Diagnostics) -> None:
+    """A start byte must say which framing follows, and whose header it is must not matter."""
+    first = framings[0]
+    if first.since:
+        text = f"the first framing, '{first.name}', is not in every firmware"
+        hint = "put the framing first that every board understands"
+        found.add(nodes[first.name].at("since"), "SBGC069", text, hint)
+    for number, framing in enumerate(framings):
+        node = nodes[framing.name]
+        for other in framings[:number]:
+            if framing.start == other.start:
+                text = f"'{framing.name}' has the start byte of '{other.name}'"
+                found.add(node.at("start"), "SBGC069", text, "each framing needs a start byte")
+        for key in ("header", "max_body"):
+            if getattr(framing, key) != getattr(first, key):
+                text = f"'{framing.name}' has another {key} than '{first.name}'"
+                hint = "framings may differ in start byte and trailer"
+                found.add(node.at(key), "SBGC069", text, hint)
+
+
+def _framing(name: str, node: Map, entries: Entries, found: Diagnostics) -> Framing:
     checksums = tuple(
-        Checksum(name, str(content["kind"]), tuple(str(part) for part in content["covers"]))
-        for name, content in node["checksums"].items()
+        _checksum(part, content, found) for part, content in node["checksums"].items()
     )
     framing = Framing(
+        name=name,
+        since=entries.availability(node),
         start=int(node["start"]),
         header=tuple(str(part) for part in node["header"]),
         trailer=tuple(str(part) for part in node["trailer"]),
@@ -32,6 +65,32 @@ def framing_of(node: Map, entries: Entries, found: Diagnostics) -> Framing:
         text = f"a size of {framing.max_body} does not fit into its byte"
         found.add(node.at("max_body"), "SBGC069", text, f"at most {_MOST}")
     return framing
+
+
+def _checksum(name: str, node: Map, found: Diagnostics) -> Checksum:
+    kind, covers = str(node["kind"]), tuple(str(part) for part in node["covers"])
+    if kind != "crc16":
+        for key in _CRC_KEYS:
+            if key in node:
+                text = f"'{name}' has '{key}', but is no crc16"
+                found.add(node.at(key), "SBGC069", text, f"delete it, or say 'kind: crc16'")
+        return Checksum(name, kind, covers)
+    if "polynomial" not in node:
+        text = f"'{name}' is a crc16 without a polynomial"
+        found.add(node.at("kind"), "SBGC069", text, "add 'polynomial', such as 0x8005")
+    crc = Crc(
+        polynomial=int(node.get("polynomial", 0)),
+        initial=int(node.get("initial", 0)),
+        reflect_in=bool(node.get("reflect_in", False)),
+        reflect_out=bool(node.get("reflect_out", False)),
+        final_xor=int(node.get("final_xor", 0)),
+        check=int(node["check"]) if "check" in node else None,
+    )
+    if crc.check is not None and crc.check != crc.value(_CHECK_TEXT):
+        text = f"the check value of '{name}' is 0x{crc.value(_CHECK_TEXT):04X}"
+        hint = "correct the parameters, or 'check', the value of the text 123456789"
+        found.add(node.at("check"), "SBGC069", text, hint)
+    return Checksum(name, kind, covers, crc)
 
 
 def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:

@@ -22,7 +22,9 @@ def leaves(
     for field in fields:
         offset = None if base is None or field.offset is None else base + field.offset
         for leaf in _field_leaves(field, path + field.name, offset, word):
-            yield replace(leaf, optional=True) if field.appended else leaf
+            yield replace(
+                leaf, optional=leaf.optional or field.appended, when=leaf.when or field.when
+            )
 
 
 def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Iterator[Leaf]:

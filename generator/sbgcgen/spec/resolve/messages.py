@@ -347,10 +347,25 @@ class MessageResolver:
         first = len(fields)
         while first and fields[first - 1].since.is_after(since) and not fields[first - 1].when:
             first -= 1
+        self._check_later(draft, fields[:first], since)
         return (
             *fields[:first],
             *(f if f.dim == "rest" else replace(f, appended=True) for f in fields[first:]),
         )
+
+    def _check_later(
+        self, draft: _Draft, fields: tuple[Field, ...], since: Availability
+    ) -> None:
+        """Report later fields without bytes in the bodies of older firmware."""
+        for field in fields:
+            if field.when or field.dim == "rest":
+                continue
+            if field.since.is_after(since):
+                text = f"older firmware of {draft.name} has no bytes for '{field.name}'"
+                hint = "move it to the end, or give the message a 'size' if they were reserved"
+                self.found.add(field.at, "SBGC071", text, hint)
+            elif isinstance(field.type, Struct) and not field.type.is_region:
+                self._check_later(draft, field.type.fields, since.later(field.since))
 
     def _check_size(self, draft: _Draft, fields: tuple[Field, ...]) -> None:
         size = total_size(fields)
@@ -358,6 +373,10 @@ class MessageResolver:
             described = "vary in size" if size is None else f"have {size} bytes"
             message = f"the fields of {draft.name} {described}"
             hint = "'size' is that of a body without variable parts"
+            if size is not None:
+                word = "add" if size < draft.node["size"] else "remove"
+                difference = abs(draft.node["size"] - size)
+                hint = f"{word} {difference} byte{'s' * (difference != 1)}, or write size: {size}"
             self.found.add(draft.node.at("size"), "SBGC013", message, hint)
 
     def _included(self, node: Map) -> list[Field]:

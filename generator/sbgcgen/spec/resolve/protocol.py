@@ -18,7 +18,7 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
-from sbgcgen.spec.resolve.framing import framing_of
+from sbgcgen.spec.resolve.framing import framings_of
 from sbgcgen.spec.resolve.line import line_of
 from sbgcgen.spec.resolve.messages import MessageResolver
 from sbgcgen.spec.resolve.revisions import RevisionResolver
@@ -32,8 +32,8 @@ class _Resolver:
         self.found = found
         self.types = TypeResolver(spec, found)
         self.types.run()
-        self.framing = framing_of(spec.main["framing"], self.types, found)
-        self.fields = FieldResolver(spec, self.types, found, self.framing.max_body)
+        self.framings = framings_of(spec.main["framings"], self.types, found)
+        self.fields = FieldResolver(spec, self.types, found, self.framings[0].max_body)
         self.answers = AnswerResolver(spec, self.types, self.fields, found)
         self.line = line_of(spec.main.get("line"), self.types, found)
         self.commands = [self._command(*entry) for entry in spec.entries("commands")]
@@ -54,7 +54,7 @@ class _Resolver:
             protocol={
                 k: str(v) for k, v in self.spec.main.get("protocol", {}).items() if k != "lines"
             },
-            framing=self.framing,
+            framings=self.framings,
             line=self.line,
             families=tuple(families),
             quantities=tuple(self.types.types.quantities.values()),

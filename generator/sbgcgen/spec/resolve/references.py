@@ -73,12 +73,13 @@ class ReferenceResolver:
             self.found.add(when.position, "SBGC026", message, hint)
             return None
         enum = type_ if isinstance(type_, Enum) else None
-        chosen = {word: self._values(enum, when, word) if word in when else () for word in _ALL}
+        chosen = {word: self._values(type_, when, word) if word in when else () for word in _ALL}
         for word in words:
             if kind == "a flag set" and chosen[word] and not any(v.value for v in chosen[word]):
                 message = f"{chosen[word][0].name} has no bits, so it is always set"
                 hint = "a condition needs bits to look at"
                 self.found.add(when.at(word), "SBGC026", message, hint)
+        self._check_clauses(when, chosen)
         values = chosen["is"] or chosen["is_not"]
         return Condition(
             source,
@@ -94,13 +95,30 @@ class ReferenceResolver:
             source_may_be_missing=conditional,
         )
 
-    def _values(self, enum: Enum | None, node: Map, key: str) -> tuple[Any, ...]:
+    def _check_clauses(self, when: Map, chosen: dict[str, tuple[Any, ...]]) -> None:
+        """Report clauses that contradict each other."""
+        if "is" in when and "is_not" in when:
+            hint = "'is' already excludes all other values"
+            self.found.add(when.at("is_not"), "SBGC026", "'is_not' stands beside 'is'", hint)
+        for flag in chosen["has_not"]:
+            if flag in chosen["has"] or chosen["any"] == (flag,):
+                message = f"the condition on {flag.name} never holds"
+                hint = "it must be set and must not be set"
+                self.found.add(when.at("has_not"), "SBGC026", message, hint)
+
+    def _values(self, type_: Type, node: Map, key: str) -> tuple[Any, ...]:
         names = node[key] if isinstance(node[key], list) else [node[key]]
+        enum = type_ if isinstance(type_, Enum) else None
         if enum is None:
+            assert isinstance(type_, Scalar)
             for name in names:
                 if not isinstance(name, int):
                     message = f"'{name}' is not an integer"
                     hint = f"'{node.get('field')}' has no named values"
+                    self.found.add(node.at(key), "SBGC026", message, hint)
+                elif not type_.holds(name):
+                    message = f"'{node.get('field')}' is never {name}"
+                    hint = f"its type is {type_.name}: {type_.minimum} to {type_.maximum}"
                     self.found.add(node.at(key), "SBGC026", message, hint)
             return tuple(name for name in names if isinstance(name, int))
         by_name = {v.name: v for v in enum.values}

@@ -141,7 +141,18 @@ class TypeResolver(Entries):
             identifier = self.identifier(snake_case(name), at)
             summary = str(value.get("summary", ""))
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+                EnumValue(
+                    name,
+                    identifier,
+                    value["id"],
+                    summary,
+                    ours=False,
+                    wire="",
+                    since=self.availability(value),
+                    errata=(),
+                    at=at,
+                    unconfirmed=bool(value.get("unconfirmed", False)),
+                )
             )
         return Enum(
             name=VARIABLE_ID,
@@ -177,6 +188,7 @@ class TypeResolver(Entries):
         scalar = SCALARS[node["type"]]
         self.identifier(name, at)
         self._check_values(name, kind, scalar, values)
+        self._check_former(name, values)
         return Enum(
             name=name,
             member=singular(name) if kind == "flags" else name,
@@ -247,6 +259,23 @@ class TypeResolver(Entries):
             if twin is not value:
                 message = f"{value.name} is called '{value.identifier}' in C++, as is {twin.name}"
                 self.found.add(value.at, "SBGC012", message, "give one of them a name with 'as'")
+
+    def _check_former(self, name: str, values: list[EnumValue]) -> None:
+        """Former names are new ones; a meaning changes after the value came."""
+        taken = {value.identifier: value.name for value in values}
+        for value in values:
+            for alias in value.aliases:
+                if alias.name in taken:
+                    text = f"the former name '{alias.spec_name}' of {value.name} in {name}"
+                    hint = "a former name belongs to one value, which now has another"
+                    other = taken[alias.name]
+                    self.found.add(alias.at, "SBGC012", f"{text} is that of {other}", hint)
+                taken.setdefault(alias.name, value.name)
+            former = value.former.firmware.firmware if value.former else 0
+            if former and former < value.since.firmware:
+                text = f"{value.name} changed its meaning before it came"
+                hint = "'before' has the first firmware with the present meaning"
+                self.found.add(value.at, "SBGC071", text, hint)
 
     def enum_named(self, name: str, at: Position) -> Enum | None:
         """The enum or flag set with this name; reports an unknown name and returns None."""
@@ -353,6 +382,11 @@ class TypeResolver(Entries):
                 message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
                 hint = "use 'mask' for values in place, 'bits' for shifted ones"
                 self.found.add(node.at("type"), "SBGC016", message, hint)
+        is_digits = "divide" in node or "modulo" in node
+        if node.get("signed") and (enum is not None or is_digits or mask & (mask - 1) == 0):
+            text = f"'{name}' cannot be signed"
+            hint = "'signed' is for two or more bits that hold a number"
+            self.found.add(node.at("signed"), "SBGC016", text, hint)
         part = Part(
             name=name,
             mask=mask,
@@ -401,6 +435,15 @@ class TypeResolver(Entries):
                     hint = "give one of them another name"
                     message = f"'{name}' is defined twice (first at {first})"
                     self.found.add(at, "SBGC028", message, hint)
+            former = dict.fromkeys(own)
+            for _, name, node, _ in self.spec.entries(section):
+                names = node.get("was", [])
+                for old in map(str, names if isinstance(names, list) else [names]):
+                    if old in former:
+                        message = f"the former name '{old}' of {name} belongs to another, or to itself"
+                        hint = "a former name belongs to one command, which now has another"
+                        self.found.add(node.at("was"), "SBGC028", message, hint)
+                    former[old] = None
         for section in ("quantities", "enums", "flags", "packed", "structs"):
             for _, name, _, at in self.spec.entries(section):
                 if name in SCALARS or name in (*COMMAND_IDS.values(), VARIABLE_ID):

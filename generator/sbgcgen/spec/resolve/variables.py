@@ -76,6 +76,8 @@ class VariableResolver:
                 if setting is not None
             ),
             is_switch=is_switch,
+            since=self.types.availability(node),
+            unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
 

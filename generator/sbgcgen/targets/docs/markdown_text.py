@@ -12,6 +12,8 @@ from sbgcgen.model import EnumValue, Message, Packed
 # Bytes in a row of a byte map, and characters per byte.
 _ROW = 16
 _CELL = 4
+# Columns of a bit map; a wider one is left out, because the list of parts has its content.
+_WIDEST = 240
 
 
 def escape(text: str) -> str:
@@ -107,13 +109,13 @@ def _rule(above: list[_Cell], below: list[_Cell]) -> str:
 
 
 def bit_map(packed: Packed) -> str:
-    """Draw the bits of a packed integer, the highest first; "" for decimal digits."""
+    """Draw the bits of a packed integer, the highest first; "" for decimal digits and many bits."""
     parts = [part for part in packed.parts if not part.is_digits]
     if not parts:
         return ""
     bits = 8 * packed.scalar.size
     owners = [
-        next((part.name for part in parts if part.mask >> bit & 1), "") for bit in range(bits)
+        next((part.name for part in parts if part.bits >> bit & 1), "") for bit in range(bits)
     ]
     runs: list[tuple[str, int]] = []
     for owner in reversed(owners):
@@ -122,6 +124,8 @@ def bit_map(packed: Packed) -> str:
         else:
             runs.append((owner, 1))
     cell = max(_CELL, *(-(-(len(name) + 3) // count) for name, count in runs))
+    if cell * bits > _WIDEST:
+        return ""
     rule = "+" + "+".join("-" * (cell * count - 1) for _, count in runs) + "+"
     names = "|" + "|".join(name.center(cell * count - 1) for name, count in runs) + "|"
     head = "".join(f"{bit:>{cell}}" for bit in reversed(range(bits)))

@@ -1,19 +1,16 @@
-"""Facts for the pages that the Layout lacks: users of types, groups of fields, news of versions."""
+"""Facts for the pages that the Layout lacks: users of types and groups of fields."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 from sbgcgen.oracle.example import example_of
 from sbgcgen.model import (
     EFFECTS,
-    Availability,
-    Command,
     Enum,
-    EnumValue,
     Field,
     Layout,
     Leaf,
@@ -24,6 +21,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.targets import codes_of
 from sbgcgen.views.answers import asked_by, confirmation
+from sbgcgen.views.firmware import History
 from sbgcgen.views.history import Revisions
 
 
@@ -42,7 +40,7 @@ def names(layout: Layout) -> dict[str, Any]:
         "packed_with": packed_with(layout),
         "requests": asked_by(layout),
         "confirmation": confirmation(layout),
-        "news": news(layout),
+        "history": History(layout),
         "revisions": Revisions(layout),
         "effects_of": effects_of,
         "groups": groups,
@@ -64,10 +62,10 @@ def users(layout: Layout) -> dict[str, tuple[Message, ...]]:
 
 
 def packed_with(layout: Layout) -> dict[str, tuple[Packed, ...]]:
-    """The packed types that hold an enum or a flag set, by its name."""
+    """The packed types that hold an enum, a flag set or a quantity, by its name."""
     found: dict[str, list[Packed]] = {}
     for packed in layout.packed:
-        for name in dict.fromkeys(enum.name for enum in _enums_of(packed)):
+        for name in dict.fromkeys(type_.name for type_ in _types_in(packed)):
             found.setdefault(name, []).append(packed)
     return {name: tuple(all_packed) for name, all_packed in found.items()}
 
@@ -76,41 +74,6 @@ def effects_of(messages: list[Message]) -> list[str]:
     """The effects of these requests; "reads" only if there is no other."""
     said = {word for message in messages if message.effect for word in message.effect.words}
     return [word for word in EFFECTS if word in said and (word != "reads" or len(said) == 1)]
-
-
-@dataclass
-class News:
-    """The additions of a firmware or board version."""
-
-    since: Availability
-    commands: list[Command] = field(default_factory=list)
-    messages: list[Message] = field(default_factory=list)
-    fields: list[tuple[Message, Leaf]] = field(default_factory=list)
-    enum_values: list[tuple[Enum, EnumValue]] = field(default_factory=list)
-
-
-def news(layout: Layout) -> list[News]:
-    """The additions of each version, the oldest first; board versions precede firmware versions."""
-    found: dict[tuple[int, int], News] = {}
-
-    def at(since: Availability) -> News:
-        return found.setdefault((since.firmware, since.board), News(since))
-
-    for command in layout.commands:
-        if command.since:
-            at(command.since).commands.append(command)
-    for message in layout.messages:
-        if message.since:
-            at(message.since).messages.append(message)
-        for leaf in message.leaves:
-            for inner in (leaf, *leaf.cases):
-                if inner.field.since:
-                    at(inner.field.since).fields.append((message, inner))
-    for enum in layout.enums:
-        for value in enum.values:
-            if value.since:
-                at(value.since).enum_values.append((enum, value))
-    return [found[key] for key in sorted(found)]
 
 
 @dataclass(frozen=True)
@@ -148,12 +111,15 @@ def _names_of_leaf(leaf: Leaf) -> Iterator[str]:
     if isinstance(type_, (Quantity, Enum, Packed)):
         yield type_.name
     if isinstance(type_, Packed):
-        yield from (enum.name for enum in _enums_of(type_))
+        yield from (inner.name for inner in _types_in(type_))
     if leaf.field.alternative is not None:
         yield leaf.field.alternative.quantity.name
 
 
-def _enums_of(packed: Packed) -> Iterator[Enum]:
+def _types_in(packed: Packed) -> Iterator[Enum | Quantity]:
     if packed.names is not None:
         yield packed.names
-    yield from (part.enum for part in packed.parts if part.enum is not None)
+    for part in packed.parts:
+        inner = part.enum or part.quantity
+        if inner is not None:
+            yield inner

@@ -35,15 +35,16 @@ class Seeds(Target):
             for number, body in enumerate(_bodies(message)):
                 yield f"{name}_{number}", head + body
         for family in layout.families:
-            if family.messages:
+            for framing in layout.framings if family.messages else ():
                 frames = [
-                    write_frame(layout.framing, message.id, _bodies(message)[0])
+                    write_frame(framing, message.id, _bodies(message)[0])
                     for message in family.messages
                 ]
                 stream = b"".join(frames)[:_LARGEST_STREAM]
-                yield f"fuzz/framing/{family.name}_whole", bytes((_FEED_ALL,)) + stream
-                yield f"fuzz/framing/{family.name}_cut", b"".join(_cut(stream))
-                yield f"fuzz/framing/{family.name}_noise", b"".join(_cut(_noisy(layout, frames)))
+                name = f"fuzz/framing/{family.name}_{framing.name}"
+                yield f"{name}_whole", bytes((_FEED_ALL,)) + stream
+                yield f"{name}_cut", b"".join(_cut(stream))
+                yield f"{name}_noise", b"".join(_cut(_noisy(layout, frames)))
         yield "fuzz/framing/written", b"".join(_written(layout))
         yield "fuzz/framing/no_frames", b"".join(_no_frames(layout))
 
@@ -79,8 +80,8 @@ def _cut(stream: bytes) -> Iterator[bytes]:
 
 def _noisy(layout: Layout, frames: Iterable[bytes]) -> bytes:
     """Frames with noise between them; some are damaged or truncated."""
-    start = bytes((layout.framing.start,))
-    noise = (b"", start, b"\x00\xff", start * 3, counting(20))
+    starts = bytes(framing.start for framing in layout.framings)
+    noise = (b"", starts[:1], b"\x00\xff", starts * 3, counting(20))
     result = b""
     for number, frame in enumerate(frames):
         result += noise[number % len(noise)]
@@ -97,17 +98,19 @@ def _written(layout: Layout) -> Iterator[bytes]:
     """Steps in which the fuzzer writes a frame: id, body size and space, then the body."""
     for size in (0, 1, 15, 16, 124, 250):
         for space in (size + 4, 255):
-            yield bytes((_WRITE_FRAME, layout.messages[0].id if layout.messages else 1, size))
-            yield bytes((space,)) + counting(size)
+            for framing in range(len(layout.framings)):
+                id = layout.messages[0].id if layout.messages else 1
+                yield bytes((_WRITE_FRAME + framing, id, size, space)) + counting(size)
 
 
 def _no_frames(layout: Layout) -> Iterator[bytes]:
     """Data that begins like a frame: id 0, a header without a body, bad checksums."""
-    good = header_of(layout.framing, 1, 0)
-    bad = good[:-1] + bytes(((good[-1] + 1) % 256,))
-    for header in (*(header_of(layout.framing, *it) for it in ((0, 0), (1, 255))), good, bad):
-        yield _chunk(header + b"\xff")
-        yield bytes((_FLUSH,))
+    for framing in layout.framings:
+        good = header_of(framing, 1, 0)
+        bad = good[:-1] + bytes(((good[-1] + 1) % 256,))
+        for header in (header_of(framing, 0, 0), header_of(framing, 1, 255), good, bad):
+            yield _chunk(header + b"\xff")
+            yield bytes((_FLUSH,))
 
 
 # The dictionary
@@ -115,11 +118,12 @@ def _no_frames(layout: Layout) -> Iterator[bytes]:
 
 def _dictionary(layout: Layout) -> str:
     """Words with a meaning in the protocol, in libFuzzer's format."""
-    words: dict[str, bytes] = {"start": bytes((layout.framing.start,))}
+    words: dict[str, bytes] = {f"start_{f.name}": bytes((f.start,)) for f in layout.framings}
     for message in layout.messages:
         size = message.min_size
-        header = header_of(layout.framing, message.id, size)
-        words[f"header_{message.direction}_{message.identifier}"] = header
+        for framing in layout.framings:
+            name = f"header_{framing.name}_{message.direction}_{message.identifier}"
+            words[name] = header_of(framing, message.id, size)
     for message in layout.messages:
         for size in (message.min_size, message.max_size):
             words[f"size_{size}"] = bytes((size,))

@@ -9,9 +9,9 @@ from html import unescape
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
-from sbgcgen.targets.site.history import added
-from sbgcgen.targets.site.rows import Row, rows_of
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
+from sbgcgen.views.firmware import History
+from sbgcgen.views.rows import Row, rows_of
 from sbgcgen.views.words import title_of
 
 # Stop words.
@@ -42,7 +42,7 @@ _PAGES = (
     (
         "availability",
         "Availability",
-        "Additions of each firmware and board version and each revision.",
+        "What each firmware and board version and each revision brought.",
         "version versions firmware board revision revisions since history changes deprecated",
     ),
     (
@@ -91,18 +91,18 @@ class Entry:
         return [*own, [twin.data[1:] for twin in self.twins]] if self.twins else own
 
 
-def search_index(layout: Layout, guides: Sequence[Page]) -> dict[str, Any]:
+def search_index(layout: Layout, guides: Sequence[Page], history: History) -> dict[str, Any]:
     """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
-        "entries": [entry.data for entry in _entries(layout, guides)],
+        "entries": [entry.data for entry in _entries(layout, guides, history)],
     }
 
 
-def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
+def _entries(layout: Layout, guides: Sequence[Page], history: History) -> Iterator[Entry]:
     yield from _messages(layout)
     yield from _commands(layout)
-    yield from _pages(layout)
+    yield from _pages(layout, history)
     for family in layout.families:
         if family.messages:
             page = f"families/{family.name}.html"
@@ -125,6 +125,7 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
         for value in enum.values:
             page = f"{page_of_type(enum)}#{value.name}"
             words = f"{enum.name} {value.value} {value.identifier}"
+            words = _joined(words, *(alias.spec_name for alias in value.aliases))
             yield Entry("value", value.name, value.summary, page, words)
     for variable in layout.variables:
         page = f"variables.html#{variable.name}"
@@ -135,25 +136,26 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
         yield Entry("erratum", erratum.number, about, page, _lines(*erratum.lines))
 
 
-def _pages(layout: Layout) -> Iterator[Entry]:
-    """The pages that are not about one entry, and the sections of the page about versions."""
+def _pages(layout: Layout, history: History) -> Iterator[Entry]:
+    """The pages that are not about one entry, and the sections of the pages about versions."""
     for name, title, about, words in _PAGES:
         yield Entry("page", title, about, f"{name}.html", words)
-    for part in added(layout):
-        page = f"availability.html#{anchor_of(part.version)}"
-        words = f"version availability {part.version.split()[-1]}"
-        yield Entry("page", part.version.capitalize(), "Additions of this version.", page, words)
+    about = "What this version added, changed and ended."
+    for release in history.releases:
+        for news in release.news:
+            page = f"firmware/{release.text}.html#{news.text}"
+            words = f"version availability {news.text}"
+            yield Entry("page", f"Firmware {news.text}", about, page, words)
+    for news in history.of_boards:
+        page = f"availability.html#board-{news.text}"
+        words = f"version availability {news.text}"
+        yield Entry("page", f"Board {news.text}", about, page, words)
     for revision in layout.revisions:
         has_own = revision.adds or revision.changes
         anchor = f"revision-{revision.number}" if has_own else "revisions"
         words = _joined("rev", revision.number, revision.date, _lines(revision.source))
         name = f"Revision {revision.number}"
         yield Entry("page", name, f"Of {revision.date}.", f"availability.html#{anchor}", words)
-
-
-def anchor_of(text: str) -> str:
-    """The anchor of a heading: "Firmware 2.59" -> "firmware-2.59"."""
-    return re.sub(r"[^a-z0-9.]+", "-", text.lower())
 
 
 def _joined(*words: str) -> str:
@@ -221,6 +223,7 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
 def _words_of(row: Row) -> Iterator[str]:
     """More search words of a field: its names in the specification, its paths, its unit."""
     yield from dict.fromkeys(leaf.spec_name for leaf in row.leaves)
+    yield from (alias.spec_name for alias in row.field.aliases)
     if len(row.leaves) <= 6:
         yield from (leaf.path for leaf in row.leaves if leaf.path != row.path)
     if isinstance(row.field.type, Quantity) and row.field.type.unit:

@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from sbgcgen.model import Enum, Layout, Message, Packed, Quantity, Type
+from sbgcgen.model import Availability, Enum, Layout, Message, Packed, Quantity, Type
 from sbgcgen.model.names import slug
-from sbgcgen.targets.site.rows import rows_of
 from sbgcgen.views.answers import asked_by
+from sbgcgen.views.rows import rows_of
 
 
 @dataclass(frozen=True)
 class Use:
-    """A use of a type or an erratum: its kind, name and page."""
+    """A use of a type or an erratum: its kind, name, page and first versions."""
 
     kind: str
     name: str
     page: str
+    since: Availability = Availability()
 
 
 def page_of_message(message: Message) -> str:
@@ -60,7 +61,7 @@ def references(layout: Layout) -> References:
     found = References(answers=asked_by(layout))
     for command in layout.commands:
         page = f"families/{command.family}.html#{command.name}"
-        found.of_errata(command.errata, Use("command", command.name, page))
+        found.of_errata(command.errata, Use("command", command.name, page, command.since))
     for message in layout.messages:
         _of_message(message, found)
     types: tuple[Enum | Packed | Quantity, ...] = (
@@ -74,31 +75,33 @@ def references(layout: Layout) -> References:
         if isinstance(type_, Enum):
             for value in type_.values:
                 page = f"{page_of_type(type_)}#{value.name}"
-                found.of_errata(value.errata, Use("value", f"{type_.name} · {value.name}", page))
+                name = f"{type_.name} · {value.name}"
+                found.of_errata(value.errata, Use("value", name, page, value.since))
         if isinstance(type_, Packed):
             for part in type_.parts:
-                if part.enum:
+                inner = part.enum or part.quantity
+                if inner:
                     page = f"{page_of_type(type_)}#part-{part.name}"
-                    found.of_type(
-                        part.enum.name, Use("packed value", f"{type_.name} · {part.name}", page)
-                    )
+                    name = f"{type_.name} · {part.name}"
+                    found.of_type(inner.name, Use("packed value", name, page))
             if type_.names:
                 found.of_type(type_.names.name, use)
     for variable in layout.variables:
-        use = Use("adjustable variable", variable.name, f"variables.html#{variable.name}")
+        use = Use("adjustable variable", variable.name, f"variables.html#{variable.name}", variable.since)
         found.of_errata(variable.errata, use)
         if variable.quantity:
             found.of_type(variable.quantity.name, use)
-    found.of_errata(layout.framing.errata, Use("framing", "framing", "framing.html"))
+    for framing in layout.framings:
+        found.of_errata(framing.errata, Use("framing", framing.name, "framing.html"))
     return found
 
 
 def _of_message(message: Message, found: References) -> None:
     page = page_of_message(message)
-    here = Use("message", message.name, page)
+    here = Use("message", message.name, page, message.since)
     found.of_errata(message.errata, here)
     if message.answer:
-        found.of_errata(message.answer.errata, Use("message", message.name, f"{page}#answer"))
+        found.of_errata(message.answer.errata, Use("message", message.name, f"{page}#answer", message.since))
     if message.stores:
         found.storers.setdefault(message.stores, []).append(message)
     for context in message.contexts:
@@ -106,10 +109,10 @@ def _of_message(message: Message, found: References) -> None:
         for name in names + [source for source, _ in context.sources]:
             found.contexts.setdefault(name, []).append(message)
         if context.type:
-            found.of_type(context.type.name, Use("message", message.name, f"{page}#context"))
+            found.of_type(context.type.name, Use("message", message.name, f"{page}#context", message.since))
     for row in rows_of(message):
-        anchor = row.leaves[0].path if row.leaves else row.path
-        use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{anchor}")
+        since = message.since.later(row.since)
+        use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{row.first}", since)
         found.of_errata(row.field.errata, use)
         type_: Type = row.field.type
         if isinstance(type_, (Enum, Packed, Quantity)):
@@ -132,3 +135,28 @@ def siblings(message: Message, layout: Layout) -> list[Message]:
 def instances(message: Message, layout: Layout) -> list[Message]:
     """A message in each of its directions."""
     return [m for m in layout.messages if m.name == message.name]
+
+
+def availability_of_types(layout: Layout) -> dict[str, Availability]:
+    """The first firmware in which something uses a type, if all of its uses have one."""
+    found: dict[str, list[Availability]] = {}
+
+    def add(type_: object, since: Availability) -> None:
+        if isinstance(type_, (Enum, Packed, Quantity)):
+            found.setdefault(type_.name, []).append(since)
+        for part in type_.parts if isinstance(type_, Packed) else ():
+            add(part.enum or part.quantity, since)
+        if isinstance(type_, Packed):
+            add(type_.names, since)
+
+    for message in layout.messages:
+        for row in rows_of(message):
+            since = message.since.later(row.since)
+            add(row.field.type, since)
+            if row.field.alternative:
+                add(row.field.alternative.quantity, since)
+        for context in message.contexts:
+            add(context.type, message.since)
+    for variable in layout.variables:
+        add(variable.quantity, variable.since)
+    return {name: min(all_, key=lambda since: since.firmware) for name, all_ in found.items()}

@@ -14,14 +14,16 @@ from urllib.parse import quote
 import markdown
 from markupsafe import Markup, escape
 
-from sbgcgen.model import Enum, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.oracle.example import Example, example_of, physical
 from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
 from sbgcgen.targets.render import expand, sources_of
-from sbgcgen.targets.site import history, rows, uses
-from sbgcgen.targets.site.search import anchor_of, search_index
+from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
+from sbgcgen.views.firmware import History, deprecated_always
 from sbgcgen.views.history import Revisions
+from sbgcgen.views.rows import Row, rows_of as rows_of_message
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,11 @@ def view_of(site: Target, layout: Layout, docs: Path) -> View:
     Raises ValueError if two pages would have the same path.
     """
     guides = guides_in(docs)
-    each: dict[str, Items] = {"guide": [(guide.name, guide) for guide in guides]}
+    history = History(layout)
+    each: dict[str, Items] = {
+        "guide": [(guide.name, guide) for guide in guides],
+        "release": [(release.text, release) for release in history.releases],
+    }
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
     twice = {page for page in pages if pages.count(page) > 1}
     if twice:
@@ -108,16 +114,16 @@ def view_of(site: Target, layout: Layout, docs: Path) -> View:
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
-        "added": history.added(layout),
+        "history": history,
         "revisions": Revisions(layout),
         "guide_pages": {
             about: f"guides/{_guide_name(Path(path).stem)}.html"
             for about, path in layout.guides.items()
             if f"guides/{_guide_name(Path(path).stem)}.html" in pages
         },
-        "deprecated_always": history.deprecated_always(layout),
+        "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
-        "search_index": search_index(layout, guides),
+        "search_index": search_index(layout, guides, history),
     }
     return View(names=names, filters=_filters(layout), each=each)
 
@@ -126,7 +132,8 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
     """The filters of the site's templates."""
     prose = _Prose(layout)
     undocumented = {command.name for command in layout.commands if command.undocumented}
-    rows_of = cache(rows.rows_of)
+    rows_of = cache(rows_of_message)
+    types = uses.availability_of_types(layout)
 
     def all_errata(message: Message) -> list[str]:
         numbers = {*message.errata, *(n for row in rows_of(message) for n in row.field.errata)}
@@ -144,6 +151,9 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "sizes": lambda message: rows.sizes_of(message, layout),
         "byte_map": rows.byte_map,
         "bits": bits_of,
+        "bit_range": bit_range,
+        "later_leaves": lambda message: later_leaves(message, rows_of(message)),
+        "needs": lambda type_: types.get(type_.name, Availability()),
         "all_errata": all_errata,
         "is_undocumented": lambda name: name in undocumented,
         "example": lambda message: example_for_page(message, layout),
@@ -155,7 +165,6 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "fragment": fragment,
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
-        "slug_of": anchor_of,
         "with_unit": lambda quantities: [q for q in quantities if q.unit],
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,
@@ -169,6 +178,16 @@ def example_for_page(message: Message, layout: Layout) -> Example:
     """The example of a message; for one in both directions, that of the request."""
     instances = uses.instances(message, layout)
     return example_of(next((m for m in instances if m.direction == "to_board"), message), layout)
+
+
+def later_leaves(message: Message, of: list[Row]) -> dict[str, Availability]:
+    """The first versions of the leaves that are newer than their message, by path."""
+    return {
+        leaf.path: row.since
+        for row in of
+        for leaf in row.leaves
+        if row.since.is_after(message.since)
+    }
 
 
 def page_of(item: Message | Enum | Packed | Quantity) -> str:
@@ -221,7 +240,7 @@ def short(path: str) -> str:
     return ".".join(words[-2:])
 
 
-def label(row: rows.Row) -> str:
+def label(row: Row) -> str:
     """The label of a row: its name, with .* if it is repeated for each axis."""
     return row.path.rpartition(".")[2] if row.path[-1] != "*" else row.path.split(".")[-2] + ".*"
 
@@ -234,11 +253,19 @@ def size_words(leaf: Leaf) -> str:
     return "each " + leaf.type if leaf.type not in ("bytes", "text", "string") else leaf.type
 
 
-def offset_words(leaf: Leaf, row: rows.Row) -> str:
+def offset_words(leaf: Leaf, row: Row) -> str:
     """The offset of a leaf in words."""
     if leaf.offset is None:
         return "varies"
     return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)
+
+
+def bit_range(mask: int) -> str:
+    """The bits of a mask: "7", "0..3", "0, 2"."""
+    bits = [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
+    if len(bits) > 1 and bits[-1] - bits[0] + 1 == len(bits):
+        return f"{bits[0]}..{bits[-1]}"
+    return ", ".join(map(str, bits))
 
 
 @dataclass(frozen=True)
@@ -258,7 +285,7 @@ def bits_of(packed: Packed) -> list[Bits]:
         names = ", ".join(part.name for part in packed.parts)
         return [Bits(names, f"{total - 1}..0, decimal digits", total, 0)]
     owner = [
-        next((i for i, part in enumerate(packed.parts) if part.mask >> bit & 1), None)
+        next((i for i, part in enumerate(packed.parts) if part.bits >> bit & 1), None)
         for bit in range(total)
     ]
     result: list[Bits] = []

@@ -35,6 +35,7 @@ class Dialogue {
   /// Drops all calls.
   void forget_all() { in_session_.clear(); }
 
+  Framing framing() const noexcept { return session_.framing(); }
   SessionStatistics statistics() const noexcept { return session_.statistics(); }
   StreamUsage stream_usage() const noexcept { return session_.stream_usage(); }
 

@@ -13,10 +13,10 @@ namespace {
 
 ClientError closed_error() { return {ErrorCode::cancelled, "the client was closed"}; }
 
-std::vector<std::uint8_t> frame_of(const Request& request) {
+std::vector<std::uint8_t> frame_of(const Request& request, Framing framing) {
   std::vector<std::uint8_t> frame(max_frame_size);
-  std::ranges::copy(request.body, frame_body(frame.data()));
-  frame.resize(finish_frame(frame.data(), request.id, request.body.size()));
+  const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
+  frame.resize(write_frame(framing, request.id, body, frame).size);
   return frame;
 }
 
@@ -270,7 +270,9 @@ void Conversation::State::begin_close() {
   }();
   std::vector<Channel::Frame> last_frames;
   if (is_closed) {
-    for (const Request& end : streams_.take_running()) last_frames.push_back(frame_of(end));
+    for (const Request& end : streams_.take_running()) {
+      last_frames.push_back(frame_of(end, dialogue_.framing()));
+    }
   }
   channel_.close(std::move(last_frames));
 }

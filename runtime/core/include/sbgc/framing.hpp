@@ -1,16 +1,16 @@
-/// The framing of the byte stream. Only this file defines it: the parser calls it to inspect a
-/// position, the writer to complete a frame. Another framing (another start byte or trailer) would
-/// be another case in each of its functions.
+/// The framings of the byte stream. Only this file defines them: the parser calls it to inspect a
+/// position, the writer to complete a frame.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
-#include <span>
 #include <type_traits>
+#include <utility>
 
 #include <sbgc/checksum.hpp>
+#include <sbgc/crc16.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {
@@ -32,72 +32,106 @@ struct Candidate {
 
 namespace detail {
 
-constexpr bool are(std::span<const FramePart> parts, std::initializer_list<FramePart> wanted) {
-  if (parts.size() != wanted.size()) return false;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i] != wanted.begin()[i]) return false;
+template <std::size_t n, std::size_t m>
+constexpr bool are(const std::array<FramePart, n>& parts, const std::array<FramePart, m>& wanted) {
+  if (n != m) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (parts[i] != wanted[i]) return false;
   }
   return true;
 }
 
-static_assert(FrameParts::header_checksum == FrameParts::Checksum::sum8 &&
-                  are(FrameParts::header_checksum_covers, {FramePart::id, FramePart::size}),
-              "another header checksum in spec/simplebgc.yaml requires another is_header(), "
-              "skip_blocks() and finish()");
-static_assert(are(FrameParts::trailer, {FramePart::body_checksum}) &&
-                  FrameParts::body_checksum == FrameParts::Checksum::sum8 &&
-                  are(FrameParts::body_checksum_covers, {FramePart::body}),
-              "another trailer in spec/simplebgc.yaml requires another inspect() and finish(), and "
-              "another sum where byte_sum() and ByteSum are used");
+/// Headers are alike in all framings, so that id and size are known before the framing is.
+template <Framing framing>
+inline constexpr bool has_usual_header =
+    are(FramingFacts<framing>::header, FramingFacts<basic_framing>::header) &&
+    FramingFacts<framing>::header_checksum == ChecksumKind::sum8 &&
+    are(FramingFacts<framing>::header_checksum_covers, std::array{FramePart::id, FramePart::size});
+
+/// The checksum in the trailer: a sum of the body, or a cyclic redundancy check of header and body
+/// without the start byte.
+template <Framing framing, CrcTable table, ChecksumKind = FramingFacts<framing>::trailer_checksum>
+struct Trailer {
+  static_assert(are(FramingFacts<framing>::trailer_checksum_covers, std::array{FramePart::body}),
+                "another sum requires another Trailer");
+  using Sum = std::uint8_t;
+
+  static constexpr Sum sum(const std::uint8_t*, const std::uint8_t* content,
+                           std::size_t size) noexcept {
+    return byte_sum(content, size);
+  }
+  static constexpr bool matches(const std::uint8_t* frame, std::size_t body_size) noexcept {
+    const std::uint8_t* const content = frame + frame_header_size;
+    return byte_sum(content, body_size) == content[body_size];
+  }
+  static constexpr void write(std::uint8_t* place, Sum sum) noexcept { *place = sum; }
+};
+
+template <Framing framing, CrcTable table>
+struct Trailer<framing, table, ChecksumKind::crc16> {
+  using Facts = FramingFacts<framing>;
+  static_assert(are(Facts::trailer_checksum_covers,
+                    std::array{FramePart::id, FramePart::size, FramePart::header_checksum,
+                               FramePart::body}),
+                "another check requires another Trailer");
+  using Sum = std::uint16_t;
+  using Crc = Crc16<Facts::trailer_checksum_crc, table>;
+
+  static constexpr Sum sum(const std::uint8_t* frame, const std::uint8_t* content,
+                           std::size_t size) noexcept {
+    return Crc{}.add(frame + 1, frame_header_size - 1).add(content, size).value();
+  }
+  static constexpr bool matches(const std::uint8_t* frame, std::size_t body_size) noexcept {
+    const std::uint8_t* const trailer = frame + frame_header_size + body_size;
+    return Crc{}.add(frame + 1, frame_header_size - 1 + body_size).value() ==
+           (trailer[0] | trailer[1] << 8);
+  }
+  static constexpr void write(std::uint8_t* place, Sum sum) noexcept {
+    place[0] = static_cast<std::uint8_t>(sum);
+    place[1] = static_cast<std::uint8_t>(sum >> 8);
+  }
+};
+
+/// Returns true if the frame_header_size bytes from a start byte on are a valid header.
+constexpr bool is_header(const std::uint8_t* bytes) noexcept {
+  // No command has the id 0, and a start byte followed by zeros would pass the checks of v1.
+  const std::uint8_t id = bytes[frame_id_offset];
+  if (max_body_size < 255 && bytes[frame_size_offset] > max_body_size) return false;
+  return id != 0 && static_cast<std::uint8_t>(id + bytes[frame_size_offset]) ==
+                        bytes[frame_header_checksum_offset];
+}
 
 }  // namespace detail
 
-/// The framing that FrameParts describes: a start byte, a header of id, body size and their sum in
-/// any order, the body, and its sum.
-struct Framing {
+/// Returns the size of a frame with a body of `body_size` bytes.
+template <Framing framing = basic_framing>
+constexpr std::size_t frame_size(std::size_t body_size) noexcept {
+  return frame_header_size + body_size + FramingFacts<framing>::trailer_size;
+}
+
+/// One framing: a start byte, a header of id, body size and their sum in any order, the body, and a
+/// checksum. `table` is that of its cyclic redundancy check, if it has one.
+template <Framing framing, CrcTable table = CrcTable::slices>
+struct FrameFormat {
+  using Facts = FramingFacts<framing>;
+  static_assert(detail::has_usual_header<framing> && Facts::trailer.size() == 1,
+                "another header or trailer in spec/simplebgc.yaml requires another is_header(), "
+                "skip_blocks() and finish()");
+
+  static constexpr std::uint8_t start = Facts::start;
+
   /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
   static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
-    if (bytes[0] != frame_start) return {Verdict::no_start, 0};
+    if (bytes[0] != start) return {Verdict::no_start, 0};
     if (available < frame_header_size) return {Verdict::incomplete, frame_header_size};
-    if (!is_header(bytes)) return {Verdict::bad_header, 0};
+    if (!detail::is_header(bytes)) return {Verdict::bad_header, 0};
     const std::size_t body_size = bytes[frame_size_offset];
-    const std::size_t size = frame_size(body_size);
+    const std::size_t size = frame_size<framing>(body_size);
     if (available < size) return {Verdict::incomplete, size};
-    const std::uint8_t* const content = bytes + frame_header_size;
     // Both verdicts have the same size. If it depended on the checksum, inspecting the next frame
     // would have to wait for this one's.
-    if (byte_sum(content, body_size) != content[body_size]) return {Verdict::bad_body, size};
+    if (!Trailer::matches(bytes, body_size)) return {Verdict::bad_body, size};
     return {Verdict::frame, size};
-  }
-
-  /// Returns the first position in [begin, end) for which inspect() returns neither no_start nor
-  /// bad_header, or `end`. Adds the number of bad headers before it to `bad_headers`.
-  static constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
-                                            std::uint64_t& bad_headers) noexcept {
-    for (;; ++begin) {
-#if defined(__SSE2__)
-      if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers);
-#endif
-      if (begin == end) return end;
-      if (*begin != frame_start) continue;
-      if (static_cast<std::size_t>(end - begin) < frame_header_size || is_header(begin)) {
-        return begin;
-      }
-      ++bad_headers;
-    }
-  }
-
-  /// The id and the body of a valid frame.
-  static constexpr std::uint8_t id(const std::uint8_t* frame) noexcept {
-    return frame[frame_id_offset];
-  }
-  static constexpr std::span<const std::uint8_t> body(const std::uint8_t* frame) noexcept {
-    return {frame + frame_header_size, frame[frame_size_offset]};
-  }
-
-  /// Returns the size of a frame with a body of `body_size` bytes.
-  static constexpr std::size_t frame_size(std::size_t body_size) noexcept {
-    return frame_header_size + body_size + frame_trailer_size;
   }
 
   /// Writes header and checksum around the `body_size` bytes (at most max_body_size) at
@@ -105,64 +139,190 @@ struct Framing {
   /// `content`, the body or the bytes it was copied from: reading bytes just written can stall.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       const std::uint8_t* content) noexcept {
-    return finish(frame, id, body_size, byte_sum(content, body_size));
+    write_header(frame, id, body_size);
+    Trailer::write(frame + frame_header_size + body_size,
+                   Trailer::sum(frame, content, body_size));
+    return frame_size<framing>(body_size);
   }
 
-  /// As above, for a body whose checksum `sum` is already known.
+  /// As above, for a body whose sum is already known.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
-                                      std::uint8_t sum) noexcept {
-    frame[0] = frame_start;
-    frame[frame_id_offset] = id;
-    frame[frame_size_offset] = static_cast<std::uint8_t>(body_size);
-    frame[frame_header_checksum_offset] = static_cast<std::uint8_t>(id + body_size);
-    frame[frame_header_size + body_size] = sum;
-    return frame_size(body_size);
+                                      std::uint8_t sum) noexcept
+    requires(Facts::trailer_checksum == ChecksumKind::sum8)
+  {
+    write_header(frame, id, body_size);
+    Trailer::write(frame + frame_header_size + body_size, sum);
+    return frame_size<framing>(body_size);
   }
 
  private:
-  /// Returns true if the frame_header_size bytes from a start byte on are a valid header.
-  static constexpr bool is_header(const std::uint8_t* bytes) noexcept {
-    // No command has the id 0, and a start byte followed by zeros would pass both checksums.
-    const std::uint8_t id = bytes[frame_id_offset];
-    if (max_body_size < 255 && bytes[frame_size_offset] > max_body_size) return false;
-    return id != 0 && static_cast<std::uint8_t>(id + bytes[frame_size_offset]) ==
-                          bytes[frame_header_checksum_offset];
+  using Trailer = detail::Trailer<framing, table>;
+
+  static constexpr void write_header(std::uint8_t* frame, std::uint8_t id,
+                                     std::size_t body_size) noexcept {
+    frame[0] = start;
+    frame[frame_id_offset] = id;
+    frame[frame_size_offset] = static_cast<std::uint8_t>(body_size);
+    frame[frame_header_checksum_offset] = static_cast<std::uint8_t>(id + body_size);
   }
+};
+
+namespace detail {
 
 #if defined(__SSE2__)
-  /// Advances to the next start byte with a valid header checksum. Stops early if fewer than 16
-  /// headers are left, or after 255 blocks of 16 positions. In noise, a branch per start byte would
-  /// often be mispredicted; one per 16 positions hardly ever is.
-  static const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uint8_t* end,
-                                         std::uint64_t& bad_headers) noexcept {
-    using detail::Bytes16;
-    using detail::load16;
-    constexpr std::ptrdiff_t reach = 16 + frame_header_size - 1;
-    constexpr std::ptrdiff_t longest = std::ptrdiff_t{254} * 16;
-    constexpr Bytes16 start = Bytes16{} + frame_start;
-    if (end - begin < reach) return begin;
-    const std::uint8_t* const last = end - begin - reach < longest ? end - reach : begin + longest;
-    Bytes16 starts_passed{};
-    for (; begin <= last; begin += 16) {
-      const auto starts = reinterpret_cast<Bytes16>(load16(begin) == start);
-      const auto sums = reinterpret_cast<Bytes16>(load16(begin + frame_id_offset) +
-                                                      load16(begin + frame_size_offset) ==
-                                                  load16(begin + frame_header_checksum_offset));
-      if (const unsigned mask = detail::sign_bits(starts & sums); mask != 0) {
-        const int position = std::countr_zero(mask);
-        unsigned before = detail::sign_bits(starts) & ((1U << position) - 1);
-        bad_headers += static_cast<unsigned>(std::popcount(before));
-        begin += position;
-        break;
-      }
-      // Equal bytes compare as -1, so a byte of the counter overflows after 255 blocks.
-      starts_passed -= starts;
+/// Advances to the next start byte with a valid header checksum. Stops early if fewer than 16
+/// headers are left, or after 255 blocks of 16 positions. In noise, a branch per start byte would
+/// often be mispredicted; one per 16 positions hardly ever is.
+template <class Starts>
+inline const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uint8_t* end,
+                                       std::uint64_t& bad_headers, const Starts& starts) noexcept {
+  constexpr std::ptrdiff_t reach = 16 + frame_header_size - 1;
+  constexpr std::ptrdiff_t longest = std::ptrdiff_t{254} * 16;
+  if (end - begin < reach) return begin;
+  const std::uint8_t* const last = end - begin - reach < longest ? end - reach : begin + longest;
+  Bytes16 starts_passed{};
+  for (; begin <= last; begin += 16) {
+    const Bytes16 here = load16(begin);
+    Bytes16 found{};
+    for (const std::uint8_t start : starts) {
+      found |= reinterpret_cast<Bytes16>(here == Bytes16{} + start);
     }
-    const detail::Words2 halves = detail::sum_halves(starts_passed);
-    bad_headers += static_cast<std::uint64_t>(halves[0] + halves[1]);
-    return begin;
+    const auto sums =
+        reinterpret_cast<Bytes16>(load16(begin + frame_id_offset) +
+                                      load16(begin + frame_size_offset) ==
+                                  load16(begin + frame_header_checksum_offset));
+    if (const unsigned mask = sign_bits(found & sums); mask != 0) {
+      const int position = std::countr_zero(mask);
+      const unsigned before = sign_bits(found) & ((1U << position) - 1);
+      bad_headers += static_cast<unsigned>(std::popcount(before));
+      begin += position;
+      break;
+    }
+    // Equal bytes compare as -1, so a byte of the counter overflows after 255 blocks.
+    starts_passed -= found;
   }
+  const Words2 halves = sum_halves(starts_passed);
+  bad_headers += static_cast<std::uint64_t>(halves[0] + halves[1]);
+  return begin;
+}
 #endif
+
+/// Returns the first position in [begin, end) at which one of the start bytes begins a valid or
+/// incomplete header, or `end`. Adds the number of bad headers before it to `bad_headers`.
+template <class Starts>
+[[gnu::always_inline]] constexpr const std::uint8_t* find_header(const std::uint8_t* begin,
+                                                                 const std::uint8_t* end,
+                                                                 std::uint64_t& bad_headers,
+                                                                 const Starts& starts) noexcept {
+  for (;; ++begin) {
+#if defined(__SSE2__)
+    if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers, starts);
+#endif
+    if (begin == end) return end;
+    bool is_start = false;
+    for (const std::uint8_t start : starts) is_start = is_start || *begin == start;
+    if (!is_start) continue;
+    if (static_cast<std::size_t>(end - begin) < frame_header_size || is_header(begin)) {
+      return begin;
+    }
+    ++bad_headers;
+  }
+}
+
+template <CrcTable table, Framing... known>
+constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
+  Candidate result{Verdict::no_start, 0};
+  static_cast<void>(((bytes[0] == FramingFacts<known>::start &&
+                      (result = FrameFormat<known, table>::inspect(bytes, available), true)) ||
+                     ...));
+  return result;
+}
+
+/// Completes a frame in one of the known framings; see FrameFormat::finish().
+template <CrcTable table, Framing... known>
+constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t id,
+                             std::size_t body_size, const std::uint8_t* content) noexcept {
+  std::size_t size = 0;
+  static_cast<void>(
+      ((framing == known &&
+        (size = FrameFormat<known, table>::finish(frame, id, body_size, content), true)) ||
+       ...));
+  return size;
+}
+
+}  // namespace detail
+
+/// The framings that a parser accepts. The start byte of a candidate says which of them it must
+/// follow.
+template <CrcTable table, Framing... accepted>
+struct FrameFormats {
+  static constexpr Framing first = std::array{accepted...}[0];
+
+  /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
+  static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
+    return detail::inspect<table, accepted...>(bytes, available);
+  }
+
+  /// Returns the first position in [begin, end) for which inspect() returns neither no_start nor
+  /// bad_header, or `end`. Adds the number of bad headers before it to `bad_headers`.
+  static constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
+                                            std::uint64_t& bad_headers) noexcept {
+    constexpr std::array starts{FramingFacts<accepted>::start...};
+    return detail::find_header(begin, end, bad_headers, starts);
+  }
+
+  /// Completes a frame in one of these framings; see FrameFormat::finish().
+  static constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t id,
+                                      std::size_t body_size, const std::uint8_t* content) noexcept {
+    return detail::finish<table, accepted...>(framing, frame, id, body_size, content);
+  }
 };
+
+/// The same for framings that are selected at run time: initially all `known` ones.
+template <CrcTable table, Framing... known>
+class SelectedFrameFormats {
+ public:
+  static constexpr Framing first = std::array{known...}[0];
+
+  constexpr void accept_all() noexcept { starts_ = {FramingFacts<known>::start...}; }
+  constexpr void accept_only(Framing framing) noexcept {
+    static_cast<void>(
+        ((framing == known && (starts_.fill(FramingFacts<known>::start), true)) || ...));
+  }
+
+  constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {
+    for (const std::uint8_t start : starts_) {
+      if (bytes[0] == start) return detail::inspect<table, known...>(bytes, available);
+    }
+    return {Verdict::no_start, 0};
+  }
+
+  constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
+                                     std::uint64_t& bad_headers) const noexcept {
+    return detail::find_header(begin, end, bad_headers, starts_);
+  }
+
+  static constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t id,
+                                      std::size_t body_size, const std::uint8_t* content) noexcept {
+    return detail::finish<table, known...>(framing, frame, id, body_size, content);
+  }
+
+ private:
+  std::array<std::uint8_t, sizeof...(known)> starts_{FramingFacts<known>::start...};
+};
+
+namespace detail {
+
+template <template <CrcTable, Framing...> class Formats, CrcTable table, std::size_t... i>
+auto of_all(std::index_sequence<i...>) -> Formats<table, framings[i]...>;
+
+}  // namespace detail
+
+/// All framings of the protocol.
+using AllFrameFormats = decltype(detail::of_all<FrameFormats, CrcTable::slices>(
+    std::make_index_sequence<framings.size()>{}));
+/// The same, selected at run time, with a small table.
+using AnyFrameFormats = decltype(detail::of_all<SelectedFrameFormats, CrcTable::bytes>(
+    std::make_index_sequence<framings.size()>{}));
 
 }  // namespace sbgc

@@ -46,30 +46,44 @@ inline std::uint8_t sum_in_memory(const M& message) noexcept {
 
 }  // namespace detail
 
+/// Writes the body of a frame into `out`; returns its size or the error, which is too_long for a
+/// body that no frame can carry.
+template <Message M>
+[[nodiscard]] constexpr WriteResult encode_body(const M& message,
+                                                std::span<std::uint8_t> out) noexcept {
+  const bool any_body_fits = out.size() >= max_body_size;
+  const WriteResult body = encode(message, any_body_fits ? out.first(max_body_size) : out);
+  if (body) return body;
+  const bool is_full = body.status.code == Code::buffer_too_small;
+  const Code code = is_full && any_body_fits ? Code::too_long : body.status.code;
+  return {0, {code, body.status.offset, body.status.field}};
+}
+
 /// Writes `message` as a frame into `out`; returns the size of the frame or the error.
 /// max_frame_size bytes are always enough.
-template <Message M>
+template <Framing framing = basic_framing, CrcTable table = CrcTable::slices, Message M>
 [[nodiscard]] constexpr WriteResult encode_frame(const M& message,
                                                  std::span<std::uint8_t> out) noexcept {
-  constexpr std::size_t overhead = frame_header_size + frame_trailer_size;
+  constexpr std::size_t overhead = frame_size<framing>(0);
   if (out.size() < overhead) return {0, {Code::buffer_too_small}};
-  const std::size_t space = out.size() - overhead;
-  const WriteResult body =
-      encode(message, {frame_body(out.data()), space < max_body_size ? space : max_body_size});
-  if (!body) {
-    const bool any_frame_fits = space >= max_body_size;
-    const bool full = body.status.code == Code::buffer_too_small;
-    const Code code = full && any_frame_fits ? Code::too_long : body.status.code;
-    return {0, {code, body.status.offset, body.status.field}};
-  }
+  const WriteResult body = encode_body(message, {frame_body(out.data()), out.size() - overhead});
+  if (!body) return body;
   constexpr auto id = static_cast<std::uint8_t>(M::command);
-  if constexpr (detail::is_same_in_memory<detail::CodedAs<M>>) {
+  constexpr bool is_sum = FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8;
+  if constexpr (is_sum && detail::is_same_in_memory<detail::CodedAs<M>>) {
     if (!std::is_constant_evaluated()) {
       const std::uint8_t sum = detail::sum_in_memory<detail::CodedAs<M>>(message);
-      return {Framing::finish(out.data(), id, body.size, sum), {}};
+      return {FrameFormat<framing>::finish(out.data(), id, body.size, sum), {}};
     }
   }
-  return {finish_frame(out.data(), id, body.size), {}};
+  return {finish_frame<framing, table>(out.data(), id, body.size), {}};
+}
+
+/// The same for a framing selected at run time.
+template <Message M>
+[[nodiscard]] constexpr WriteResult encode_frame(Framing framing, const M& message,
+                                                 std::span<std::uint8_t> out) noexcept {
+  return with_framing(framing, [&](auto f) { return encode_frame<f()>(message, out); });
 }
 
 }  // namespace sbgc

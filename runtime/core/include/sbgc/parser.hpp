@@ -37,10 +37,18 @@ struct ParserCounters {
 /// stream is inspected at most once as the start of a complete candidate, which costs at most the
 /// length of one frame, and a few more times by its header alone.
 ///
-/// `Rules` defines the framing. Use `Parser`; tests have rules that count operations.
-template <class Rules>
+/// `Formats` are the framings that it accepts, FrameFormats or SelectedFrameFormats; use Parser
+/// or ParserOfAll, unless it should accept others or use another table for checksums.
+template <class Formats>
 class BasicParser {
  public:
+  constexpr BasicParser() noexcept = default;
+  constexpr explicit BasicParser(const Formats& formats) noexcept : formats_(formats) {}
+
+  /// The accepted framings. A change applies to the bytes that have not yet been inspected; the
+  /// sink may make it.
+  Formats& formats() noexcept { return formats_; }
+
   /// Consumes the next bytes of the stream and calls `sink` for each frame that they complete.
   template <class Sink>
   [[gnu::always_inline]] void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
@@ -76,12 +84,12 @@ class BasicParser {
   /// Returns the number of bytes that wait for the rest of their frame.
   std::size_t waiting_bytes() const noexcept { return held_; }
 
-  /// Returns the parser to its initial state.
-  void reset() noexcept { *this = BasicParser{}; }
+  /// Returns the parser to its initial state, with the same framings.
+  void reset() noexcept { *this = BasicParser{formats_}; }
 
  private:
-  static constexpr Candidate inspect(const std::uint8_t* begin, const std::uint8_t* end) noexcept {
-    return Rules::inspect(begin, static_cast<std::size_t>(end - begin));
+  constexpr Candidate inspect(const std::uint8_t* begin, const std::uint8_t* end) const noexcept {
+    return formats_.inspect(begin, static_cast<std::size_t>(end - begin));
   }
 
   /// The slow path of feed(), for a chunk [begin, end) that can decide a candidate. Not inlined, to
@@ -109,7 +117,7 @@ class BasicParser {
       }
       if (candidate.verdict == Verdict::incomplete) return begin;
       count_error(candidate.verdict);
-      begin = Rules::find(begin + 1, end, header_errors_);
+      begin = formats_.find(begin + 1, end, header_errors_);
     }
     return end;
   }
@@ -123,7 +131,7 @@ class BasicParser {
     release();
     const std::uint64_t chunk_offset = taken_ - fresh;
     for (;;) {
-      Candidate candidate = Rules::inspect(buffer_, held);
+      Candidate candidate = formats_.inspect(buffer_, held);
       while (candidate.verdict == Verdict::incomplete) {
         const std::size_t lacking = candidate.size - held;
         if (lacking > fresh) {
@@ -132,7 +140,7 @@ class BasicParser {
         }
         // Copied, but not taken: if the candidate fails, these bytes are inspected in the chunk.
         copy(buffer_ + held, begin, lacking);
-        candidate = Rules::inspect(buffer_, candidate.size);
+        candidate = formats_.inspect(buffer_, candidate.size);
       }
       std::size_t done = 1;
       if (candidate.verdict == Verdict::frame) {
@@ -143,7 +151,7 @@ class BasicParser {
       }
       if (done >= held) return begin + (done - held);
       const std::uint8_t* const held_end = buffer_ + held;
-      const std::uint8_t* const next = Rules::find(buffer_ + done, held_end, header_errors_);
+      const std::uint8_t* const next = formats_.find(buffer_ + done, held_end, header_errors_);
       if (next == held_end) return begin;
       held = static_cast<std::size_t>(held_end - next);
       __builtin_memmove(buffer_, next, held);
@@ -171,7 +179,7 @@ class BasicParser {
   void deliver(const std::uint8_t* bytes, std::size_t size, std::uint64_t offset, Sink& sink) {
     ++frames_;
     delivered_ += size;
-    const Frame frame{Rules::id(bytes), Rules::body(bytes), offset};
+    const Frame frame = frame_at(bytes, offset);
     sink(frame);
   }
 
@@ -184,6 +192,7 @@ class BasicParser {
     if (size != 0) __builtin_memcpy(to, from, size);
   }
 
+  [[no_unique_address]] Formats formats_{};
   std::uint64_t taken_{};      // bytes fed and not held: delivered or skipped
   std::uint64_t delivered_{};  // bytes of delivered frames
   std::uint64_t frames_{};
@@ -195,8 +204,10 @@ class BasicParser {
   std::uint8_t buffer_[max_frame_size]{};
 };
 
-/// The parser for the frames of the protocol.
-using Parser = BasicParser<Framing>;
+/// The parser for frames of the framing that every board understands.
+using Parser = BasicParser<FrameFormats<CrcTable::slices, basic_framing>>;
+/// The parser for frames of all framings in one stream.
+using ParserOfAll = BasicParser<AllFrameFormats>;
 
 static_assert(sizeof(Parser) <= 600, "a parser must fit into a small microcontroller");
 

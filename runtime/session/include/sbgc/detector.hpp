@@ -140,7 +140,7 @@ class Detector {
   enum class Phase : std::uint8_t { set_line, settle, listen, found, failed };
 
   static constexpr auto question = [] {
-    std::array<std::uint8_t, Framing::frame_size(0)> frame{};
+    std::array<std::uint8_t, frame_size(0)> frame{};
     static_cast<void>(write_frame(roles::introduction_request_id, {}, frame));
     return frame;
   }();
@@ -155,7 +155,7 @@ class Detector {
     phase_ = Phase::listen;
     ++probes_;
     ++trial().probes;
-    const std::size_t bytes = question.size() + Framing::frame_size(roles::introduction_size);
+    const std::size_t bytes = question.size() + frame_size(roles::introduction_size);
     until_ = now_ + wire_time(trial().line, bytes) + options_.response_timeout * (round_ + 1);
     DetectorStep result = step(DetectorStep::Kind::write);
     result.bytes = question;

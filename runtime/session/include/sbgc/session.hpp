@@ -47,11 +47,16 @@ struct SessionCapacity {
 ///
 /// No heap, no clock, no locks. A Session takes about 6 KB. See detail::RequestState for the states
 /// of a request.
-template <SessionCapacity capacity>
+///
+/// `Formats` are the framings that the session can use: AnyFrameFormats, which lets try_framing()
+/// change the framing, or one of FrameFormats.
+template <SessionCapacity capacity, class Formats = AnyFrameFormats>
 class BasicSession {
  public:
   constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept
-      : options_(options) {}
+      : options_(options) {
+    use(Formats::first);
+  }
 
   /// Queues a request; a later poll() returns its frame. Requires the header of its family in
   /// <sbgc/responses/>.
@@ -65,9 +70,10 @@ class BasicSession {
     if constexpr (is_request && has_policy) {
       Request* const slot = free_slot();
       if (slot == nullptr) return refuse(SendStatus::queue_full);
-      const WriteResult written = encode_frame(request, slot->frame);
-      if (!written) return refuse(SendStatus::not_encodable, written.status);
-      return accept(*slot, written.size, response_policy(request), options);
+      const WriteResult body = encode_body(request, slot->body);
+      if (!body) return refuse(SendStatus::not_encodable, body.status);
+      constexpr auto id = static_cast<std::uint8_t>(M::command);
+      return accept(*slot, id, body.size, response_policy(request), options);
     } else {
       return {};
     }
@@ -78,10 +84,27 @@ class BasicSession {
                   const SendOptions& options = {}) noexcept {
     Request* const slot = free_slot();
     if (slot == nullptr) return refuse(SendStatus::queue_full);
-    const WriteResult written = write_frame(id, body, slot->frame);
-    if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, policy, options);
+    const Status status = check_frame(id, body.size(), max_frame_size);
+    if (!status) return refuse(SendStatus::not_encodable, status);
+    if (!body.empty()) __builtin_memcpy(slot->body.data(), body.data(), body.size());
+    return accept(*slot, id, body.size(), policy, options);
   }
+
+  /// Queues a request in another framing, which must be one that the board always answers. If the
+  /// board answers in that framing, the session uses only that one from then on; else it goes on
+  /// with the framing in use. Meanwhile, it accepts all framings, and no other request is in flight.
+  template <Message M>
+  SendResult try_framing(Framing framing, const M& request,
+                         const SendOptions& options = {}) noexcept {
+    return on_trial(framing, send(request, options));
+  }
+  SendResult try_framing(Framing framing, std::uint8_t id, std::span<const std::uint8_t> body,
+                         const ResponsePolicy& policy, const SendOptions& options = {}) noexcept {
+    return on_trial(framing, send(id, body, policy, options));
+  }
+
+  /// The framing in use.
+  Framing framing() const noexcept { return framing_; }
 
   /// Processes received bytes, which may complete requests.
   template <class Sink>
@@ -147,6 +170,7 @@ class BasicSession {
     forget_streams();
     next_send_ = now_;
     complete_all(Outcome::link_lost, sink, Handle{last_handle_});
+    use(Formats::first);
     late_replies_.clear();  // including those of the requests that have just ended
   }
 
@@ -158,6 +182,7 @@ class BasicSession {
   SessionStatistics statistics() const noexcept {
     SessionStatistics result = statistics_;
     result.parser = parser_.counters();
+    result.framing = framing_;
     return result;
   }
 
@@ -189,7 +214,7 @@ class BasicSession {
     return {{}, status, encoding};
   }
 
-  SendResult accept(Request& slot, std::size_t size, const ResponsePolicy& policy,
+  SendResult accept(Request& slot, std::uint8_t id, std::size_t size, const ResponsePolicy& policy,
                     const SendOptions& options) noexcept {
     const StreamChange& stream = policy.stream;
     if (stream.command != 0) {
@@ -198,9 +223,17 @@ class BasicSession {
       if (status != SendStatus::ok) return refuse(status);
     }
     const bool is_noted = stream.command != 0 && streams_.ask(stream);
-    slot.open({++last_handle_}, size, policy, options, options_.attempts);
+    slot.open({++last_handle_}, id, size, policy, options, options_.attempts);
     if (!is_noted) slot.policy.stream = {};
     return {slot.handle, SendStatus::ok, {}};
+  }
+
+  static constexpr bool can_change_framing = requires(Formats& formats) { formats.accept_all(); };
+
+  SendResult on_trial(Framing framing, const SendResult& sent) noexcept {
+    static_assert(can_change_framing, "this session has a fixed framing");
+    if (sent) trial_ = {sent.handle, framing};
+    return sent;
   }
 
   std::uint32_t stream_limit() const noexcept {
@@ -227,6 +260,9 @@ class BasicSession {
     for (const Request& other : requests_) {
       if (!other.is_open()) continue;
       in_flight += other.is_in_flight() ? 1U : 0U;
+      // Requests do not pass a trial, in either direction.
+      if (trial_.handle == other.handle && other.handle < request.handle) return false;
+      if (trial_.handle == request.handle && other.is_in_flight()) return false;
       const bool is_before = other.is_in_flight() || other.handle < request.handle;
       if (is_before && (other.awaits_response || request.awaits_response) &&
           responses.can_be_confused_with(other.policy.responses)) {
@@ -237,11 +273,15 @@ class BasicSession {
     return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
   }
 
-  /// Copies the frame of a request to `out_`; returns its size.
+  /// Writes the frame of a request to `out_`; returns its size.
   template <class Sink>
   std::size_t transmit(Request& request, Sink& sink) {
-    const std::size_t size = request.size;
-    __builtin_memcpy(out_.data(), request.frame.data(), size);
+    const bool is_trial = request.handle == trial_.handle;
+    if (is_trial) accept_all();
+    const Framing framing = is_trial ? trial_.framing : framing_;
+    __builtin_memcpy(frame_body(out_.data()), request.body.data(), request.size);
+    const std::size_t size =
+        Formats::finish(framing, out_.data(), request.id, request.size, request.body.data());
     ++statistics_.sent_frames;
     statistics_.sent_bytes += size;
     statistics_.retries += request.state == State::resend ? 1U : 0U;
@@ -261,12 +301,12 @@ class BasicSession {
   }
 
   /// Returns the size of the response frame; the largest one if it varies.
-  static std::size_t response_size(const Responses& responses) noexcept {
+  std::size_t response_size(const Responses& responses) const noexcept {
     std::size_t size = responses.confirmed != Confirmed::never ? roles::confirmation_size : 0;
     for (std::size_t i = 0; i < responses.form_count; ++i) {
       if (size < responses.forms[i].size) size = responses.forms[i].size;
     }
-    return responses.are_possible() ? Framing::frame_size(size) : 0;
+    return responses.are_possible() ? frame_size(framing_, size) : 0;
   }
 
   // Time
@@ -481,6 +521,7 @@ class BasicSession {
   template <class Sink>
   void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink) {
     const ResponsePolicy& policy = request.policy;
+    if (request.handle == trial_.handle) end_trial(outcome, frame);
     expect_late_reply(request, outcome);
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
@@ -494,6 +535,23 @@ class BasicSession {
                       .frame = frame};
     request.close();
     report(event, sink);
+  }
+
+  void end_trial(Outcome outcome, const Frame& frame) noexcept {
+    const bool is_spoken = outcome == Outcome::answered && frame.framing == trial_.framing;
+    use(is_spoken ? trial_.framing : framing_);
+    trial_ = {};
+  }
+
+  /// Writes and accepts only this framing from now on.
+  constexpr void use(Framing framing) noexcept {
+    framing_ = framing;
+    streams_.set_framing(framing);
+    if constexpr (can_change_framing) parser_.formats().accept_only(framing);
+  }
+
+  void accept_all() noexcept {
+    if constexpr (can_change_framing) parser_.formats().accept_all();
   }
 
   void expect_late_reply(const Request& request, Outcome outcome) noexcept {
@@ -522,8 +580,16 @@ class BasicSession {
     sink(event);
   }
 
+  /// The request that tries another framing.
+  struct Trial {
+    Handle handle{};
+    Framing framing{};
+  };
+
   SessionOptions options_;
-  Parser parser_{};
+  BasicParser<Formats> parser_{};
+  Framing framing_ = Formats::first;
+  Trial trial_{};
   Instant now_{std::numeric_limits<std::int64_t>::min()};
   Instant last_byte_{};
   Instant next_send_{std::numeric_limits<std::int64_t>::min()};

@@ -19,6 +19,9 @@ struct ConnectOptions {
   unsigned retries = 2;
   /// Keep the pause of 10 to 20 ms between commands that the protocol requires.
   bool pacing = true;
+  /// Use the newest framing that the board's firmware understands and the board answers. Otherwise
+  /// use the one that every board understands.
+  bool newest_framing = true;
   /// The largest share of a serial line that data streams may use, in percent.
   unsigned stream_share_percent = 80;
   /// How long a line that duplicates packets, such as UDP, may deliver a frame again. Requests wait

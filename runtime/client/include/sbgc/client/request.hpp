@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
@@ -24,6 +25,8 @@ struct Request {
   const char* command = "";  ///< for example "CMD_CONTROL"
   /// Stores the facts of the request that decoding later messages needs; empty for most.
   std::function<void(Contexts&)> teach{};
+  /// If set, the request tries this framing; see BasicSession::try_framing().
+  std::optional<Framing> tried_framing{};
 };
 
 /// Encodes a request for a board with these versions. Fails if the board does not have the command

@@ -111,6 +111,7 @@ struct SessionOptions {
 /// Counters of a session since its construction.
 struct SessionStatistics {
   ParserCounters parser{};      ///< frames and noise received
+  Framing framing{};            ///< in use
   std::uint64_t sent_frames{};  ///< retries included
   std::uint64_t sent_bytes{};
   std::uint64_t retries{};

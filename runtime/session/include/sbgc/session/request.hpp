@@ -30,24 +30,26 @@ struct SessionRequest {
   std::uint8_t attempts{};  // transmissions left
   std::uint8_t transmissions{};
   std::uint8_t confirmations{};
-  std::uint16_t size{};  // of the frame
+  std::uint8_t id{};
+  std::uint8_t size{};  // of the body
   Duration timeout{};
   Duration finish{};       // timeout of the last confirmation
   Instant sent_at{};       // when the response could have arrived over the line
   Instant confirmed_at{};  // the last confirmation
   Instant attempt_end = Instant::never;
   Instant deadline = Instant::never;
-  std::array<std::uint8_t, max_frame_size> frame{};
+  std::array<std::uint8_t, max_body_size> body{};
 
   constexpr bool is_open() const noexcept { return state != RequestState::free; }
 
   /// Returns true if the request has been sent, so that a response can match it.
   constexpr bool is_in_flight() const noexcept { return state >= RequestState::in_flight; }
 
-  /// Queues the request whose frame is in `frame`. `most_attempts` applies unless the options
+  /// Queues the request whose body is in `body`. `most_attempts` applies unless the options
   /// override it.
-  constexpr void open(Handle new_handle, std::size_t frame_size, const ResponsePolicy& new_policy,
-                      const SendOptions& options, std::uint8_t most_attempts) noexcept {
+  constexpr void open(Handle new_handle, std::uint8_t command, std::size_t body_size,
+                      const ResponsePolicy& new_policy, const SendOptions& options,
+                      std::uint8_t most_attempts) noexcept {
     state = RequestState::queued;
     handle = new_handle;
     policy = new_policy;
@@ -58,7 +60,8 @@ struct SessionRequest {
     // A merely possible confirmation may be missing, which is no reason to resend.
     attempts = is_certain && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
     transmissions = confirmations = 0;
-    size = static_cast<std::uint16_t>(frame_size);
+    id = command;
+    size = static_cast<std::uint8_t>(body_size);
     timeout = options.timeout > Duration{} ? options.timeout : milliseconds(policy.timeout_ms);
     finish = milliseconds(policy.finish_ms);
     if (finish < timeout) finish = timeout;

@@ -14,9 +14,9 @@ namespace sbgc::detail {
 
 /// Returns the bandwidth of a stream in bytes per second, including framing, rounded up; 0 for one
 /// that ends.
-constexpr std::uint32_t stream_load(const StreamChange& stream) noexcept {
+constexpr std::uint32_t stream_load(const StreamChange& stream, Framing framing) noexcept {
   if (stream.interval_us == 0) return 0;
-  const std::uint64_t bytes = Framing::frame_size(stream.size) * std::uint64_t{1'000'000};
+  const std::uint64_t bytes = frame_size(framing, stream.size) * std::uint64_t{1'000'000};
   const std::uint64_t load = (bytes + stream.interval_us - 1) / stream.interval_us;
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   return static_cast<std::uint32_t>(load < most ? load : most);
@@ -27,9 +27,12 @@ constexpr std::uint32_t stream_load(const StreamChange& stream) noexcept {
 template <std::size_t capacity>
 class Streams {
  public:
+  /// Sets the framing of samples; bandwidths of earlier changes remain.
+  constexpr void set_framing(Framing framing) noexcept { framing_ = framing; }
+
   /// Returns ok if a change fits, else over_budget or too_many_streams. `limit` 0 means no limit.
   constexpr SendStatus check(const StreamChange& change, std::uint32_t limit) const noexcept {
-    const std::uint32_t load = stream_load(change);
+    const std::uint32_t load = stream_load(change, framing_);
     if (load == 0) return SendStatus::ok;
     const std::size_t place = find(change);
     if (place == capacity) return SendStatus::too_many_streams;
@@ -51,7 +54,7 @@ class Streams {
       stream = {change.command, change.size, change.config};
       ++size_;
     }
-    const std::uint32_t load = stream_load(change);
+    const std::uint32_t load = stream_load(change, framing_);
     if (stream.asked < load) stream.asked = load;
     ++stream.changes;
     return true;
@@ -62,7 +65,7 @@ class Streams {
     const std::size_t place = find(change);
     if (place == size_) return;
     Stream& stream = streams_[place];
-    if (done) stream.load = stream_load(change);
+    if (done) stream.load = stream_load(change, framing_);
     if (--stream.changes != 0) return;
     stream.asked = 0;
     if (stream.load == 0) stream = streams_[--size_];
@@ -127,6 +130,7 @@ class Streams {
 
   std::array<Stream, capacity> streams_{};
   std::size_t size_{};
+  Framing framing_ = basic_framing;
 };
 
 }  // namespace sbgc::detail

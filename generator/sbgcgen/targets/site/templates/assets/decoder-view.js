@@ -88,16 +88,16 @@ const decoderView = (() => {
   }
 
   function partsOf(answer) {
-    const { size, body, rows, frame } = answer;
+    const { size, body, checksum, rows, frame } = answer;
     const parts = [{ at: 0, size: body, part: null, tint: "framing", name: "header" }];
     for (const [i, [path, , , , at, length]] of rows.entries()) {
       if (length !== 0) parts.push({ at, size: length, part: i, tint: `tint-${i % 8}`, name: path });
     }
-    if (frame.error && frame.error.offset < size - body - 1) {
+    if (frame.error && frame.error.offset < checksum - body) {
       const at = body + frame.error.offset;
       parts.push({ at, size: 1, part: null, tint: "wrong", name: "here" });
     }
-    parts.push({ at: size - 1, size: 1, part: null, tint: "framing", name: "checksum" });
+    parts.push({ at: checksum, size: size - checksum, part: null, tint: "framing", name: "checksum" });
     return parts;
   }
 

@@ -1,0 +1,162 @@
+"""The history of the protocol: what each firmware and board version added, changed and ended."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from sbgcgen.model import (
+    NOWHERE,
+    Availability,
+    Command,
+    Enum,
+    EnumValue,
+    Layout,
+    Message,
+    Variable,
+)
+from sbgcgen.model.packed_text import part_of, raw_of, text_of
+from sbgcgen.views.rows import Row, rows_of
+
+
+@dataclass
+class News:
+    """What one version added, changed and ended; `since` is that version alone.
+
+    `forms` are new messages of older commands. `changed` are values whose meaning changed.
+    """
+
+    since: Availability
+    commands: list[Command] = field(default_factory=list)
+    messages: list[Message] = field(default_factory=list)
+    fields: list[tuple[Message, Row]] = field(default_factory=list)
+    enum_values: list[tuple[Enum, EnumValue]] = field(default_factory=list)
+    variables: list[Variable] = field(default_factory=list)
+    changed: list[tuple[Enum, EnumValue]] = field(default_factory=list)
+    ended: list[Message] = field(default_factory=list)
+    deprecated: list[tuple[Message, Row]] = field(default_factory=list)
+    deprecated_messages: list[Message] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        """The version without its kind: "2.68b7"."""
+        return self.since.words[0][1]
+
+    @property
+    def forms(self) -> list[Message]:
+        names = {command.name for command in self.commands}
+        return [message for message in self.messages if message.command not in names]
+
+    def messages_of(self, command: Command) -> list[Message]:
+        """The messages that came with a new command."""
+        return [message for message in self.messages if message.command == command.name]
+
+
+@dataclass(frozen=True)
+class Release:
+    """A firmware with its beta versions, such as 2.68 with 2.68b7; `news` is in their order."""
+
+    text: str
+    news: tuple[News, ...]
+
+
+class History:
+    """The news of all firmware and board versions, the oldest first."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._of: dict[tuple[int, int], News] = {}
+        self._layout = layout
+        for message in layout.definitions:
+            self._add_message(message)
+        for command in layout.commands:
+            for news in self._at(command.since):
+                news.commands.append(command)
+        for enum in layout.enums:
+            # The ids of commands and variables derive from these, and have no place of their own.
+            for value in enum.values if enum.at is not NOWHERE else ():
+                former = value.former.firmware if value.former else Availability()
+                for news in self._at(former):
+                    news.changed.append((enum, value))
+                for news in self._at(value.since) if value.since != former else ():
+                    news.enum_values.append((enum, value))
+        for variable in layout.variables:
+            for news in self._at(variable.since):
+                news.variables.append(variable)
+
+    @property
+    def of_boards(self) -> list[News]:
+        """The news of each board version."""
+        return [self._of[key] for key in sorted(self._of) if key[1]]
+
+    @property
+    def of_firmware(self) -> list[News]:
+        """The news of each firmware version."""
+        return [self._of[key] for key in sorted(self._of) if key[0]]
+
+    @property
+    def releases(self) -> list[Release]:
+        """The firmware versions by release."""
+        found: dict[str, list[News]] = {}
+        for news in self.of_firmware:
+            found.setdefault(self.release_of(news.since), []).append(news)
+        return [Release(text, tuple(news)) for text, news in found.items()]
+
+    @property
+    def choices(self) -> list[tuple[str, list[tuple[int, str]]]]:
+        """The firmware versions that differ, with their numbers, by release."""
+        found = {news.since.firmware: news.text for news in self.of_firmware}
+        type_ = self._layout.versions.firmware
+        if type_ is not None and self._layout.newest_firmware:
+            newest = self._layout.newest_firmware
+            found.setdefault(newest, text_of(type_, newest))
+        by_release: dict[str, dict[int, str]] = {}
+        for number, text in sorted(found.items()):
+            release = self.release_of(Availability(number, firmware_text=text))
+            whole = raw_of(type_, release) if type_ is not None else None
+            of_release = by_release.setdefault(release, {} if whole is None else {whole: release})
+            of_release[number] = text
+        return [(release, sorted(of.items())) for release, of in by_release.items()]
+
+    def release_of(self, since: Availability) -> str:
+        """The release to which a firmware version belongs: 2.68 for 2.68b7."""
+        type_ = self._layout.versions.firmware
+        if type_ is None:
+            return since.firmware_text
+        parts = {part.name: part_of(part, since.firmware) for part in type_.parts}
+        return re.sub(r"\[[^]]*\]", "", type_.display).format(**parts)
+
+    def _at(self, since: Availability) -> Iterator[News]:
+        """The news of the firmware and of the board of an availability."""
+        for kind in ("firmware", "board"):
+            number = getattr(since, kind)
+            if number:
+                text = {f"{kind}_text": getattr(since, f"{kind}_text")}
+                key = (number, 0) if kind == "firmware" else (0, number)
+                yield self._of.setdefault(key, News(Availability(**{kind: number}, **text)))
+
+    def _add_message(self, message: Message) -> None:
+        for news in self._at(message.since):
+            news.messages.append(message)
+        for news in self._at(message.until.versions if message.until else Availability()):
+            news.ended.append(message)
+        deprecated = message.deprecated
+        for news in self._at(deprecated.since if deprecated else Availability()):
+            news.deprecated_messages.append(message)
+        for row in rows_of(message) if not message.same_as else ():
+            for news in self._at(row.field.since):
+                if news.since.is_after(message.since):
+                    news.fields.append((message, row))
+            mark = row.field.deprecated
+            for news in self._at(mark.since if mark else Availability()):
+                news.deprecated.append((message, row))
+
+
+def deprecated_always(layout: Layout) -> list[tuple[Message, Row]]:
+    """The fields that are deprecated in all versions."""
+    return [
+        (message, row)
+        for message in layout.definitions
+        for row in rows_of(message)
+        if row.field.deprecated and not row.field.deprecated.since
+    ]
