@@ -228,7 +228,9 @@ def extract(text: str, by_hand: dict[str, Any]) -> dict[str, Any]:
         facts["offsets"].append({**rest, **fields[0]})
     for entry in by_hand["enums"]:
         values = parse_values(str(entry["values"]), entry["line"])
-        assert len(values) >= len(split(str(entry["values"]), ",;")), f"not in the notation: {entry}"
+        assert len(values) >= len(
+            split(str(entry["values"]), ",;")
+        ), f"not in the notation: {entry}"
         facts["enums"].append({**entry, "values": values})
     for entry in [*by_hand["structs"], *by_hand["streams"]]:
         entry["fields"] = parse_fields(entry["fields"], entry["line"])

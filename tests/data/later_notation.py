@@ -138,7 +138,8 @@ def parse_fields(text: str, line: int) -> list[Fact] | None:
 
 
 NUMBERED = re.compile(
-    r"(?P<first>\d+)(?:\.\.(?P<last>\d+))? =? ?(?P<name>[A-Za-z0-9][\w/*]*)(?:\.\.(?P<end>\d+))?(?P<rest>.*)", re.S
+    r"(?P<first>\d+)(?:\.\.(?P<last>\d+))? =? ?(?P<name>[A-Za-z0-9][\w/*]*)(?:\.\.(?P<end>\d+))?(?P<rest>.*)",
+    re.S,
 )
 
 

@@ -333,7 +333,9 @@ def _compare_defaults(label: str, old: Field, new: Field, changes: Changes) -> N
 
 def compare_rules(what: str, old: Struct, new: Struct, changes: Changes) -> None:
     """Another rule makes values invalid that were valid."""
-    before, now = [{f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)]
+    before, now = [
+        {f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)
+    ]
     for rule in sorted(now - before):
         changes.added(f"{what}: rule", new.at, rule, Level.MEANING)
     for rule in sorted(before - now):

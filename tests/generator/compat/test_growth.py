@@ -73,10 +73,16 @@ commands:
 STATE_END = "        - {reserved: 4}\n"
 SINCE = "since: {firmware: 2.59}"
 OPAQUE = '        - {name: OPAQUE, type: "bytes[3]", summary: Unknown.}\n'
-LIMIT = "            - {name: LIMIT, type: u8,  when: {field: MODE, is: MODE_ON}, summary: How much.}\n"
-RATE = "            - {name: RATE,  type: u16, when: {field: MODE, is: MODE_ON}, summary: How fast.}\n"
+LIMIT = (
+    "            - {name: LIMIT, type: u8,  when: {field: MODE, is: MODE_ON}, summary: How much.}\n"
+)
+RATE = (
+    "            - {name: RATE,  type: u16, when: {field: MODE, is: MODE_ON}, summary: How fast.}\n"
+)
 CASE = "            - {name: OTHER, type: u32, when: {field: MODE, is: MODE_OFF}, summary: New.}\n"
-SAME_CASE = "            - {name: OTHER, type: u8, when: {field: MODE, is: MODE_ON}, summary: New.}\n"
+SAME_CASE = (
+    "            - {name: OTHER, type: u8, when: {field: MODE, is: MODE_ON}, summary: New.}\n"
+)
 MODE_ON = "MODE_ON:  {value: 1, summary: Something.}"
 LOW = "{name: LOW,  type: u8, summary: Lowest.}"
 
@@ -91,18 +97,31 @@ CASES: dict[str, tuple[Edits, Level, str]] = {
     "reserved bytes named by a later firmware": (
         [
             (STATE_END, f"        - {{name: MORE, type: u32, {SINCE}, summary: New.}}\n"),
-            ("      source: Incoming commands L50\n", "      source: Incoming commands L50\n      size: 10\n"),
+            (
+                "      source: Incoming commands L50\n",
+                "      source: Incoming commands L50\n      size: 10\n",
+            ),
         ],
         OK,
         "State.MORE: none → u32 in reserved bytes",
     ),
     "size of every firmware stated": (
-        [("      source: Incoming commands L50\n", "      source: Incoming commands L50\n      size: 10\n")],
+        [
+            (
+                "      source: Incoming commands L50\n",
+                "      source: Incoming commands L50\n      size: 10\n",
+            )
+        ],
         OK,
         "",
     ),
     "bytes without a meaning named": (
-        [(OPAQUE, "        - {name: A, type: u8, summary: A.}\n        - {name: B, type: u16, summary: B.}\n")],
+        [
+            (
+                OPAQUE,
+                "        - {name: A, type: u8, summary: A.}\n        - {name: B, type: u16, summary: B.}\n",
+            )
+        ],
         SOURCE,
         "State.OPAQUE: bytes[3], which has names now → deleted",
     ),
@@ -116,27 +135,56 @@ CASES: dict[str, tuple[Edits, Level, str]] = {
         WIRE,
         "State.OPAQUE: bytes[3] → deleted",
     ),
-    "case added to a union": ([(LIMIT, LIMIT + CASE)], OK, "Config.OTHER: none → u32 if mode is MODE_OFF"),
-    "case added before others": ([(RATE, CASE + RATE)], OK, "Config.OTHER: none → u32 if mode is MODE_OFF"),
+    "case added to a union": (
+        [(LIMIT, LIMIT + CASE)],
+        OK,
+        "Config.OTHER: none → u32 if mode is MODE_OFF",
+    ),
+    "case added before others": (
+        [(RATE, CASE + RATE)],
+        OK,
+        "Config.OTHER: none → u32 if mode is MODE_OFF",
+    ),
     "field added to the same case": ([(LIMIT, LIMIT + SAME_CASE)], OK, "Config.OTHER"),
-    "field inserted into the same case": ([(LIMIT, SAME_CASE + LIMIT)], WIRE, "Config.LIMIT: place"),
+    "field inserted into the same case": (
+        [(LIMIT, SAME_CASE + LIMIT)],
+        WIRE,
+        "Config.LIMIT: place",
+    ),
     "case deleted": ([(LIMIT, "")], WIRE, "Config.LIMIT: u8 → deleted"),
     "case under another value": (
-        [("when: {field: MODE, is: MODE_ON}, summary: How much", "when: {field: MODE, is: MODE_OFF}, summary: How much")],
+        [
+            (
+                "when: {field: MODE, is: MODE_ON}, summary: How much",
+                "when: {field: MODE, is: MODE_OFF}, summary: How much",
+            )
+        ],
         WIRE,
         "Config.LIMIT: when",
     ),
-    "enum value added": ([(MODE_ON, f"{MODE_ON}\n      MODE_NEW: {{value: 2, {SINCE}, summary: New.}}")], OK, "MODE_NEW"),
+    "enum value added": (
+        [(MODE_ON, f"{MODE_ON}\n      MODE_NEW: {{value: 2, {SINCE}, summary: New.}}")],
+        OK,
+        "MODE_NEW",
+    ),
     "effect of a new value": (
         [
             (MODE_ON, f"{MODE_ON}\n      MODE_NEW: {{value: 2, summary: New.}}"),
-            ("        - {when: {field: MODE, is: MODE_OFF}, does: reads}\n", "        - {when: {field: MODE, is: [MODE_OFF, MODE_NEW]}, does: reads}\n"),
+            (
+                "        - {when: {field: MODE, is: MODE_OFF}, does: reads}\n",
+                "        - {when: {field: MODE, is: [MODE_OFF, MODE_NEW]}, does: reads}\n",
+            ),
         ],
         OK,
         "message Do: effect",
     ),
     "effect of an old value": (
-        [("        - {when: {field: MODE, is: MODE_OFF}, does: reads}\n", "        - {when: {field: MODE, is: MODE_OFF}, does: sets}\n")],
+        [
+            (
+                "        - {when: {field: MODE, is: MODE_OFF}, does: reads}\n",
+                "        - {when: {field: MODE, is: MODE_OFF}, does: sets}\n",
+            )
+        ],
         MEANING,
         "message Do: effect of MODE_OFF: reads → sets",
     ),
@@ -161,32 +209,85 @@ CASES: dict[str, tuple[Edits, Level, str]] = {
         "State.LEAST: name: LOW → LEAST",
     ),
     "enum value renamed, the old name kept": (
-        [(MODE_ON, "MODE_QUICK: {value: 1, was: MODE_ON, summary: Fast.}"), ("is: MODE_ON", "is: MODE_QUICK")],
+        [
+            (MODE_ON, "MODE_QUICK: {value: 1, was: MODE_ON, summary: Fast.}"),
+            ("is: MODE_ON", "is: MODE_QUICK"),
+        ],
         OK,
         "enum Mode.MODE_ON: MODE_ON → MODE_QUICK",
     ),
     "command renamed, the old name kept": (
-        [("  CMD_LIST:\n", "  CMD_ITEMS:\n    was: CMD_LIST\n"), ("      source: Incoming commands L52\n", "      source: Incoming commands L52\n      as: List\n")],
+        [
+            ("  CMD_LIST:\n", "  CMD_ITEMS:\n    was: CMD_LIST\n"),
+            (
+                "      source: Incoming commands L52\n",
+                "      source: Incoming commands L52\n      as: List\n",
+            ),
+        ],
         OK,
         "command CMD_LIST: name: CMD_LIST → CMD_ITEMS",
     ),
-    "default": ([(LOW, "{name: LOW,  type: u8, default: 5, summary: Lowest.}")], MEANING, "State.LOW: default: 0 → 5"),
-    "constant": ([(LOW, "{name: LOW,  type: u8, constant: 0, summary: Lowest.}")], MEANING, "State.LOW: constant: no → yes"),
+    "default": (
+        [(LOW, "{name: LOW,  type: u8, default: 5, summary: Lowest.}")],
+        MEANING,
+        "State.LOW: default: 0 → 5",
+    ),
+    "constant": (
+        [(LOW, "{name: LOW,  type: u8, constant: 0, summary: Lowest.}")],
+        MEANING,
+        "State.LOW: constant: no → yes",
+    ),
     "rule": (
-        [("      source: Incoming commands L50\n", '      source: Incoming commands L50\n      rules: ["LOW <= HIGH"]\n')],
+        [
+            (
+                "      source: Incoming commands L50\n",
+                '      source: Incoming commands L50\n      rules: ["LOW <= HIGH"]\n',
+            )
+        ],
         MEANING,
         "State: rule: none → low <= high",
     ),
-    "unconfirmed": ([(LOW, "{name: LOW,  type: u8, unconfirmed: true, summary: Lowest.}")], OK, "State.LOW: unconfirmed: no → yes"),
+    "unconfirmed": (
+        [(LOW, "{name: LOW,  type: u8, unconfirmed: true, summary: Lowest.}")],
+        OK,
+        "State.LOW: unconfirmed: no → yes",
+    ),
     "former meaning": (
-        [(MODE_ON, "MODE_ON: {value: 1, before: {firmware: 2.59, summary: Slow.}, summary: Fast.}")],
+        [
+            (
+                MODE_ON,
+                "MODE_ON: {value: 1, before: {firmware: 2.59, summary: Slow.}, summary: Fast.}",
+            )
+        ],
         MEANING,
         "enum Mode.MODE_ON: before: none → Slow.",
     ),
-    "version of a field": ([(LOW, f"{{name: LOW,  type: u8, {SINCE}, summary: Lowest.}}"), ("      source: Incoming commands L50\n", "      source: Incoming commands L50\n      size: 10\n")], MEANING, "State.LOW: since: always → firmware 2.59"),
-    "counter in bytes": ([("\"ITEM[NUM]\", type: u8,", '"ITEM[NUM]", type: u8, counted_in: bytes,')], WIRE, "List.ITEM: counted in: elements → bytes"),
-    "counter off by one": ([("\"ITEM[NUM]\", type: u8,", '"ITEM[NUM]", type: u8, counted_from: 1,')], WIRE, "List.ITEM: counted in: elements → minus_1"),
-    "wider number": ([(LOW, "{name: LOW,  type: u24, summary: Lowest.}")], WIRE, "State.LOW: type: u8 → u24"),
+    "version of a field": (
+        [
+            (LOW, f"{{name: LOW,  type: u8, {SINCE}, summary: Lowest.}}"),
+            (
+                "      source: Incoming commands L50\n",
+                "      source: Incoming commands L50\n      size: 10\n",
+            ),
+        ],
+        MEANING,
+        "State.LOW: since: always → firmware 2.59",
+    ),
+    "counter in bytes": (
+        [('"ITEM[NUM]", type: u8,', '"ITEM[NUM]", type: u8, counted_in: bytes,')],
+        WIRE,
+        "List.ITEM: counted in: elements → bytes",
+    ),
+    "counter off by one": (
+        [('"ITEM[NUM]", type: u8,', '"ITEM[NUM]", type: u8, counted_from: 1,')],
+        WIRE,
+        "List.ITEM: counted in: elements → minus_1",
+    ),
+    "wider number": (
+        [(LOW, "{name: LOW,  type: u24, summary: Lowest.}")],
+        WIRE,
+        "State.LOW: type: u8 → u24",
+    ),
 }
 
 

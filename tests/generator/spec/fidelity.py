@@ -330,7 +330,9 @@ class Comparison:
             named = self.take_named(waiting, element, message)
             if named is not None:
                 for ours in named[0]:
-                    yield Check("extra field", element.line, f"{where}.{ours.name}", None, ours.type)
+                    yield Check(
+                        "extra field", element.line, f"{where}.{ours.name}", None, ours.type
+                    )
                     offset = None if offset is None else offset + ours.size
                 for kind in ("field", "type"):
                     yield Check(kind, element.line, name, element.name, element.name)
@@ -384,8 +386,11 @@ class Comparison:
         """
         is_run = element.type.startswith("bytes ") and element.name.upper() == "RESERVED"
         first = waiting[0] if waiting else None
-        if not is_run or first is None or same_name(element.name, first.name) and (
-            first.type == element.type
+        if (
+            not is_run
+            or first is None
+            or same_name(element.name, first.name)
+            and (first.type == element.type)
         ):
             return None
         direction = message["direction"]
@@ -490,8 +495,11 @@ class Comparison:
     def is_old(self, message: Json) -> bool:
         """Returns False for a form that only the notes have."""
         key = (message["name"], message["direction"])
-        return key in self.met or message["form"] is None or not message["layout"] or (
-            (*key, message["layout"][0]["path"]) not in self.later
+        return (
+            key in self.met
+            or message["form"] is None
+            or not message["layout"]
+            or ((*key, message["layout"][0]["path"]) not in self.later)
         )
 
     def one(self, values: Iterable[Any]) -> Any:

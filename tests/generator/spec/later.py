@@ -186,7 +186,9 @@ class Later:
             sizes = [said_size(element) for element in said]
             if None not in sizes:
                 total = sum(size or 0 for size in sizes)
-                yield Check("size", line, name, [total] * 2, [message["min_size"], message["max_size"]])
+                yield Check(
+                    "size", line, name, [total] * 2, [message["min_size"], message["max_size"]]
+                )
         yield Check("length", line, name, len(said), len(ours))
         offset: int | None = None if fact.get("tail") else 0
         for wanted, mine in zip(said, ours):
@@ -215,7 +217,9 @@ class Later:
         if "unit" in fact:
             other = leaf.get("alternative") or {}
             options = [unit, [str(other.get("scale")), other.get("unit")]]
-            yield Check("unit", line, name, fact["unit"], fact["unit"] if fact["unit"] in options else unit)
+            yield Check(
+                "unit", line, name, fact["unit"], fact["unit"] if fact["unit"] in options else unit
+            )
             self.known.add(("extra unit", name))
         if "range" in fact:
             yield Check("range", line, name, fact["range"], [leaf["min"], leaf["max"]])
@@ -328,7 +332,9 @@ class Later:
             same = ours is not None and (
                 said != said.upper() or f"_{ours}".upper().endswith(f"_{said}")
             )
-            yield Check("value", line, label, f"{number} {said}", f"{number} {said if same else ours}")
+            yield Check(
+                "value", line, label, f"{number} {said}", f"{number} {said if same else ours}"
+            )
             if "since" in fact and value:
                 since = (value["since"] or {}).get("firmware")
                 yield Check("since", line, label, fact["since"], since)
@@ -339,14 +345,19 @@ class Later:
     def all_parts(self) -> Iterator[Check]:
         for fact in self.facts["parts"]:
             for leaf in self.leaves_at(fact["place"]):
-                parts = {p["name"]: p for p in self.packed.get(leaf.get("packed"), {"parts": []})["parts"]}
+                parts = {
+                    p["name"]: p
+                    for p in self.packed.get(leaf.get("packed"), {"parts": []})["parts"]
+                }
                 for name, (first, last) in fact["parts"].items():
                     mask = ((1 << (last - first + 1)) - 1) << first
                     ours = parts.get(name, {"mask": None})
                     yield Check("bits", fact["line"], f"{fact['place']}.{name}", mask, ours["mask"])
                     if name in fact.get("signs", {}):
                         sign = 1 << fact["signs"][name]
-                        yield Check("sign", fact["line"], f"{fact['place']}.{name}", sign, ours.get("sign"))
+                        yield Check(
+                            "sign", fact["line"], f"{fact['place']}.{name}", sign, ours.get("sign")
+                        )
 
     def all_streams(self) -> Iterator[Check]:
         (config,) = [f for f in self.leaves_at("CMD_DATA_STREAM_INTERVAL.CONFIG")]
@@ -365,7 +376,9 @@ class Later:
             line, name = fact["line"], fact["name"]
             ours = by_id.get(fact["id"], {})
             yield Check("variable", line, name, name, ours.get("name"))
-            yield Check("variable range", line, name, fact["range"], [ours.get("min"), ours.get("max")])
+            yield Check(
+                "variable range", line, name, fact["range"], [ours.get("min"), ours.get("max")]
+            )
             if "since" in fact:
                 since = (ids.get(name, {}).get("since") or {}).get("firmware")
                 yield Check("variable since", line, name, fact["since"], since)

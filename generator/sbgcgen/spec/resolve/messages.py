@@ -353,9 +353,7 @@ class MessageResolver:
             *(f if f.dim == "rest" else replace(f, appended=True) for f in fields[first:]),
         )
 
-    def _check_later(
-        self, draft: _Draft, fields: tuple[Field, ...], since: Availability
-    ) -> None:
+    def _check_later(self, draft: _Draft, fields: tuple[Field, ...], since: Availability) -> None:
         """Report later fields without bytes in the bodies of older firmware."""
         for field in fields:
             if field.when or field.dim == "rest":

@@ -440,7 +440,9 @@ class TypeResolver(Entries):
                 names = node.get("was", [])
                 for old in map(str, names if isinstance(names, list) else [names]):
                     if old in former:
-                        message = f"the former name '{old}' of {name} belongs to another, or to itself"
+                        message = (
+                            f"the former name '{old}' of {name} belongs to another, or to itself"
+                        )
                         hint = "a former name belongs to one command, which now has another"
                         self.found.add(node.at("was"), "SBGC028", message, hint)
                     former[old] = None
