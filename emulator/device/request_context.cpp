@@ -27,10 +27,9 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   if (!is_supported<msg::ErrorExt>(versions)) return {};
   std::vector<std::uint8_t> result(max_frame_size);
   const std::uint8_t command = roles::confirmed_command(held);
-  result.resize(
-      encode_frame(held.framing, error_about(command, msg::BoardErrorCode::operation_failed, 0),
-                   result)
-          .size);
+  result.resize(encode_frame(held.framing,
+                             error_about(command, msg::BoardErrorCode::operation_failed, 0), result)
+                    .size);
   return result;
 }
 

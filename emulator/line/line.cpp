@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <sbgc/emulator/line.hpp>
+#include <sbgc/frame.hpp>
 #include <sbgc/framing.hpp>
 
 #include "physics/noise.hpp"

@@ -1,6 +1,6 @@
-// Fuzzes the streaming parser, with each combination of framings, against the reference parser. The input is a sequence of steps, each
-// an opcode byte and its operands, so a mutation moves chunk boundaries and flushes as easily as
-// bytes:
+// Fuzzes the streaming parser, with each combination of framings, against the reference parser. The
+// input is a sequence of steps, each an opcode byte and its operands, so a mutation moves chunk
+// boundaries and flushes as easily as bytes:
 //   0..239:   feed as many bytes as the opcode specifies
 //   240..249: feed a frame from write_frame, of the second framing if the opcode is odd; operands:
 //             id, body size, space for the frame, body

@@ -53,8 +53,8 @@ std::string expected(const std::vector<Json>& forms, std::size_t size) {
   for (const Json& form : forms) {
     if (size >= form["min_size"] && size <= form["max_size"]) return form["name"];
   }
-  // Decoding limits a list only by the size of the body; other limits are up to validation. A larger
-  // form is the limit of a smaller one.
+  // Decoding limits a list only by the size of the body; other limits are up to validation. A
+  // larger form is the limit of a smaller one.
   std::size_t largest = 0;
   for (const Json& form : forms) largest = std::max(largest, form["max_size"].get<std::size_t>());
   for (const Json& form : forms) {

@@ -32,10 +32,12 @@ static_assert([] {
 }());
 static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 6).verdict == Verdict::frame);
 static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 6).size == 6);
-static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 5).verdict == Verdict::incomplete);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 5).verdict ==
+              Verdict::incomplete);
 static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 5).size == 6);
 static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data(), 3).size == 4);
-static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data() + 1, 5).verdict == Verdict::no_start);
+static_assert(FrameFormat<Framing::v1>::inspect(whole_frame.data() + 1, 5).verdict ==
+              Verdict::no_start);
 
 static_assert(noexcept(write_frame(1, {}, {})));
 static_assert(write_frame(0, {}, {}).status.code == Code::invalid_id);

@@ -74,9 +74,7 @@ TEST(FramingVectors, SurviveOnOneLine) {
   EXPECT_EQ(frames_in(line), sizes);
 }
 
-Framing framing_named(const std::string& name) {
-  return name == "v2" ? Framing::v2 : Framing::v1;
-}
+Framing framing_named(const std::string& name) { return name == "v2" ? Framing::v2 : Framing::v1; }
 
 /// generated/frames.jsonl; generator/sbgcgen/oracle/streams.py describes it.
 TEST(FramingVectors, AgreeWithTheReferenceCodec) {
@@ -106,8 +104,8 @@ TEST(FramingVectors, AgreeWithTheReferenceCodec) {
     EXPECT_EQ(found, expected);
     if (!vector.contains("written")) continue;
     Bytes written(stream.size());
-    EXPECT_TRUE(write_frame(framing_named(accepted[0]), expected.at(0).id, expected.at(0).body,
-                            written));
+    EXPECT_TRUE(
+        write_frame(framing_named(accepted[0]), expected.at(0).id, expected.at(0).body, written));
     EXPECT_EQ(written, stream);
   }
   EXPECT_GT(count, 100U);

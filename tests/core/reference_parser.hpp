@@ -77,8 +77,8 @@ inline ReferenceResult reference_parse(const Bytes& s, End end, std::uint64_t of
           sum += s[i + 4 + k];
         }
         const std::size_t at = i + 4 + body_size;
-        const bool is_right = is_v2 ? reference_crc(covered) == s[at] + 256U * s[at + 1]
-                                    : sum % 256 == s[at];
+        const bool is_right =
+            is_v2 ? reference_crc(covered) == s[at] + 256U * s[at + 1] : sum % 256 == s[at];
         if (is_right) {
           result.frames.push_back({s[i + 1], body, offset + i, is_v2});
           i += 4 + body_size + trailer;

@@ -115,9 +115,7 @@ class Random {
   }
 
  private:
-  bool is_v2() {
-    return framings_ == Accepts::v2 || (framings_ == Accepts::both && below(2) == 0);
-  }
+  bool is_v2() { return framings_ == Accepts::v2 || (framings_ == Accepts::both && below(2) == 0); }
 
   std::mt19937 engine_;
   Accepts framings_;

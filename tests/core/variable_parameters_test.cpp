@@ -62,9 +62,10 @@ std::vector<std::size_t> differences(const Settings& a, const Settings& b) {
 /// Variables without a setting that any source names.
 bool has_no_setting(msg::VariableId id) {
   using enum msg::VariableId;
-  constexpr std::array without{frame_heading_angle, gyro_heading_correction, h_corr_factor,
-                               auto_pid_target,     rc_mode_roll,            rc_mode_pitch,
-                               rc_mode_yaw,         euler_order,             shake_master_gain};
+  constexpr std::array without{
+      frame_heading_angle, gyro_heading_correction, h_corr_factor, auto_pid_target,
+      rc_mode_roll,        rc_mode_pitch,           rc_mode_yaw,   euler_order,
+      shake_master_gain};
   return std::ranges::find(without, id) != without.end();
 }
 

@@ -64,7 +64,8 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
   const std::size_t begin = to.output.size();
   const Frame message = frame_at(frame.data());
   to.output.resize(begin + frame_size(to.framing, message.body.size()));
-  static_cast<void>(write_frame(to.framing, message.id, message.body, std::span(to.output).subspan(begin)));
+  static_cast<void>(
+      write_frame(to.framing, message.id, message.body, std::span(to.output).subspan(begin)));
   if (holds_) to.held.push_back({begin, to.output.size() - begin, {}});
   ++counters.sent;
   const Frame sent = frame_at(to.output.data() + begin);

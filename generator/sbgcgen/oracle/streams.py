@@ -38,7 +38,9 @@ def _mixed(framings: Sequence[Framing]) -> Iterator[tuple[bytes, str]]:
     """Streams with frames of all framings."""
     good = [write_frame(framing, 86, counting(5)) for framing in framings]
     yield b"".join(good), "a frame of each framing"
-    yield b"".join(bytes((f.start,)) for f in framings) + b"".join(good), "start bytes before frames"
+    yield b"".join(bytes((f.start,)) for f in framings) + b"".join(
+        good
+    ), "start bytes before frames"
     for one, other in zip(framings, (*framings[1:], framings[0])):
         frame = write_frame(other, 86, counting(5))
         inner = write_frame(one, 2, frame)

@@ -101,7 +101,7 @@ TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
 }
 
 TEST(Variables, EveryOneCanBeSetToBothEnds) {
-  Host host;
+  Host host(newest_board());
   for (const VariableInfo& one : variables) {
     for (const double end : {one.range.lowest, one.range.highest}) {
       const auto wanted = static_cast<std::int32_t>(end);

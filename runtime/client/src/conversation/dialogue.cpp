@@ -83,10 +83,10 @@ void Dialogue::send_waiting() {
     if (!call) return;
     const Request& request = call->request;
     const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
-    const SendResult sent =
-        request.tried_framing ? session_.try_framing(*request.tried_framing, request.id, body,
-                                                     request.policy, call->send)
-                              : session_.send(request.id, body, request.policy, call->send);
+    const SendResult sent = request.tried_framing
+                                ? session_.try_framing(*request.tried_framing, request.id, body,
+                                                       request.policy, call->send)
+                                : session_.send(request.id, body, request.policy, call->send);
     if (sent) {
       call->handle = sent.handle;
       in_session_.emplace(sent.handle.number, call);

@@ -83,7 +83,8 @@ class Crc16 {
         value = value >> 4 ^ of[value & 15];
         value = value >> 4 ^ of[value & 15];
       } else {
-        constexpr auto& of = detail::crc_table<polynomial, table == CrcTable::slices ? 8 : 1>[0];
+        constexpr auto &of = detail::crc_table < polynomial,
+                       table == CrcTable::slices ? 8 : 1 > [0];
         value = value >> 8 ^ of[(value ^ *bytes) & 0xFF];
       }
     }

@@ -45,8 +45,9 @@ constexpr bool are(const std::array<FramePart, n>& parts, const std::array<Frame
 template <Framing framing>
 inline constexpr bool has_usual_header =
     are(FramingFacts<framing>::header, FramingFacts<basic_framing>::header) &&
-    FramingFacts<framing>::header_checksum == ChecksumKind::sum8 &&
-    are(FramingFacts<framing>::header_checksum_covers, std::array{FramePart::id, FramePart::size});
+    FramingFacts<framing>::header_checksum
+        == ChecksumKind::sum8&& are(FramingFacts<framing>::header_checksum_covers,
+                                    std::array{FramePart::id, FramePart::size});
 
 /// The checksum in the trailer: a sum of the body, or a cyclic redundancy check of header and body
 /// without the start byte.
@@ -140,16 +141,14 @@ struct FrameFormat {
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       const std::uint8_t* content) noexcept {
     write_header(frame, id, body_size);
-    Trailer::write(frame + frame_header_size + body_size,
-                   Trailer::sum(frame, content, body_size));
+    Trailer::write(frame + frame_header_size + body_size, Trailer::sum(frame, content, body_size));
     return frame_size<framing>(body_size);
   }
 
   /// As above, for a body whose sum is already known.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       std::uint8_t sum) noexcept
-    requires(Facts::trailer_checksum == ChecksumKind::sum8)
-  {
+      requires(Facts::trailer_checksum == ChecksumKind::sum8) {
     write_header(frame, id, body_size);
     Trailer::write(frame + frame_header_size + body_size, sum);
     return frame_size<framing>(body_size);
@@ -187,10 +186,9 @@ inline const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uin
     for (const std::uint8_t start : starts) {
       found |= reinterpret_cast<Bytes16>(here == Bytes16{} + start);
     }
-    const auto sums =
-        reinterpret_cast<Bytes16>(load16(begin + frame_id_offset) +
-                                      load16(begin + frame_size_offset) ==
-                                  load16(begin + frame_header_checksum_offset));
+    const auto sums = reinterpret_cast<Bytes16>(load16(begin + frame_id_offset) +
+                                                    load16(begin + frame_size_offset) ==
+                                                load16(begin + frame_header_checksum_offset));
     if (const unsigned mask = sign_bits(found & sums); mask != 0) {
       const int position = std::countr_zero(mask);
       const unsigned before = sign_bits(found) & ((1U << position) - 1);

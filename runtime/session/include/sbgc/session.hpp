@@ -53,8 +53,7 @@ struct SessionCapacity {
 template <SessionCapacity capacity, class Formats = AnyFrameFormats>
 class BasicSession {
  public:
-  constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept
-      : options_(options) {
+  constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept : options_(options) {
     use(Formats::first);
   }
 
@@ -92,7 +91,8 @@ class BasicSession {
 
   /// Queues a request in another framing, which must be one that the board always answers. If the
   /// board answers in that framing, the session uses only that one from then on; else it goes on
-  /// with the framing in use. Meanwhile, it accepts all framings, and no other request is in flight.
+  /// with the framing in use. Meanwhile, it accepts all framings, and no other request is in
+  /// flight.
   template <Message M>
   SendResult try_framing(Framing framing, const M& request,
                          const SendOptions& options = {}) noexcept {
@@ -228,7 +228,7 @@ class BasicSession {
     return {slot.handle, SendStatus::ok, {}};
   }
 
-  static constexpr bool can_change_framing = requires(Formats& formats) { formats.accept_all(); };
+  static constexpr bool can_change_framing = requires(Formats & formats) { formats.accept_all(); };
 
   SendResult on_trial(Framing framing, const SendResult& sent) noexcept {
     static_assert(can_change_framing, "this session has a fixed framing");
