@@ -182,7 +182,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
         board.board = version;
         service.board_is_given = true;
       },
-      "Board version [3.0]", "VERSION")
+      "Board version [3.0, or 3.6 with firmware that has commands for it]", "VERSION")
       ->group("The board");
   command
       .add_option("--input-buffer", board.input_buffer,

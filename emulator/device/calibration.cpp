@@ -60,10 +60,9 @@ Duration length_of(const Request& request) {
 /// True if the model names the value.
 template <class E>
 bool is_known(E value) {
-  for (const ValueInfo& info : EnumMeta<E>::values) {
-    if (info.value == static_cast<std::int64_t>(value)) return true;
-  }
-  return false;
+  return std::ranges::any_of(EnumMeta<E>::values, [value](const ValueInfo& info) {
+    return info.value == static_cast<std::int64_t>(value);
+  });
 }
 
 Outcome restart(RequestContext& context) {

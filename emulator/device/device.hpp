@@ -55,15 +55,15 @@ struct Device {
   Scripts scripts;
   Outputs outputs;  ///< pins, servos, sounds
   I2cBus i2c;
-  ControlLink control_link;         ///< CMD_CONTROL_CONFIG
-  QuaternionControl quaternions;    ///< CMD_CONTROL_QUAT
-  Tasks tasks;                      ///< automatic tasks, safe stops
-  ExternalMotors external_motors;   ///< CMD_EXT_MOTORS_*
-  StateVariables state_variables;   ///< CMD_READ_STATE_VARS
-  Events events;                    ///< CMD_EVENT
-  DebugCopies debug_copies;         ///< CMD_SET_DEBUG_PORT
-  Modes modes;                      ///< switches until the board restarts
-  bool is_writing_parameters{};     ///< between the two requests of CMD_WRITE_PARAMS_SET
+  ControlLink control_link;        ///< CMD_CONTROL_CONFIG
+  QuaternionControl quaternions;   ///< CMD_CONTROL_QUAT
+  Tasks tasks;                     ///< automatic tasks, safe stops
+  ExternalMotors external_motors;  ///< CMD_EXT_MOTORS_*
+  StateVariables state_variables;  ///< CMD_READ_STATE_VARS
+  Events events;                   ///< CMD_EVENT
+  DebugCopies debug_copies;        ///< CMD_SET_DEBUG_PORT
+  Modes modes;                     ///< switches until the board restarts
+  bool is_writing_parameters{};    ///< between the two requests of CMD_WRITE_PARAMS_SET
 
   /// Stores, forgets or loads the parameters of all profiles. load_profile_set() returns false,
   /// without effect, if the slot is empty. Precondition: the slot exists; they count from 0.

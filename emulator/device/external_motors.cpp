@@ -81,8 +81,8 @@ Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& reques
   }
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
-    static_cast<void>(context.answer(
-        device.external_motors.state(device, motor, request.data_set, context.now)));
+    static_cast<void>(
+        context.answer(device.external_motors.state(device, motor, request.data_set, context.now)));
   }
   return Outcome::executed;
 }

@@ -1,5 +1,7 @@
 // spec/modules.yaml: modules on the CAN bus.
 
+#include "device/parts/modules.hpp"
+
 #include <array>
 
 #include <sbgc/framing.hpp>
@@ -7,7 +9,6 @@
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"
-#include "device/parts/modules.hpp"
 
 namespace sbgc::emulator {
 namespace {

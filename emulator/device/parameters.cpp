@@ -20,8 +20,7 @@ Outcome handle(RequestContext& context, const msg::SaveParams3& request) {
       return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     }
   }
-  context.device.parameters.save(
-      std::span(request.param_id.data(), request.param_id.size()));
+  context.device.parameters.save(std::span(request.param_id.data(), request.param_id.size()));
   return context.confirm();
 }
 

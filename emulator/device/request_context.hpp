@@ -24,7 +24,9 @@ struct Device;
 
 /// True if a message holds parameters of the board.
 template <class M>
-inline constexpr bool holds_parameters = requires { ParametersOf<M>::copies; };
+inline constexpr bool holds_parameters = requires {
+  ParametersOf<M>::copies;
+};
 
 /// Returns the frame to send in place of one that reports a change of the memory if saving failed:
 /// CMD_ERROR replaces a confirmation, other frames stay unchanged. Returns nothing if this board

@@ -8,7 +8,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+constexpr double degrees_in_radian = 180 / 3.14159265358979323846;
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
   return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -68,7 +68,7 @@ Quaternion relative(const Quaternion& from, const Quaternion& to) {
 double angle_between(const Quaternion& a, const Quaternion& b) {
   double cosine = 0;
   for (std::size_t i = 0; i < a.size(); ++i) cosine += a[i] * b[i];
-  return 2 * std::acos(std::min(1.0, std::abs(cosine))) * degrees_per_radian;
+  return 2 * std::acos(std::min(1.0, std::abs(cosine))) * degrees_in_radian;
 }
 
 Vector to_world(const Rotation& rotation, const Vector& body) {

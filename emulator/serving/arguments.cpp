@@ -1,5 +1,6 @@
 #include "serving/arguments.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/dispatch.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
@@ -153,6 +155,15 @@ std::string problem_of(msg::FirmwareVersion version) {
       "firmware {} is not emulated, only up to {}: later firmware has commands and forms that "
       "the emulated board does not support",
       to_string(version), to_string(msg::FirmwareVersion(newest_firmware)));
+}
+
+msg::BoardVersion usual_board(msg::FirmwareVersion firmware) {
+  msg::BoardVersion newest = emulator::BoardOptions{}.board;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const msg::BoardVersion needed(M::since.board);
+    if (M::since.firmware <= firmware.raw()) newest = std::max(newest, needed);
+  });
+  return newest;
 }
 
 msg::BoardVersion parse_board(const std::string& text) {

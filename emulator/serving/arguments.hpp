@@ -39,6 +39,8 @@ msg::FirmwareVersion parse_firmware(const std::string& text);
 /// Returns why a board with this firmware is not emulated; "" if it is. Later firmware has commands
 /// that the emulated board does not support.
 std::string problem_of(msg::FirmwareVersion version);
+/// The oldest board that has all commands of a firmware; at least the one emulated by default.
+msg::BoardVersion usual_board(msg::FirmwareVersion firmware);
 /// For example "3.0".
 msg::BoardVersion parse_board(const std::string& text);
 

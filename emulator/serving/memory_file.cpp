@@ -277,9 +277,9 @@ class Reader {
     out.clear();
     for (std::size_t i = 0; i < json.size(); ++i) {
       const bool is_last = path != "eeprom" && i + 1 == json.size();
-      const std::size_t size =
-          is_last && json[i].is_string() ? json[i].get_ref<const std::string&>().size() / 2
-                                         : line_size;
+      const std::size_t size = is_last && json[i].is_string()
+                                   ? json[i].get_ref<const std::string&>().size() / 2
+                                   : line_size;
       out.resize(out.size() + std::min(size, line_size));
       bytes(json[i], at(path, i), std::span(out).last(std::min(size, line_size)));
     }

@@ -71,6 +71,8 @@ void Service::add(unsigned number) {
     }
     board.device_id = owner.device_id;
     board.mcu_id = owner.mcu_id;
+  } else if (options_.firmware_is_given && !options_.board_is_given) {
+    emulator.board.board = usual_board(emulator.board.firmware);
   }
   Served& served = boards_.emplace_back();
   served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,

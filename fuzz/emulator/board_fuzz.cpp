@@ -65,8 +65,15 @@ class Player {
   sbgc::emulator::BoardOptions options() {
     sbgc::emulator::BoardOptions result;
     const std::uint8_t choice = byte();
-    if ((choice & 1) != 0) result.firmware = sbgc::msg::FirmwareVersion(2439);
-    if ((choice & 2) != 0) result.board = sbgc::msg::BoardVersion(10);
+    switch (choice & 3) {
+      case 1: result.firmware = sbgc::msg::FirmwareVersion(2439); break;
+      case 2: result.board = sbgc::msg::BoardVersion(10); break;
+      case 3:
+        result.firmware = sbgc::msg::FirmwareVersion(sbgc::newest_firmware);
+        result.board = sbgc::msg::BoardVersion(36);
+        break;
+      default: break;
+    }
     if ((choice & 4) != 0) result.input_buffer = 64;
     if ((choice & 8) != 0) result.output_buffer = 64;
     if ((choice & 16) != 0) result.has_frame_imu = false;

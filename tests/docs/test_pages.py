@@ -308,7 +308,9 @@ def test_search_knows_versions_and_pages_of_their_own(files: Files, layout: Layo
     for message in layout.messages:
         if message.since.firmware:
             version = versions(replace(message.since, board=0)).split()[-1]
-            assert any(page.startswith("firmware/") and page.endswith(f"#{version}") for page in found)
+            assert any(
+                page.startswith("firmware/") and page.endswith(f"#{version}") for page in found
+            )
 
 
 def test_each_firmware_has_a_page_of_what_it_brought(pages: Pages, layout: Layout) -> None:
@@ -397,7 +399,9 @@ def test_the_choice_offers_each_firmware(pages: Pages, layout: Layout) -> None:
     (select,) = pages["index.html"].root.all("select")
     offered = [int(o.get("value")) for o in select.all("option") if o.get("value")]
     assert offered == sorted(set(offered))
-    named = {m.since.firmware for m in layout.messages} | {v.since.firmware for v in layout.variables}
+    named = {m.since.firmware for m in layout.messages} | {
+        v.since.firmware for v in layout.variables
+    }
     assert named - {0} <= set(offered)
     assert layout.newest_firmware in offered
 

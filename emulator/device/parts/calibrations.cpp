@@ -258,19 +258,21 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       break;
     case Kind::orientation:
       // Assumption: an IMU that is mounted with a small error.
-      return change_parameters<msg::ReadParamsExt2>(device, run.profile, now, [&](auto& parameters) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto hundredths = std::lround(200 * random(5 + axis) - 100);
-          parameters.imu_orientation_corr[axis] =
-              msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
-        }
-      });
+      return change_parameters<msg::ReadParamsExt2>(
+          device, run.profile, now, [&](auto& parameters) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+              const auto hundredths = std::lround(200 * random(5 + axis) - 100);
+              parameters.imu_orientation_corr[axis] =
+                  msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
+            }
+          });
     case Kind::momentum:
-      return change_parameters<msg::ReadParamsExt2>(device, run.profile, now, [&](auto& parameters) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
-        }
-      });
+      return change_parameters<msg::ReadParamsExt2>(
+          device, run.profile, now, [&](auto& parameters) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+              parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
+            }
+          });
     case Kind::ext_gain:
       // Assumption: gains of a flight controller that differs slightly from board to board.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {

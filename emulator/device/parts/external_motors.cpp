@@ -49,8 +49,8 @@ void ExternalMotors::Motor::step(double seconds) {
     case Mode::position: {
       const double off = goal - angle;
       // Slow enough to stop at the goal.
-      wish = std::copysign(std::min(8 * std::abs(off), std::sqrt(acceleration * std::abs(off))),
-                           off);
+      wish =
+          std::copysign(std::min(8 * std::abs(off), std::sqrt(acceleration * std::abs(off))), off);
       break;
     }
   }
@@ -125,8 +125,8 @@ void ExternalMotors::control(std::size_t motor, const Setpoint& setpoint, Instan
     case Mode::speed: one.goal = control_speed(setpoint.value); break;
     case Mode::position: {
       const double angle = setpoint.value * degrees_per_count;
-      one.goal = setpoint.wraps ? one.angle + std::remainder(angle - one.angle, angle_period)
-                                : angle;
+      one.goal =
+          setpoint.wraps ? one.angle + std::remainder(angle - one.angle, angle_period) : angle;
       one.top = setpoint.has_param ? std::abs(control_speed(setpoint.param)) : 0;
       break;
     }
@@ -157,7 +157,8 @@ msg::ExtMotorsState ExternalMotors::state(Device& device, std::size_t motor,
     state.torque_setpoint = saturated_raw<std::int16_t>(torque_goal * full_torque);
   }
   if (fields.has(speed16)) state.speed16 = saturated<msg::ControlSpeed>(one.speed);
-  if (fields.has(speed16_setpoint)) state.speed16_setpoint = saturated<msg::ControlSpeed>(speed_goal);
+  if (fields.has(speed16_setpoint))
+    state.speed16_setpoint = saturated<msg::ControlSpeed>(speed_goal);
   if (fields.has(speed32)) {
     state.speed32 = saturated<msg::MicroradianRate>(one.speed * radians_per_degree);
   }

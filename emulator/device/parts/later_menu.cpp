@@ -14,7 +14,7 @@ namespace {
 
 using Command = msg::MenuCommand;
 
-constexpr std::size_t roll_axis = 0, pitch_axis = 1, yaw_axis = 2;
+constexpr std::size_t roll_motor = 0, pitch_motor = 1, yaw_motor = 2;
 constexpr double whole_turn = 360;
 
 void move_to(Device& device, std::size_t axis, double angle, Instant now) {
@@ -99,14 +99,14 @@ std::optional<std::size_t> profile_set_of(Command action) {
 bool move_camera(Device& device, Command action, Instant now) {
   switch (action) {
     case Command::home_position_shortest: go_home_shortest(device, now); return true;
-    case Command::center_yaw_shortest: move_joint(device, yaw_axis, 0, now); return true;
+    case Command::center_yaw_shortest: move_joint(device, yaw_motor, 0, now); return true;
     case Command::rotate_yaw_180: {
       const double yaw = device.gimbal.sample(now).targets.yaw;
-      move_to(device, yaw_axis, yaw + whole_turn / 2, now);
+      move_to(device, yaw_motor, yaw + whole_turn / 2, now);
       return true;
     }
     case Command::rotate_yaw_180_frame_rel:
-      device.gimbal.command(yaw_axis,
+      device.gimbal.command(yaw_motor,
                             {.mode = AxisMode::relative_angle,
                              .angle = device.gimbal.sample(now).joints.yaw + whole_turn / 2},
                             now);
@@ -114,16 +114,16 @@ bool move_camera(Device& device, Command action, Instant now) {
     case Command::switch_yaw_180_frame_rel: {
       const double joint = std::remainder(device.gimbal.sample(now).joints.yaw, whole_turn);
       const bool is_forward = std::abs(joint) < whole_turn / 4;
-      move_joint(device, yaw_axis, is_forward ? whole_turn / 2 : 0, now);
+      move_joint(device, yaw_motor, is_forward ? whole_turn / 2 : 0, now);
       return true;
     }
     case Command::switch_pos_roll_90: {
       const bool is_level = std::abs(device.gimbal.sample(now).targets.roll) < whole_turn / 8;
-      move_to(device, roll_axis, is_level ? whole_turn / 4 : 0, now);
+      move_to(device, roll_motor, is_level ? whole_turn / 4 : 0, now);
       return true;
     }
-    case Command::level_roll: move_to(device, roll_axis, 0, now); return true;
-    case Command::level_pitch: move_to(device, pitch_axis, 0, now); return true;
+    case Command::level_roll: move_to(device, roll_motor, 0, now); return true;
+    case Command::level_pitch: move_to(device, pitch_motor, 0, now); return true;
     case Command::snap_to_fixed_position: snap(device, now); return true;
     case Command::home_position_motors:
       for (std::size_t axis = 0; axis < 3; ++axis) move_joint(device, axis, 0, now);
@@ -141,9 +141,9 @@ bool move_camera(Device& device, Command action, Instant now) {
 bool switch_mode(Device& device, Command action, Instant now) {
   Modes& modes = device.modes;
   switch (action) {
-    case Command::invert_rc_roll: invert_rc(device, roll_axis, now); return true;
-    case Command::invert_rc_pitch: invert_rc(device, pitch_axis, now); return true;
-    case Command::invert_rc_yaw: invert_rc(device, yaw_axis, now); return true;
+    case Command::invert_rc_roll: invert_rc(device, roll_motor, now); return true;
+    case Command::invert_rc_pitch: invert_rc(device, pitch_motor, now); return true;
+    case Command::invert_rc_yaw: invert_rc(device, yaw_motor, now); return true;
     case Command::forced_follow_toggle: modes.follows = !modes.follows; break;
     case Command::disable_follow_toggle: modes.follow_off = !modes.follow_off; break;
     case Command::tripod_mode_off: modes.tripod = false; break;
@@ -191,8 +191,7 @@ bool execute_later_action(Device& device, Command action, Instant now) {
     case Command::auto_pid_gain_only:
       static_cast<void>(device.auto_tuning.start(device, now));
       break;
-    case Command::set_cur_pos_as_home:
-      return execute_menu(device, Command::set_angle, now);
+    case Command::set_cur_pos_as_home: return execute_menu(device, Command::set_angle, now);
     case Command::stop_script: device.scripts.stop(); break;
     case Command::set_rc_trim: trim_rc(device, now); break;
     default: return false;

@@ -233,7 +233,8 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
   return use_if<msg::RealtimeData3>(device, request, yes) ||
          use_if<msg::RealtimeData4>(device, request, yes) ||
          use_if<msg::RealtimeDataCustom>(
-             device, request, [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
+             device, request,
+             [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
          use_if<msg::Event>(device, request, yes) ||
          use_if<msg::CanDrvTelemetry>(
              device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
@@ -262,13 +263,12 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
                                     [&] { return offer(msg::RealtimeData3{}, port); }) ||
          use_if<msg::RealtimeData4>(device, request,
                                     [&] { return offer(msg::RealtimeData4{}, port); }) ||
-         use_if<msg::RealtimeDataCustom>(device, request,
-                                         [&] {
-                                           const auto blocks =
-                                               known_blocks(device, blocks_of(request));
-                                           return blocks && offer(msg::RealtimeDataCustom{}, port,
-                                                                  *blocks);
-                                         }) ||
+         use_if<msg::RealtimeDataCustom>(
+             device, request,
+             [&] {
+               const auto blocks = known_blocks(device, blocks_of(request));
+               return blocks && offer(msg::RealtimeDataCustom{}, port, *blocks);
+             }) ||
          use_if<msg::CanDrvTelemetry>(device, request,
                                       [&] {
                                         return offer(msg::CanDrvTelemetry{},

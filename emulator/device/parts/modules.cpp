@@ -77,8 +77,7 @@ void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags field
     data.id_current = msg::SignedCurrent{};
   }
   if (fields.has(motor_speed)) {
-    data.motor_speed =
-        saturated<msg::RevolutionsPerMinute>(motion.speed * 60 / degrees_per_turn);
+    data.motor_speed = saturated<msg::RevolutionsPerMinute>(motion.speed * 60 / degrees_per_turn);
   }
   if (fields.has(pid_pos_err)) data.pid_pos_err = std::int16_t{0};
   if (fields.has(pid_speed_err)) data.pid_speed_err = std::int16_t{0};

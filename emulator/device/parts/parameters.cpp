@@ -40,15 +40,15 @@ std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
 }
 
 std::uint8_t Parameters::variable_count() const {
-  return static_cast<std::uint8_t>(
-      std::ranges::count_if(EnumMeta<msg::VariableId>::values, [this](const ValueInfo& value) {
-        return is_available(value.since, versions_);
-      }));
+  return static_cast<std::uint8_t>(std::ranges::count_if(
+      EnumMeta<msg::VariableId>::values,
+      [this](const ValueInfo& value) { return is_available(value.since, versions_); }));
 }
 
 bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
   const VariableInfo* const known = find_variable(id);
-  if (known == nullptr || !knows(versions_, id) || value < known->range.lowest || value > known->range.highest) {
+  if (known == nullptr || !knows(versions_, id) || value < known->range.lowest ||
+      value > known->range.highest) {
     return false;
   }
   if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;

@@ -80,8 +80,8 @@ void QuaternionControl::turn(Device& device, Instant now) const {
   for (std::size_t i = 0; i < 3; ++i) speed[i] = limited(speed[i], i);
   const auto speeds = euler_speeds(now_pose, to_body(now_pose.rotation(), speed));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    device.gimbal.command(
-        axis, {.mode = AxisMode::speed, .speed = speeds ? (*speeds)[axis] : 0}, now);
+    device.gimbal.command(axis, {.mode = AxisMode::speed, .speed = speeds ? (*speeds)[axis] : 0},
+                          now);
   }
 }
 
@@ -105,8 +105,7 @@ bool QuaternionControl::has_arrived(Device& device, Instant now) const {
 }
 
 msg::ControlQuatStatus QuaternionControl::status(Device& device,
-                                                 msg::ControlQuatStatusFields fields,
-                                                 Instant now) {
+                                                 msg::ControlQuatStatusFields fields, Instant now) {
   using enum msg::ControlQuatStatusField;
   const Sample sample = device.gimbal.sample(now);
   const Pose setpoint_pose = pose(device, sample.targets);

@@ -51,8 +51,8 @@ void StateVariables::count(Device& device, Instant now) {
   track(values_.mcu_temp_min, values_.mcu_temp_max, sample.temperature + mcu_warmth, is_first);
   values_.max_current = std::max(values_.max_current, saturated<msg::Current>(milliamperes));
   const Vector& a = sample.acceleration;
-  values_.max_acc = std::max(values_.max_acc,
-                             saturated<msg::AccelerationPeak>(std::hypot(a.x, a.y, a.z)));
+  values_.max_acc =
+      std::max(values_.max_acc, saturated<msg::AccelerationPeak>(std::hypot(a.x, a.y, a.z)));
   values_.work_time = whole_seconds(work_time_);
   values_.energy_time = whole_seconds(energy_time_);
   values_.avg_current_time = whole_seconds(current_time_);
@@ -83,8 +83,8 @@ void StateVariables::write(Device& device, const msg::ReadStateVars& values, Ins
 void StateVariables::store(Device& device) const {
   std::array<std::uint8_t, max_body_size> body{};
   const WriteResult written = encode(values_, body);
-  device.memory.state_variables.assign(
-      body.begin(), body.begin() + static_cast<std::ptrdiff_t>(written.size));
+  device.memory.state_variables.assign(body.begin(),
+                                       body.begin() + static_cast<std::ptrdiff_t>(written.size));
   ++device.memory.revision;
 }
 
@@ -104,8 +104,9 @@ void StateVariables::start(Device& device, Instant now) {
   *this = {};
   if (!are_supported(device)) return;
   msg::ReadStateVars stored;
-  const bool is_stored = !device.memory.state_variables.empty() &&
-                         decode(std::span<const std::uint8_t>(device.memory.state_variables), stored);
+  const bool is_stored =
+      !device.memory.state_variables.empty() &&
+      decode(std::span<const std::uint8_t>(device.memory.state_variables), stored);
   if (!is_stored) stored = {};
   set(stored, now);
   if (values_.startup_cnt < 0xFFFF) ++values_.startup_cnt;

@@ -65,9 +65,8 @@ void Tasks::plan(Instant now) {
 }
 
 void Tasks::confirm_end(std::size_t port, std::uint8_t command, Kind kind, Instant now) {
-  std::erase_if(tasks_, [&](const Task& task) {
-    return task.port == port && task.command == command;
-  });
+  std::erase_if(tasks_,
+                [&](const Task& task) { return task.port == port && task.command == command; });
   tasks_.push_back({port, command, kind, now + longest(kind)});
   plan(now);
 }
@@ -87,8 +86,8 @@ void Tasks::synchronize(Device& device, std::size_t axis, double degrees, Durati
   device.set_motors(true, now);
   const double angle = device.gimbal.sample(now).angles[axis] + degrees;
   const double seconds = std::max(static_cast<double>(time.us) * 1e-6, 1e-3);
-  device.gimbal.command(
-      axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle}, now);
+  device.gimbal.command(axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle},
+                        now);
   off_ = now + time;
   plan(now);
 }

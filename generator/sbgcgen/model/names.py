@@ -51,7 +51,12 @@ def type_advice(text: str) -> str:
     if match:
         kind = {"u": "u", "s": "i", "f": "f"}[match["kind"]]
         return f"write {kind}{8 * int(match['size'])}"
-    return {"float": "write f32", "double": "write f64", "char": "write i8 or text[N]", "bool": "write u8"}.get(text, "")
+    return {
+        "float": "write f32",
+        "double": "write f64",
+        "char": "write i8 or text[N]",
+        "bool": "write u8",
+    }.get(text, "")
 
 
 def snake_case(name: str) -> str:

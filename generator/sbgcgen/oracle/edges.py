@@ -38,7 +38,11 @@ def edges(field: Field, type_: Type) -> list[Edge]:
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
-    found = _float_edges(field, scalar.size) if scalar.is_float else _integer_edges(field, type_, scalar)
+    found = (
+        _float_edges(field, scalar.size)
+        if scalar.is_float
+        else _integer_edges(field, type_, scalar)
+    )
     unique: dict[str, Edge] = {}
     for name, value in found:
         whole = integer_of(value, scalar.size) if isinstance(value, int) else value

@@ -10,18 +10,18 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using Kind = msg::ControlModeKind;
+using ModeKind = msg::ControlModeKind;
 
 msg::Control turn_yaw(double degrees_per_second) {
   msg::Control request;
-  request.control_mode.set_mode(Kind::speed);
+  request.control_mode.set_mode(ModeKind::speed);
   request.axes.yaw.speed =
       msg::ControlSpeed::from_degrees_per_second(degrees_per_second).value_or({});
   return request;
 }
 
 double yaw_speed(Host& host) { return host.board.gimbal().sample(host.now).target_speeds.yaw; }
-double yaw(Host& host) { return host.board.gimbal().sample(host.now).targets.yaw; }
+double yaw_target(Host& host) { return host.board.gimbal().sample(host.now).targets.yaw; }
 
 TEST(ControlLink, EndsWithoutCommands) {
   Host host(newest_board());
@@ -56,8 +56,7 @@ TEST(ControlLink, OnlyTheHighestPriorityCounts) {
 
 TEST(ControlLink, ConfirmationsCanBeOff) {
   Host host(newest_board());
-  EXPECT_THAT(host.ask(msg::ControlConfig{.flags = msg::ControlConfigFlag::no_confirm}),
-              IsEmpty());
+  EXPECT_THAT(host.ask(msg::ControlConfig{.flags = msg::ControlConfigFlag::no_confirm}), IsEmpty());
   EXPECT_THAT(host.ask(turn_yaw(20)), IsEmpty());
   EXPECT_GT(yaw_speed(host), 0);
 }
@@ -82,7 +81,7 @@ TEST(Control, AHighResolutionSignalMayBeLost) {
   for (std::size_t axis = 0; axis < 3; ++axis) parameters.rc[axis].rc_mode = {};
   host.ask(msg::WriteParams3{parameters});
   msg::Control request;
-  request.control_mode.set_mode(Kind::rc_high_res);
+  request.control_mode.set_mode(ModeKind::rc_high_res);
   request.axes.pitch.angle = msg::Angle14(16384);
   host.ask(request, seconds(5));
   const double highest = host.board.gimbal().sample(host.now).targets.pitch;
@@ -98,9 +97,9 @@ TEST(Control, AnIgnoredAxisKeepsItsState) {
   host.ask(turn_yaw(20));
   msg::ControlExt request;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    request.control_mode[axis].set_mode(Kind::ignore);
+    request.control_mode[axis].set_mode(ModeKind::ignore);
   }
-  request.control_mode.pitch.set_mode(Kind::angle);
+  request.control_mode.pitch.set_mode(ModeKind::angle);
   request.axes.pitch.angle = -10_deg;
   EXPECT_TRUE(is_confirmed(host, request));
   host.listen(seconds(3));
@@ -111,20 +110,20 @@ TEST(Control, AnIgnoredAxisKeepsItsState) {
 TEST(Control, TheShortestWayIsLessThanHalfATurn) {
   Host host(newest_board());
   msg::Control request;
-  request.control_mode.set_mode(Kind::angle);
+  request.control_mode.set_mode(ModeKind::angle);
   request.axes.yaw.angle = 170_deg;
   host.ask(request, seconds(15));
-  ASSERT_NEAR(yaw(host), 170, 0.5);
-  request.control_mode.set_mode(Kind::angle_shortest);
+  ASSERT_NEAR(yaw_target(host), 170, 0.5);
+  request.control_mode.set_mode(ModeKind::angle_shortest);
   request.axes.yaw.angle = -170_deg;
   host.ask(request, seconds(15));
-  EXPECT_NEAR(yaw(host), 190, 0.5) << "20 degrees instead of 340";
+  EXPECT_NEAR(yaw_target(host), 190, 0.5) << "20 degrees instead of 340";
 }
 
 TEST(Control, ATaskIsConfirmedWhenItArrives) {
   Host host(newest_board());
   msg::ControlExt request;
-  request.control_mode.pitch.set_mode(Kind::angle);
+  request.control_mode.pitch.set_mode(ModeKind::angle);
   request.control_mode.pitch.set_flags(msg::ControlFlag::auto_task);
   request.axes.pitch.angle = -40_deg;
   EXPECT_TRUE(is_confirmed(host, request));
@@ -141,7 +140,7 @@ TEST(ControlExt, HasDataForSomeAxesInTwoWidths) {
   msg::ControlExtCommand request;
   request.data_set = Field::pitch_angle | Field::pitch_angle_32bit;
   request.data_set.set(Field::pitch_speed).set(Field::pitch_speed_32bit);
-  request.pitch_mode = msg::ControlMode(Kind::angle);
+  request.pitch_mode = msg::ControlMode(ModeKind::angle);
   request.pitch_flags = msg::ControlExtFlags{};
   request.pitch_speed_32 = msg::LongFineSpeed(20'000);  // 20 deg/s
   request.pitch_angle_32 = msg::Angle20::from_degrees(-25.5).value_or({});

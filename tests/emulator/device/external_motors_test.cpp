@@ -13,49 +13,49 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using Field = msg::ExtMotorsStateField;
+using MotorField = msg::ExtMotorsStateField;
 
 constexpr msg::ExtMotorTargets second_confirmed(0x82);
 
-void act(Host& host, msg::ExtMotorActionKind action) {
+void act_on_motor(Host& host, msg::ExtMotorActionKind action) {
   EXPECT_TRUE(is_confirmed(host, msg::ExtMotorsAction{second_confirmed, action, {}}));
 }
 
-void configure(Host& host, msg::ExtMotorMode mode) {
+void set_motor_mode(Host& host, msg::ExtMotorMode mode) {
   msg::ExtMotorsControlConfig config{.for_motors = second_confirmed};
   config.data_set = msg::ExtMotorsControlConfigField::mode;
   config.mode = mode;
   EXPECT_TRUE(is_confirmed(host, config));
 }
 
-void control(Host& host, int setpoint) {
+void control_motor(Host& host, int setpoint) {
   msg::ExtMotorsControl request{.for_motors = msg::ExtMotor::motor2};
   request.setpoint16.emplace().push_back(static_cast<std::int16_t>(setpoint));
   EXPECT_THAT(host.ask(request), IsEmpty()) << "so many commands are not confirmed";
 }
 
-msg::ExtMotorsState state(Host& host) {
+msg::ExtMotorsState motor_state(Host& host) {
   return host.get<msg::ExtMotorsState>(
       msg::ExtMotorsStateRequest{msg::ExtMotor::motor2, msg::ExtMotorsStateFields(0xFFFFF)});
 }
 
 TEST(ExternalMotors, MoveToAnAngleWithinTheirLimits) {
   Host host(newest_board());
-  act(host, msg::ExtMotorActionKind::on);
-  configure(host, msg::ExtMotorMode::position);
+  act_on_motor(host, msg::ExtMotorActionKind::on);
+  set_motor_mode(host, msg::ExtMotorMode::position);
   msg::ExtMotorsControlConfig limits{.for_motors = second_confirmed};
   limits.data_set = msg::ExtMotorsControlConfigField::max_speed;
   limits.max_speed = msg::ExtMotorSpeedLimit(15);  // 30 deg/s
   EXPECT_TRUE(is_confirmed(host, limits));
-  control(host, 16384 / 4);
+  control_motor(host, 16384 / 4);
   host.listen(seconds(1));
-  const auto moving = state(host);
+  const auto moving = motor_state(host);
   EXPECT_NEAR((*moving.speed16).degrees_per_second(), 30, 0.5);
   EXPECT_NEAR((*moving.speed32).radians_per_second(), 30 * 3.14159265 / 180, 0.01);
   EXPECT_NEAR((*moving.angle16_setpoint).degrees(), 90, 0.1);
   EXPECT_EQ((*moving.max_speed).degrees_per_second(), 30);
   host.listen(seconds(4));
-  const auto still = state(host);
+  const auto still = motor_state(host);
   EXPECT_NEAR((*still.angle16).degrees(), 90, 0.5);
   EXPECT_NEAR((*still.angle32).degrees(), 90, 0.5);
   EXPECT_NEAR((*still.speed16).degrees_per_second(), 0, 0.5);
@@ -64,53 +64,53 @@ TEST(ExternalMotors, MoveToAnAngleWithinTheirLimits) {
 
 TEST(ExternalMotors, TurnAtASpeed) {
   Host host(newest_board());
-  configure(host, msg::ExtMotorMode::speed);
-  act(host, msg::ExtMotorActionKind::on);
-  control(host, 819);  // 100 deg/s
+  set_motor_mode(host, msg::ExtMotorMode::speed);
+  act_on_motor(host, msg::ExtMotorActionKind::on);
+  control_motor(host, 819);  // 100 deg/s
   host.listen(seconds(2));
-  const auto turning = state(host);
+  const auto turning = motor_state(host);
   EXPECT_NEAR((*turning.speed16).degrees_per_second(), 100, 1);
   EXPECT_GT((*turning.angle32).degrees(), 150);
   // A brake stops at once, a floating motor runs on for a while.
-  act(host, msg::ExtMotorActionKind::off_floating);
+  act_on_motor(host, msg::ExtMotorActionKind::off_floating);
   host.listen(milliseconds(300));
-  EXPECT_GT((*state(host).speed16).degrees_per_second(), 50);
-  act(host, msg::ExtMotorActionKind::off_brake);
+  EXPECT_GT((*motor_state(host).speed16).degrees_per_second(), 50);
+  act_on_motor(host, msg::ExtMotorActionKind::off_brake);
   host.listen(milliseconds(300));
-  EXPECT_NEAR((*state(host).speed16).degrees_per_second(), 0, 1);
-  EXPECT_EQ((*state(host).state_flags).power(), msg::ExtMotorPower::off_brake);
+  EXPECT_NEAR((*motor_state(host).speed16).degrees_per_second(), 0, 1);
+  EXPECT_EQ((*motor_state(host).state_flags).power(), msg::ExtMotorPower::off_brake);
 }
 
 TEST(ExternalMotors, GoHome) {
   Host host(newest_board());
-  configure(host, msg::ExtMotorMode::speed);
-  act(host, msg::ExtMotorActionKind::on);
-  control(host, 819);
+  set_motor_mode(host, msg::ExtMotorMode::speed);
+  act_on_motor(host, msg::ExtMotorActionKind::on);
+  control_motor(host, 819);
   host.listen(seconds(1));
-  act(host, msg::ExtMotorActionKind::home_position);
+  act_on_motor(host, msg::ExtMotorActionKind::home_position);
   host.listen(seconds(6));
-  EXPECT_NEAR((*state(host).angle32).degrees(), 0, 0.5);
+  EXPECT_NEAR((*motor_state(host).angle32).degrees(), 0, 0.5);
 }
 
 TEST(ExternalMotors, TakeTargetsOfAllFormats) {
   Host host(newest_board());
-  configure(host, msg::ExtMotorMode::position);
-  act(host, msg::ExtMotorActionKind::on);
+  set_motor_mode(host, msg::ExtMotorMode::position);
+  act_on_motor(host, msg::ExtMotorActionKind::on);
   msg::ExtMotorsControl request{.for_motors = msg::ExtMotor::motor2};
   using Format = msg::ExtMotorsControlField;
   request.data_set = Format::setpoint_32bit | Format::param1_16bit;
   // 3 turns at 100 deg/s.
   request.setpoint32_param16.emplace().push_back({3 * 16384, 819});
   host.ask(request, seconds(2));
-  EXPECT_NEAR((*state(host).speed16).degrees_per_second(), 100, 2);
+  EXPECT_NEAR((*motor_state(host).speed16).degrees_per_second(), 100, 2);
   host.listen(seconds(12));
-  EXPECT_NEAR((*state(host).angle32).degrees(), 1080, 1);
+  EXPECT_NEAR((*motor_state(host).angle32).degrees(), 1080, 1);
 }
 
 TEST(ExternalMotors, AnswerOneByOneAndInStreams) {
   Host host(newest_board());
   const auto states = all<msg::ExtMotorsState>(
-      host.ask(msg::ExtMotorsStateRequest{msg::ExtMotors(0x7F), Field::control_mode}));
+      host.ask(msg::ExtMotorsStateRequest{msg::ExtMotors(0x7F), MotorField::control_mode}));
   ASSERT_THAT(states, SizeIs(7));
   EXPECT_EQ(states[6].motor_id, 6);
   EXPECT_FALSE(states[6].angle16);
@@ -118,7 +118,7 @@ TEST(ExternalMotors, AnswerOneByOneAndInStreams) {
   stream.cmd_id = msg::CommandFromBoard::ext_motors_state;
   stream.interval_ms = msg::Milliseconds(100);
   stream.config.motor = std::uint8_t{4};
-  stream.config.data_set = Field::angle16;
+  stream.config.data_set = MotorField::angle16;
   EXPECT_TRUE(is_confirmed(host, stream));
   const auto samples = all<msg::ExtMotorsState>(host.listen(seconds(1)));
   ASSERT_THAT(samples, SizeIs(10));

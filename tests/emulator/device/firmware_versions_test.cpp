@@ -183,8 +183,8 @@ TEST(FirmwareLimits, ALaterModeIsRefused) {
 }
 
 TEST(FirmwareLimits, LaterBlocksAreLeftOut) {
-  const msg::RealtimeDataCustomRequest request{
-      .flags = msg::RealtimeDataCustomFlag::imu_angles | msg::RealtimeDataCustomFlag::imu_quat};
+  const msg::RealtimeDataCustomRequest request{.flags = msg::RealtimeDataCustomFlag::imu_angles |
+                                                        msg::RealtimeDataCustomFlag::imu_quat};
   Host old(board_with(2729));
   EXPECT_EQ(old.ask(request).at(0).body.size(), 2U + 6);
   Host later(board_with(2730));

@@ -160,8 +160,7 @@ TEST(Slots, LaterFirmwareAsksWithMoreBytes) {
   EXPECT_EQ(answer.trigger_rc_data.raw(), 450 * 16384 / 500 + 1) << "in high resolution";
   EXPECT_EQ(answer.analog_rc_data.raw(), 0) << "no signal";
   const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 255});
-  EXPECT_EQ(std::bit_cast<float>(answer.analog_value),
-            static_cast<float>(parameters.axes.pitch.p));
+  EXPECT_EQ(std::bit_cast<float>(answer.analog_value), static_cast<float>(parameters.axes.pitch.p));
   EXPECT_EQ(answer.lut_src_value.raw(), 450 * 16384 / 500 + 1);
   EXPECT_EQ(answer.lut_var_value, static_cast<float>(parameters.axes.roll.p));
 }

@@ -92,6 +92,13 @@ TEST(Arguments, Versions) {
   }
 }
 
+TEST(Arguments, AFirmwareHasItsUsualBoard) {
+  EXPECT_EQ(usual_board(msg::FirmwareVersion(2430)), msg::BoardVersion(30));
+  EXPECT_EQ(usual_board(msg::FirmwareVersion(2686)), msg::BoardVersion(30));
+  EXPECT_EQ(usual_board(msg::FirmwareVersion(2687)), msg::BoardVersion(36));
+  EXPECT_EQ(usual_board(msg::FirmwareVersion(2740)), msg::BoardVersion(36));
+}
+
 std::vector<emulator::FrameAngles> motion(const std::string& text) {
   std::istringstream stream(text);
   return read_motion(stream, "m.csv");

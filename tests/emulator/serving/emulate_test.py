@@ -212,10 +212,10 @@ def test_ends_by_itself() -> None:
 
 def test_firmware_that_is_not_modelled_is_not_played() -> None:
     """It would claim commands and forms that the board does not support."""
-    result = run("emulate", "--stdio", "--firmware", "2.69b5")
+    result = run("emulate", "--stdio", "--firmware", "2.75")
     assert result.status == 2, result
     assert result.out == b""
-    assert "firmware 2.69b5 is not emulated, only up to 2.59b9" in result.error
+    assert "firmware 2.75 is not emulated, only up to 2.74" in result.error
 
 
 @pytest.mark.parametrize(

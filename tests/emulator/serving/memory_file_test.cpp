@@ -55,6 +55,14 @@ SavedMemory random_memory(unsigned seed) {
   for (auto& imu : saved.memory.sensors) imu = calibration(random);
   saved.memory.battery_factor = 1.0 + static_cast<double>(random() % 1000) / 7000;
   saved.memory.profile = static_cast<std::uint8_t>(random() % 5);
+  if (random() % 2 == 0) {
+    saved.memory.profile_set = static_cast<std::uint8_t>(1 + random() % 6);
+    for (auto& set : saved.memory.profile_sets) set.resize(random() % 3 * 100);
+    for (auto& set : saved.memory.profile_sets) {
+      for (auto& byte : set) byte = static_cast<std::uint8_t>(random());
+    }
+    saved.memory.state_variables.assign(192, static_cast<std::uint8_t>(random()));
+  }
   return saved;
 }
 
@@ -242,6 +250,27 @@ TEST_F(MemoryFile, ErrorsNameTheFile) {
   const auto folder = load_memory(path(""));
   ASSERT_FALSE(folder);
   EXPECT_FALSE(save_memory(path("no/such/folder.json"), random_memory(1)));
+}
+
+TEST(MemoryText, AFileWithoutLaterStateIsComplete) {
+  SavedMemory saved{sbgc::serving::owner_of({}), {}};
+  const std::string text = sbgc::serving::to_json_text(saved);
+  EXPECT_EQ(text.find("profile_set"), std::string::npos) << "as earlier emulators wrote it";
+  EXPECT_EQ(text.find("state_variables"), std::string::npos);
+  const auto read = parse_memory(text);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->memory, saved.memory);
+}
+
+TEST(MemoryText, LaterStateHasItsLimits) {
+  SavedMemory saved{sbgc::serving::owner_of({}), {}};
+  saved.memory.profile_set = 6;
+  saved.memory.state_variables.assign(3, 0xAB);
+  const std::string text = sbgc::serving::to_json_text(saved);
+  expect_error(changed(text, "\"profile_set\": 6", "\"profile_set\": 7"), ErrorCode::bad_file,
+               "profile_set");
+  expect_error(changed(text, "ababab", "ababa"), ErrorCode::bad_file, "state_variables");
+  expect_error(changed(text, "ababab", "ababac"), ErrorCode::bad_file, "crc32");
 }
 
 }  // namespace

@@ -233,3 +233,108 @@ def test_leaf_by_leaf(tmp_path: Path) -> None:
         ("reserved", "RESERVED", 23, "bytes", 3, None, None, None, None, None, True),
         ("d", "D", 26, "bytes", None, None, None, None, None, None, False),
     ]
+
+
+LATER = """\
+family: probe
+enums:
+  Lamp:
+    type: u8
+    summary: A lamp.
+    source: L1
+    values:
+      LAMP_OFF: {value: 0, summary: "Off."}
+      LAMP_LIT:
+        value: 1
+        was: [LAMP_ON, LAMP_SHINE]
+        since: {firmware: 2.60}
+        before: {firmware: 2.70, summary: It blinked.}
+        unconfirmed: true
+        summary: It is lit.
+packed:
+  Tilt:
+    type: u64
+    summary: A tilt.
+    source: L1
+    parts:
+      - {name: low, bits: 0..11, signed: true, summary: A number.}
+      - {name: high, bits: 12..26, sign: 27, type: Angle, summary: An angle.}
+variables:
+  DIMMER: {id: 7, type: u8, range: 0..9, since: {firmware: 2.70}, unconfirmed: true, summary: A dimmer.}
+commands:
+  CMD_PROBE:
+    id: 9
+    was: CMD_OLD
+    unconfirmed: true
+    summary: All that later firmware can do.
+    from_board:
+      source: L1
+      rules: [LOW < HIGH]
+      fields:
+        - {name: VERSION, type: u8, constant: 2, summary: A version.}
+        - {name: LAMP, type: Lamp, default: LAMP_LIT, was: LIGHT, summary: A lamp.}
+        - {name: LOW, type: u24, summary: A number.}
+        - {name: HIGH, type: u24, unconfirmed: true, summary: A number.}
+        - {name: TILT, type: Tilt, since: {firmware: 2.60}, summary: A tilt.}
+        - {name: ID, type: VariableId, since: {firmware: 2.70}, summary: A variable.}
+  CMD_LISTS:
+    id: 10
+    summary: Lists of all kinds.
+    from_board:
+      source: L2
+      fields:
+        - {name: OPTIONS, type: Options, summary: Options.}
+        - {name: SIZE, type: u8, summary: A size.}
+        - {name: "A[OPTIONS]", type: u8, summary: By bits.}
+        - {name: "B[SIZE]", type: u16, counted_in: bytes, summary: By bytes.}
+        - {name: COUNT, type: u8, summary: A count.}
+        - {name: "C[COUNT]", type: u8, counted_from: 1, summary: By the count minus 1.}
+        - {name: D, type: f64, when: {field: OPTIONS, any: [OPTION_FAST, OPTION_FINE]}, summary: One flag.}
+        - {name: E, type: i24, when: {field: OPTIONS, has: OPTION_FAST, has_not: OPTION_FINE}, summary: Not both.}
+        - {name: F, type: u64, when: {field: SIZE, is_not: [0, 1]}, summary: A number.}
+        - {name: G, type: Pair, when: {field: SIZE, is: 9}, since: {firmware: 2.60}, summary: Two numbers.}
+"""
+
+
+def test_what_later_firmware_needs_is_exported(tmp_path: Path) -> None:
+    exported = export(layout_of(tmp_path, LATER))
+    messages = {m["name"]: m for m in exported["messages"]}
+    probe = messages["Probe"]
+    leaf = {item["path"]: item for item in probe["layout"]}
+    assert (leaf["version"]["default"], leaf["version"]["constant"]) == (2, 2)
+    assert (leaf["lamp"]["default"], leaf["lamp"]["formerly"]) == (1, ["LIGHT"])
+    assert leaf["high"]["unconfirmed"] is True and "unconfirmed" not in leaf["low"]
+    assert probe["rules"] == ["low < high"] and probe["unconfirmed"] is True
+    assert probe["sizes"] == [
+        {"since": None, "size": 8},
+        {"since": {"firmware": "2.60"}, "size": 16},
+        {"since": {"firmware": "2.70"}, "size": 17},
+    ]
+    assert (probe["min_size"], probe["max_size"]) == (8, 17)
+    assert leaf["tilt"]["may_be_missing"] and leaf["tilt"]["since"] == {"firmware": "2.60"}
+
+    lists = {item["path"]: item for item in messages["Lists"]["layout"]}
+    counted = {name: item.get("counted_in") for name, item in lists.items() if "counted_by" in item}
+    assert counted == {"a": "bits", "b": "bytes", "c": "minus_1"}
+    assert lists["d"]["when"]["any"] == ["OPTION_FAST", "OPTION_FINE"]
+    assert lists["e"]["when"]["has"] == ["OPTION_FAST"]
+    assert lists["e"]["when"]["has_not"] == ["OPTION_FINE"]
+    assert lists["f"]["when"]["is_not"] == [0, 1] and lists["f"]["when"]["is"] == []
+    assert [lists[name]["type"] for name in "def"] == ["f64", "i24", "u64"]
+    assert lists["g.first"]["may_be_missing"] is True and "may_be_missing" not in lists["f"]
+    (group,) = messages["Lists"]["groups"]
+    assert (group["path"], group["since"]) == ("g", {"firmware": "2.60"})
+    assert (group["when"]["field"], group["when"]["is"]) == ("size", [9])
+
+    (lamp,) = [e for e in exported["enums"] if e["name"] == "Lamp"]
+    lit = lamp["values"][1]
+    assert lit["formerly"] == ["LAMP_ON", "LAMP_SHINE"] and lit["unconfirmed"] is True
+    assert lit["before"] == {"firmware": "2.70", "summary": "It blinked."}
+    (tilt,) = [p for p in exported["packed"] if p["name"] == "Tilt"]
+    low, high = tilt["parts"]
+    assert low["signed"] is True and "sign" not in low
+    assert high["sign"] == 1 << 27 and high["unit"] == "deg"
+    (dimmer,) = exported["adjustable_variables"]
+    assert dimmer["since"] == {"firmware": "2.70"} and dimmer["unconfirmed"] is True
+    (command,) = [c for c in exported["commands"] if c["name"] == "CMD_PROBE"]
+    assert command["formerly"] == ["CMD_OLD"] and command["unconfirmed"] is True

@@ -17,6 +17,7 @@ from sbgcgen.model import (
     Announced,
     Blob,
     Checksum,
+    Crc,
     Enum,
     Field,
     Framing,
@@ -252,6 +253,32 @@ def test_frames_are_as_the_framing_says(layout: Layout) -> None:
     assert frames_in(framing, wrong + frame) == [(8, 0xFF, b"\x01\x02")]
     small = replace(framing, max_body=1)
     assert not frames_in(small, frame)
+
+
+# Catalogued checks of 16 bits, with the value of "123456789".
+CATALOGUE = {
+    "ARC": (Crc(0x8005, 0, True, True, 0), 0xBB3D),
+    "XMODEM": (Crc(0x1021, 0, False, False, 0), 0x31C3),
+    "GENIBUS": (Crc(0x1021, 0xFFFF, False, False, 0xFFFF), 0xD64E),
+    "MCRF4XX": (Crc(0x1021, 0xFFFF, True, True, 0), 0x6F91),
+    "of the protocol": (Crc(0x8005, 0, True, False, 0), 0xBCDD),
+}
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_crc(name: str) -> None:
+    crc, check = CATALOGUE[name]
+    assert crc.value(b"123456789") == check
+
+
+def test_the_start_byte_says_which_framing_applies(layout: Layout) -> None:
+    v1, v2 = layout.framings
+    frames = [write_frame(framing, 77, b"") for framing in (v1, v2)]
+    assert frames[1] == bytes.fromhex("24 4d 00 4d 44 0a")
+    stream = frames[0] + frames[1] + b"\x24" + frames[0][1:] + frames[1]
+    found = [(it.offset, it.framing.name) for it in read_frames(layout.framings, stream)]
+    assert found == [(0, "v1"), (5, "v2"), (16, "v2")]
+    assert [it.offset for it in read_frames([v1], stream)] == [0]
 
 
 # The vectors

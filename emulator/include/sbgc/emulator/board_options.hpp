@@ -17,8 +17,8 @@ struct BoardOptions {
                                 msg::BoardFeature::encoders | msg::BoardFeature::bode_test |
                                 msg::BoardFeature::scripting | msg::BoardFeature::current_sensor;
   /// Features that the firmware has; it reports those that it knows.
-  msg::BoardFeaturesExt features_ext = msg::BoardFeaturesExtBit::ext_imu |
-                                       msg::BoardFeaturesExtBit::state_vars;
+  msg::BoardFeaturesExt features_ext =
+      msg::BoardFeaturesExtBit::ext_imu | msg::BoardFeaturesExtBit::state_vars;
   msg::BoardFeaturesExt2 features_ext2 =
       msg::BoardFeaturesExt2Bit::plus_ver | msg::BoardFeaturesExt2Bit::ext_motors |
       msg::BoardFeaturesExt2Bit::quat_control | msg::BoardFeaturesExt2Bit::shake_generator;

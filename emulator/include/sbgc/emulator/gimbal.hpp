@@ -37,7 +37,7 @@ struct AxisCommand {
   AxisMode mode{};
   double speed{};
   double angle{};
-  double signal{};     ///< -1..1
+  double signal{};       ///< -1..1
   bool is_lost = false;  ///< `signal` is lost: the axis holds its target
 };
 

@@ -36,9 +36,9 @@ struct Memory {
   static constexpr std::size_t profile_set_slots = 6;  ///< the last one is the backup
   /// The parameters of all profiles in each slot; empty slots have no bytes.
   std::array<std::vector<std::uint8_t>, profile_set_slots> profile_sets{};
-  std::uint8_t profile_set = 1;               ///< the selected slot, counted from 1
+  std::uint8_t profile_set = 1;                 ///< the selected slot, counted from 1
   std::vector<std::uint8_t> state_variables{};  ///< body of CMD_READ_STATE_VARS; empty: none
-  std::uint32_t revision = 0;               ///< grows with each change; not saved
+  std::uint32_t revision = 0;                   ///< grows with each change; not saved
   /// True if there may be unsaved changes; rewriting the same bytes then counts as a change. Only
   /// used with BoardOptions::waits_for_saving; not saved.
   bool is_unsaved = false;

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from typing import Any
 
 from sbgcgen.model import (
@@ -19,6 +21,7 @@ from sbgcgen.model import (
     Packed,
     Quantity,
     Role,
+    Struct,
     Until,
     element_of,
 )
@@ -227,6 +230,42 @@ def _context(context: Context) -> dict[str, Any]:
     }
 
 
+def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
+    """The groups of fields about which there is something to say, with their paths."""
+    for field in fields:
+        if isinstance(field.type, Struct):
+            name = path + field.name
+            if field.may_be_absent or field.since or field.unconfirmed or field.aliases:
+                yield name, field
+            yield from _groups(field.type.fields, f"{name}.")
+
+
+def _group(path: str, field: Field) -> dict[str, Any]:
+    """The facts about all fields of a group."""
+    result: dict[str, Any] = {"path": path}
+    if field.when:
+        result["when"] = _condition(field.when)
+    if field.appended:
+        result["may_be_missing"] = True
+    if field.since:
+        result["since"] = version(field.since)
+    if field.unconfirmed:
+        result["unconfirmed"] = True
+    if field.aliases:
+        result["formerly"] = [alias.spec_name for alias in field.aliases]
+    return result
+
+
+def _leaf_of(message: Message, leaf: Leaf) -> dict[str, Any]:
+    """A leaf of a message; leaves of a conditional group may be missing."""
+    result = _leaf(leaf)
+    plain = re.sub(r"\[\d*\]", "", leaf.path)
+    for path, field in _groups(message.fields):
+        if field.may_be_absent and plain.startswith(f"{path}."):
+            result["may_be_missing"] = True
+    return result
+
+
 def _form(name: str | None) -> str | None:
     """The kind of a form. Forms with other names are later, longer ones."""
     return name if name in (None, *_FORMS) else "extended"
@@ -258,10 +297,13 @@ def message_json(message: Message) -> dict[str, Any]:
         "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
-        "layout": [_leaf(leaf) for leaf in message.leaves],
+        "layout": [_leaf_of(message, leaf) for leaf in message.leaves],
     }
     if message.unconfirmed:
         result["unconfirmed"] = True
+    groups = [_group(path, field) for path, field in _groups(message.fields)]
+    if groups:
+        result["groups"] = groups
     if message.lengths:
         result["sizes"] = [
             {"since": version(since), "size": size} for since, size in message.lengths

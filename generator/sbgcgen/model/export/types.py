@@ -108,6 +108,8 @@ def _part(part: Part) -> dict[str, Any]:
         result["sign"] = part.sign
     if part.quantity:
         result["quantity"] = part.quantity.name
+        result["unit"] = part.quantity.unit
+        result["scale"] = number(part.quantity.scale)
     return result
 
 

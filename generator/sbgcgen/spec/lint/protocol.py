@@ -221,7 +221,9 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
             found.add(message.at, "SBGC037", text, "mark its field with 'role: copy'")
         if field is None:
             continue
-        is_number = isinstance(field.type, Scalar) and field.dim == "one" and not field.may_be_absent
+        is_number = (
+            isinstance(field.type, Scalar) and field.dim == "one" and not field.may_be_absent
+        )
         is_limited = field.maximum is not None and field.maximum < MAX_COPIES
         if not is_number or field.is_counter or field.minimum != 0 or not is_limited:
             text = f"'{field.name}' cannot count the copies of the settings"

@@ -107,10 +107,15 @@ class FieldResolver:
                 continue
             first, second = by_name[low], by_name[high]
             is_number = isinstance(first.type, (Scalar, Quantity))
-            if first is second or not is_number or (first.type, first.dim, first.count) != (
-                second.type,
-                second.dim,
-                second.count,
+            if (
+                first is second
+                or not is_number
+                or (first.type, first.dim, first.count)
+                != (
+                    second.type,
+                    second.dim,
+                    second.count,
+                )
             ):
                 hint = "a rule is about two fields that hold numbers of the same type, equally many"
                 self.found.add(at, "SBGC026", f"'{low}' and '{high}' cannot be compared", hint)
@@ -491,4 +496,3 @@ def _number_reserved(fields: list[Field]) -> list[Field]:
 def _mark_counters(fields: list[Field]) -> list[Field]:
     counters = {f.counter for f in fields if f.has_hidden_counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]
-

@@ -353,9 +353,7 @@ class MessageResolver:
             *(f if f.dim == "rest" else replace(f, appended=True) for f in fields[first:]),
         )
 
-    def _check_later(
-        self, draft: _Draft, fields: tuple[Field, ...], since: Availability
-    ) -> None:
+    def _check_later(self, draft: _Draft, fields: tuple[Field, ...], since: Availability) -> None:
         """Report later fields without bytes in the bodies of older firmware."""
         for field in fields:
             if field.when or field.dim == "rest":
@@ -364,8 +362,6 @@ class MessageResolver:
                 text = f"older firmware of {draft.name} has no bytes for '{field.name}'"
                 hint = "move it to the end, or give the message a 'size' if they were reserved"
                 self.found.add(field.at, "SBGC071", text, hint)
-            elif isinstance(field.type, Struct) and not field.type.is_region:
-                self._check_later(draft, field.type.fields, since.later(field.since))
 
     def _check_size(self, draft: _Draft, fields: tuple[Field, ...]) -> None:
         size = total_size(fields)

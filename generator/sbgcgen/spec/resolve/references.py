@@ -47,9 +47,7 @@ class ReferenceResolver:
         found: dict[str, tuple[str, Type, bool]] = (
             {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
             if from_context
-            else {
-                f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"
-            }
+            else {f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"}
         )
         unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
         if from_context and wanted in unknown:

@@ -90,7 +90,9 @@ class RoleResolver:
             hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
-        problem = "" if field.offset is not None and not field.may_be_absent else "has no fixed offset"
+        problem = (
+            "" if field.offset is not None and not field.may_be_absent else "has no fixed offset"
+        )
         problem = problem or self._why_not(str(node["is"]), part, field)
         if problem:
             hint = f"{part}: a field that every body of the message has"

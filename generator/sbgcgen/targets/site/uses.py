@@ -87,7 +87,9 @@ def references(layout: Layout) -> References:
             if type_.names:
                 found.of_type(type_.names.name, use)
     for variable in layout.variables:
-        use = Use("adjustable variable", variable.name, f"variables.html#{variable.name}", variable.since)
+        use = Use(
+            "adjustable variable", variable.name, f"variables.html#{variable.name}", variable.since
+        )
         found.of_errata(variable.errata, use)
         if variable.quantity:
             found.of_type(variable.quantity.name, use)
@@ -101,7 +103,9 @@ def _of_message(message: Message, found: References) -> None:
     here = Use("message", message.name, page, message.since)
     found.of_errata(message.errata, here)
     if message.answer:
-        found.of_errata(message.answer.errata, Use("message", message.name, f"{page}#answer", message.since))
+        found.of_errata(
+            message.answer.errata, Use("message", message.name, f"{page}#answer", message.since)
+        )
     if message.stores:
         found.storers.setdefault(message.stores, []).append(message)
     for context in message.contexts:
@@ -109,7 +113,9 @@ def _of_message(message: Message, found: References) -> None:
         for name in names + [source for source, _ in context.sources]:
             found.contexts.setdefault(name, []).append(message)
         if context.type:
-            found.of_type(context.type.name, Use("message", message.name, f"{page}#context", message.since))
+            found.of_type(
+                context.type.name, Use("message", message.name, f"{page}#context", message.since)
+            )
     for row in rows_of(message):
         since = message.since.later(row.since)
         use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{row.first}", since)

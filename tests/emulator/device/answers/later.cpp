@@ -51,8 +51,8 @@ void Table::add_later_control() {
   const msg::PackedQuaternion packed_level;
   add<msg::ControlQuatDisabled>({.request = {.flags = confirm}, .after = is_in(Mode::disabled)});
   add<msg::ControlQuatSpeed>({.request = {.flags = confirm}, .after = is_in(Mode::speed)});
-  add<msg::ControlQuatAttitude>({.request = {.flags = confirm, .target_attitude = level},
-                                 .after = is_in(Mode::attitude)});
+  add<msg::ControlQuatAttitude>(
+      {.request = {.flags = confirm, .target_attitude = level}, .after = is_in(Mode::attitude)});
   // Without options there is no confirmation, with AUTO_TASK one at the end.
   add<msg::ControlQuatAttitude>({.request = {.target_attitude = level}});
   add<msg::ControlQuatAttitude>(
@@ -80,9 +80,9 @@ void Table::add_later_control() {
                           EXPECT_FALSE(host.board.gimbal().motors_on()) << "the time is over";
                         }});
   using Flag = msg::ExecuteMenuFlag;
-  for (const msg::ExecuteMenuFlags flags : {msg::ExecuteMenuFlags(Flag::confirm),
-                                            msg::ExecuteMenuFlags(Flag::confirm_on_finish),
-                                            Flag::confirm | Flag::confirm_on_finish}) {
+  for (const msg::ExecuteMenuFlags flags :
+       {msg::ExecuteMenuFlags(Flag::confirm), msg::ExecuteMenuFlags(Flag::confirm_on_finish),
+        Flag::confirm | Flag::confirm_on_finish}) {
     add<msg::ExecuteMenuExt>({.request = {.cmd_id = msg::MenuCommand::calib_gyro, .param = flags}});
   }
 }
@@ -96,20 +96,18 @@ void Table::add_external_motors() {
   add<msg::ExtMotorsControl>({.request = any_request<msg::ExtMotorsControl>()});
   add<msg::ExtMotorsControlConfig>({.request = {.for_motors = all_motors()}});
   add<msg::ExtMotorsControlConfig>({.request = {.for_motors = quiet}});
-  add<msg::ExtMotorsStateRequest>(
-      {.request = {.for_motors = msg::ExtMotor::motor3,
-                   .data_set = msg::ExtMotorsStateFields(0xFFFFF)},
-       .after = [](Host&, const Packets& packets) {
-         EXPECT_EQ(only<msg::ExtMotorsState>(packets).motor_id, 2);
-       }});
+  add<msg::ExtMotorsStateRequest>({.request = {.for_motors = msg::ExtMotor::motor3,
+                                               .data_set = msg::ExtMotorsStateFields(0xFFFFF)},
+                                   .after = [](Host&, const Packets& packets) {
+                                     EXPECT_EQ(only<msg::ExtMotorsState>(packets).motor_id, 2);
+                                   }});
 }
 
 void Table::add_later_parameters() {
   add<msg::WriteParamsSet>({.request = {.action = msg::WriteParamsAction::start}});
   add<msg::ProfileSet>({.request = {.slot = 5, .action = msg::ProfileSetAction::save},
                         .after = [](Host& host, const Packets&) {
-                          const auto info =
-                              host.get<msg::BoardInfo3>(msg::BoardInfo3Request{});
+                          const auto info = host.get<msg::BoardInfo3>(msg::BoardInfo3Request{});
                           EXPECT_EQ(info.profile_set_slots, msg::StoredProfileSet::set5);
                         }});
   msg::SetAdjVarsValF set;
@@ -122,8 +120,7 @@ void Table::add_later_parameters() {
     EXPECT_EQ(values.params[0].value, 42);
   };
   add<msg::SetAdjVarsValF>(
-      {.request = set,
-       .after = [=](Host& host, const Packets&) { is_set(host, host.ask(get)); }});
+      {.request = set, .after = [=](Host& host, const Packets&) { is_set(host, host.ask(get)); }});
   add<msg::GetAdjVarsValF>(
       {.request = get, .before = [=](Host& host) { host.ask(set); }, .after = is_set});
   const auto begins_with = [](msg::VariableId first) {
@@ -165,12 +162,12 @@ void Table::add_later_devices() {
   add<msg::ExtImuDebugInfoRequest>({});
   msg::ExtImuCmd command;
   command.cmd_id = 7;
-  add<msg::ExtImuCmd>({.request = command,
-                       .comes = Comes::confirmation,
-                       .after = [](Host&, const Packets& packets) {
-                         EXPECT_EQ(only<msg::ExtImuCmd>(packets).cmd_id, 7);
-                       },
-                       .options = newest_board()});
+  add<msg::ExtImuCmd>(
+      {.request = command,
+       .comes = Comes::confirmation,
+       .after = [](Host&,
+                   const Packets& packets) { EXPECT_EQ(only<msg::ExtImuCmd>(packets).cmd_id, 7); },
+       .options = newest_board()});
   add<msg::ExtSensCmdRequest>({.request = {.cmd_id = msg::ExtSensCommand::get_device_info},
                                .comes = Comes::confirmation,
                                .after = [](Host&, const Packets& packets) {
@@ -179,10 +176,9 @@ void Table::add_later_devices() {
                                }});
   msg::DebugVars3RequestSelected selected;
   selected.selected_mask.push_back(3);
-  add<msg::DebugVars3RequestSelected>({.request = selected,
-                                       .after = [](Host&, const Packets& packets) {
-                                         EXPECT_THAT(packets, SizeIs(1));
-                                       }});
+  add<msg::DebugVars3RequestSelected>(
+      {.request = selected,
+       .after = [](Host&, const Packets& packets) { EXPECT_THAT(packets, SizeIs(1)); }});
   add<msg::ServoOutExt>({.request = any_request<msg::ServoOutExt>()});
   msg::I2cDevice imu;
   imu.set_port(msg::I2cPort::main);
@@ -198,8 +194,7 @@ void Table::add_later_devices() {
   // Two IMUs and seven drivers.
   add<msg::ModuleListRequest>({.after =
                                    [](Host&, const Packets& packets) {
-                                     EXPECT_THAT(only<msg::ModuleList>(packets).modules,
-                                                 SizeIs(9));
+                                     EXPECT_THAT(only<msg::ModuleList>(packets).modules, SizeIs(9));
                                    },
                                .options = newest_board()});
   add<msg::CanDeviceScanRequest>({.after =

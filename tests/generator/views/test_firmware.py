@@ -1,0 +1,109 @@
+"""The history of the protocol: what each version added, changed and ended."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.model import Layout
+from sbgcgen.views.firmware import History
+from support import layout_of
+
+PROBE = """\
+family: probe
+enums:
+  Lamp:
+    type: u8
+    summary: A lamp.
+    source: L1
+    values:
+      OFF: {value: 0, summary: It is off.}
+      LIT: {value: 1, since: {firmware: 2.60b3}, summary: It is lit.}
+      DIM: {value: 2, since: {firmware: 2.60}, before: {firmware: 2.60, summary: It was red.}, summary: It is dim.}
+structs:
+  Colors:
+    summary: Colors.
+    fields:
+      - {name: RED, type: u8, summary: Red.}
+      - {name: BLUE, type: u8, summary: Blue.}
+variables:
+  DIMMER: {id: 7, type: u8, range: 0..9, since: {firmware: 2.70}, summary: A dimmer.}
+commands:
+  CMD_OLD:
+    id: 9
+    since: {board: 3.0}
+    summary: An old command.
+    from_board:
+      source: L1
+      fields:
+        - {name: ID, type: VariableId, deprecated: {since: {firmware: 2.70}}, summary: A variable.}
+        - {name: LAMP, type: Lamp, since: {firmware: 2.60b3}, summary: A lamp.}
+        - {name: COLORS, type: Colors, since: {firmware: 2.60b3}, summary: Its colors.}
+    to_board:
+      source: L2
+      effect: sets
+      summary: Set the lamp.
+      answer: none
+      forms:
+        simple:
+          since: {board: 3.0}
+          until: {firmware: 2.70, instead: extended}
+          fields:
+            - {name: MODE, type: u8, summary: A mode.}
+        extended:
+          since: {firmware: 2.70}
+          fields:
+            - {name: MODE, type: u16, summary: A mode.}
+  CMD_LATER:
+    id: 10
+    since: {firmware: 2.70}
+    summary: A new command.
+    from_board:
+      source: L1
+      fields:
+        - {name: A, type: u8, since: {firmware: 2.70}, summary: A number.}
+"""
+
+
+@pytest.fixture(name="layout")
+def made(tmp_path: Path) -> Layout:
+    return layout_of(tmp_path, PROBE)
+
+
+def test_versions_by_release(layout: Layout) -> None:
+    history = History(layout)
+    assert [(r.text, [n.text for n in r.news]) for r in history.releases] == [
+        ("2.60", ["2.60", "2.60b3"]),
+        ("2.70", ["2.70"]),
+    ]
+    assert [news.text for news in history.of_boards] == ["3.0"]
+
+
+def test_choices_include_each_release_and_version(layout: Layout) -> None:
+    assert History(layout).choices == [
+        ("2.60", [(2600, "2.60"), (2603, "2.60b3")]),
+        ("2.70", [(2700, "2.70")]),
+    ]
+
+
+def test_news_of_a_firmware(layout: Layout) -> None:
+    first, beta, last = History(layout).of_firmware
+    assert [value.name for _, value in first.changed] == ["DIM"]
+    assert first.enum_values == [], "a value that changed its meaning is not new"
+    assert [value.name for _, value in beta.enum_values] == ["LIT"]
+    assert [row.path for _, row in beta.fields] == ["lamp", "colors"]
+    assert [command.name for command in last.commands] == ["CMD_LATER"]
+    assert [message.name for message in last.messages_of(last.commands[0])] == ["Later"]
+    assert [message.name for message in last.forms] == ["OldRequestExt"]
+    assert [message.name for message in last.ended] == ["OldRequest"]
+    assert [variable.name for variable in last.variables] == ["DIMMER"]
+    assert [row.path for _, row in last.deprecated] == ["id"]
+    assert last.fields == [], "a field is not newer than its message"
+
+
+def test_news_of_a_board(layout: Layout) -> None:
+    (board,) = History(layout).of_boards
+    assert [command.name for command in board.commands] == ["CMD_OLD"]
+    assert [message.name for message in board.messages] == ["Old", "OldRequest"]
+    assert board.forms == []
