@@ -271,12 +271,12 @@ def test_crc(name: str) -> None:
     assert crc.value(b"123456789") == check
 
 
-def test_the_start_byte_says_which_framing_applies(layout: Layout) -> None:
-    v1, v2 = layout.framings
+def test_the_start_byte_says_which_framing_applies() -> None:
+    v1, v2 = protocol().framings
     frames = [write_frame(framing, 77, b"") for framing in (v1, v2)]
     assert frames[1] == bytes.fromhex("24 4d 00 4d 44 0a")
     stream = frames[0] + frames[1] + b"\x24" + frames[0][1:] + frames[1]
-    found = [(it.offset, it.framing.name) for it in read_frames(layout.framings, stream)]
+    found = [(it.offset, it.framing.name) for it in read_frames([v1, v2], stream)]
     assert found == [(0, "v1"), (5, "v2"), (16, "v2")]
     assert [it.offset for it in read_frames([v1], stream)] == [0]
 

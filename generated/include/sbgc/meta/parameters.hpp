@@ -845,11 +845,6 @@ struct Meta<msg::ReadParamsExt> {
     visitor(fields[29], value.d_term_lpf_freq);
     visitor(tail_field, value.tail);
   }
-  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
-  template <class T, class Check>
-  static constexpr void rules(const T& value, Check&& check) {
-    check(fields[13], value.encoder_limit_min, fields[14], value.encoder_limit_max, false);
-  }
 };
 
 template <>
