@@ -24,6 +24,7 @@
 #include "input.hpp"
 #include "input_guess.hpp"
 #include "rejected_candidates.hpp"
+#include "serving/arguments.hpp"
 #include "wording.hpp"
 
 namespace sbgc::tools {
@@ -35,7 +36,15 @@ struct DecodeOptions {
   std::string from = "auto";
   std::string format = "text";
   bool hex = false;
+  std::string firmware{};
 };
+
+/// Returns a decoder for the firmware of the options.
+FrameDecoder decoder_of(const DecodeOptions& options) {
+  if (options.firmware.empty()) return FrameDecoder();
+  // Any board: which features it has is not known.
+  return FrameDecoder(Availability{serving::read_firmware(options.firmware).raw(), 0xFF});
+}
 
 std::optional<Direction> direction(const std::string& from) {
   if (from == "board") return Direction::from_board;
@@ -95,6 +104,7 @@ class RawDecoder {
       : jsonl_(options.format == "jsonl"),
         is_hex_(options.hex),
         direction_(direction(options.from)),
+        decoder_(decoder_of(options)),
         explainer_(direction_) {}
 
   void feed(std::span<const std::uint8_t> bytes) {
@@ -170,7 +180,10 @@ class RawDecoder {
 class CaptureDecoder final : private CaptureListener {
  public:
   explicit CaptureDecoder(const DecodeOptions& options)
-      : jsonl_(options.format == "jsonl"), only_(direction(options.from)), frames_(*this) {}
+      : jsonl_(options.format == "jsonl"),
+        only_(direction(options.from)),
+        frames_(*this),
+        new_decoder_(decoder_of(options)) {}
 
   void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
 
@@ -204,7 +217,7 @@ class CaptureDecoder final : private CaptureListener {
   }
 
   void on_session(const io::CaptureSession& session) override {
-    decoder_ = FrameDecoder();
+    decoder_ = new_decoder_;
     ++session_;
     if (jsonl_) return;
     // Use seconds, because a conversion to nanoseconds overflows for dates far in the future.
@@ -249,7 +262,8 @@ class CaptureDecoder final : private CaptureListener {
   bool jsonl_;
   std::optional<Direction> only_;
   CaptureFrames frames_;
-  FrameDecoder decoder_;
+  FrameDecoder new_decoder_;
+  FrameDecoder decoder_ = new_decoder_;
   int session_ = -1;
   std::uint64_t found_ = 0;  // number of frames
   std::uint64_t skipped_ = 0;
@@ -325,6 +339,17 @@ void add_decode(CLI::App& app, int& status) {
   command->add_option("--format", options->format, "Output format")
       ->check(CLI::IsMember({"text", "jsonl"}))
       ->capture_default_str();
+  command
+      ->add_option("--firmware", options->firmware,
+                   "Firmware of the board, such as 2.59: name what it does not know")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          serving::read_firmware(text);
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+        return {};
+      });
   command->add_flag("--hex", options->hex, "Read hex text instead of raw bytes");
   command->footer(
       "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "

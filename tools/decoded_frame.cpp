@@ -62,10 +62,34 @@ struct RowCollector {
     const std::string path = to_string(violation.path);
     for (Row& row : rows) {
       if (row.path != path) continue;
-      row.objection += (row.objection.empty() ? "" : ", ") + violation_text(violation);
+      if (!row.objection.empty()) row.objection += ", ";
+      if (violation.named != nullptr) row.objection += violation.named->name + std::string(" ");
+      row.objection += violation_text(violation);
     }
   }
 };
+
+/// Returns why a board with these versions does not know the message, or "".
+std::string objection_to(const MessageInfo& info, const Availability& versions) {
+  const auto firmware = [](std::uint16_t version) {
+    return to_string(msg::FirmwareVersion(version));
+  };
+  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
+    return "needs firmware before " + firmware(info.until.firmware);
+  }
+  return info.since.firmware > versions.firmware ? "needs firmware " + firmware(info.since.firmware)
+                                                 : std::string();
+}
+
+/// Returns objections by path; that to the whole message has the path "".
+Json objections_of(const DecodedFrame& decoded) {
+  Json result = Json::object();
+  if (!decoded.objection.empty()) result[""] = decoded.objection;
+  for (const Row& row : decoded.rows) {
+    if (!row.objection.empty()) result[row.path] = row.objection;
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -76,7 +100,7 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
     contexts_.learn(message);
     result.fields = sbgc::to_json(message);
     for_each_leaf(message, RowCollector{result.rows});
-    validate(message, RowCollector{result.rows});
+    validate(message, versions_.value_or(newest), RowCollector{result.rows});
   };
   result.status = visit(frame, result.direction, take, contexts_);
   // The context may belong to another stream, so retry without context: no data is better than
@@ -88,6 +112,8 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   result.error_field = result.status.field;
   select(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
     result.message = &Meta<M>::info;
+    result.is_for_firmware = versions_.has_value();
+    if (versions_) result.objection = objection_to(Meta<M>::info, *versions_);
     if (result.status.code == Code::too_short && result.error_field.empty()) {
       result.error_field = field_at<M>(result.status.offset);
     }
@@ -98,13 +124,14 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
 Json DecodedFrame::to_json() const {
   Json result;
   result["offset"] = frame.offset;
-  result["framing"] = to_string(frame.framing);
   result["command"] = command.empty() ? Json() : Json(command);
   result["id"] = frame.id;
   result["message"] = message == nullptr ? Json() : Json(message->name);
   result["direction"] = direction == Direction::from_board ? "from_board" : "to_board";
+  result["framing"] = to_string(frame.framing);
   if (status) {
     result["fields"] = fields;
+    if (is_for_firmware) result["objections"] = objections_of(*this);
   } else {
     result["error"] = {
         {"code", name(status.code)}, {"field", error_field}, {"offset", status.offset}};

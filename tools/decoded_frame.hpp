@@ -16,7 +16,8 @@ struct Row {
   std::string path;
   std::string raw;
   std::string meaning;    ///< the value in its unit, or its name
-  std::string objection;  ///< violation of the specification, such as "is below 1 Hz"
+  std::string objection;  ///< violation of the specification, such as "is below 1 Hz", or with its
+                          ///< own subject, "MODE_RC needs firmware 2.66"
   std::size_t offset{};   ///< offset of the value in the body
   std::size_t size{};     ///< size of the value in bytes
 };
@@ -31,6 +32,8 @@ struct DecodedFrame {
   std::string error_field{};  ///< the field of the error, if known
   Json fields{};
   std::vector<Row> rows{};
+  bool is_for_firmware{};     ///< checked against the versions of a certain board
+  std::string objection{};    ///< why a board with these versions does not know the message, or ""
 
   /// Returns the object that `sbgc decode --format jsonl` prints.
   Json to_json() const;
@@ -39,10 +42,15 @@ struct DecodedFrame {
 /// Decodes frames in sequence and stores the context for later ones.
 class FrameDecoder {
  public:
+  FrameDecoder() = default;
+  /// Objects to what a board with these versions does not know.
+  explicit FrameDecoder(const Availability& versions) : versions_(versions) {}
+
   /// `direction` is the direction of the frame; if it is missing, the frame size decides.
   DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
 
  private:
+  std::optional<Availability> versions_;
   Contexts contexts_;
 };
 

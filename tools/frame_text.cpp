@@ -12,12 +12,13 @@ namespace {
 
 std::string heading(const DecodedFrame& decoded, const std::string& place) {
   const bool is_from_board = decoded.direction == Direction::from_board;
-  return fmt::format("{}  {} ({})  {}, {}{}{}\n", place,
+  return fmt::format("{}  {} ({})  {}, {}{}{}{}{}\n", place,
                      decoded.command.empty() ? "unknown command" : decoded.command,
                      decoded.frame.id, is_from_board ? "board to host" : "host to board",
                      counted(decoded.frame.body.size(), "byte"),
                      decoded.message == nullptr ? "" : "  ",
-                     decoded.message == nullptr ? "" : decoded.message->name);
+                     decoded.message == nullptr ? "" : decoded.message->name,
+                     decoded.objection.empty() ? "" : "  ", decoded.objection);
 }
 
 std::string error_lines(const DecodedFrame& decoded) {
@@ -27,10 +28,12 @@ std::string error_lines(const DecodedFrame& decoded) {
                      decoded.error_field, status.offset, detail::to_hex(decoded.frame.body));
 }
 
-/// Joins meaning and objection: "1 Hz is below 554 Hz".
+/// Joins meaning and objection: "1 Hz is below 554 Hz", "MODE_RC needs firmware 2.66".
 std::string remark(const Row& row) {
-  const bool has_both = !row.meaning.empty() && !row.objection.empty();
-  return row.meaning + (has_both ? " " : "") + row.objection;
+  if (row.meaning.empty() || row.objection.empty()) return row.meaning + row.objection;
+  if (row.objection.starts_with(row.meaning + " ")) return row.objection;
+  const bool has_subject = row.objection.front() >= 'A' && row.objection.front() <= 'Z';
+  return row.meaning + (has_subject ? "; " : " ") + row.objection;
 }
 
 std::string value_lines(const std::vector<Row>& rows) {

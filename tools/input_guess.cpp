@@ -3,52 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include <sbgc/protocol.hpp>
-
 #include "hex_text.hpp"
-#include "wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
-
-/// The checksum of the second framing, which later firmware adds; see the errata of the
-/// specification.
-std::uint16_t crc16(ByteSpan bytes) {
-  constexpr std::uint32_t polynomial = 0x8005;
-  std::uint32_t sum = 0;
-  for (const std::uint8_t byte : bytes) {
-    for (unsigned bit = 0; bit < 8; ++bit) {
-      const bool is_odd = ((byte >> bit ^ sum >> 15U) & 1U) != 0;
-      sum = (sum << 1U ^ (is_odd ? polynomial : 0)) & 0xFFFFU;
-    }
-  }
-  return static_cast<std::uint16_t>(sum);
-}
-
-/// Counts frames with the start byte '$', the same header, and a 16-bit checksum after the body.
-std::size_t later_frames_in(ByteSpan bytes) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; at + frame_header_size < bytes.size(); ++at) {
-    const ByteSpan header = bytes.subspan(at, frame_header_size);
-    const bool is_header =
-        header[0] == '$' && header[1] != 0 && ((header[1] + header[2]) & 0xFF) == header[3];
-    const std::size_t end = at + frame_header_size + header[2];
-    if (!is_header || end + 2 > bytes.size()) continue;
-    const unsigned sum = crc16(bytes.subspan(at + 1, end - at - 1));
-    if (bytes[end] + bytes[end + 1] * 256U != sum) continue;
-    ++count;
-    at = end + 1;
-  }
-  return count;
-}
 
 bool begins_with(ByteSpan bytes, std::string_view magic) {
   return bytes.size() >= magic.size() &&
@@ -95,11 +58,6 @@ bool is_binary(std::span<const std::uint8_t> bytes) {
 }
 
 std::string guess_input(std::span<const std::uint8_t> begin, bool is_hex) {
-  if (const std::size_t count = later_frames_in(begin); count != 0) {
-    return fmt::format(
-        "it has {} with the start byte '$', the framing of later firmware, which is not supported",
-        counted(count, "frame"));
-  }
   if (is_hex) return "";
   std::string kind = known_kind(begin);
   if (kind.empty() && !is_binary(begin)) kind = kind_of_text(begin);

@@ -130,7 +130,7 @@ Duration parse_interval(const std::string& text) {
   return result;
 }
 
-msg::FirmwareVersion parse_firmware(const std::string& text) {
+msg::FirmwareVersion read_firmware(const std::string& text) {
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
   const auto [major, rest] = split(text, '.');
   // Later releases have another point, as in 2.73.1.
@@ -143,6 +143,11 @@ msg::FirmwareVersion parse_firmware(const std::string& text) {
       !version.set_minor(parts[1]) || !version.set_beta(parts[2])) {
     refuse(text, wanted);
   }
+  return version;
+}
+
+msg::FirmwareVersion parse_firmware(const std::string& text) {
+  const msg::FirmwareVersion version = read_firmware(text);
   if (const std::string problem = problem_of(version); !problem.empty()) {
     throw std::invalid_argument(problem);
   }

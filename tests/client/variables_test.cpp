@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include <sbgc/availability.hpp>
 #include <sbgc/client/variables.hpp>
+#include <sbgc/meta/enums.hpp>
 
 #include "task_test.hpp"
 
@@ -88,6 +91,9 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   std::vector<std::string> names;
   std::vector<VariableValue> values;
   for (const VariableInfo& variable : variables) {
+    const auto known = std::ranges::find(EnumMeta<msg::VariableId>::values,
+                                         static_cast<std::int64_t>(variable.id), &ValueInfo::value);
+    if (!is_available(known->since, client().identity().versions())) continue;
     names.emplace_back(variable.name);
     values.push_back({variable.name,
                       variable_value(variable, static_cast<std::int32_t>(variable.range.highest))});

@@ -93,7 +93,7 @@ def test_every_message_and_back(direction: str) -> None:
     [
         ("note_freq_hz", [554, 553], ["note_freq_hz[1]", "553", "554"]),
         ("note_freq_hz", [21001], ["note_freq_hz[0]", "21001", "20999"]),
-        ("note_freq_hz", [600] * 31, ["note_freq_hz", "31", "30"]),
+        ("note_freq_hz", [600] * 51, ["note_freq_hz", "51", "50"]),
         ("decay_factor", 16, ["decay_factor", "16", "15"]),
     ],
 )

@@ -12,6 +12,7 @@ from sbgcgen.model import (
     Command,
     Enum,
     EnumValue,
+    Framing,
     Layout,
     Message,
     Variable,
@@ -28,6 +29,7 @@ class News:
     """
 
     since: Availability
+    framings: list[Framing] = field(default_factory=list)
     commands: list[Command] = field(default_factory=list)
     messages: list[Message] = field(default_factory=list)
     fields: list[tuple[Message, Row]] = field(default_factory=list)
@@ -67,6 +69,9 @@ class History:
     def __init__(self, layout: Layout) -> None:
         self._of: dict[tuple[int, int], News] = {}
         self._layout = layout
+        for framing in layout.framings:
+            for news in self._at(framing.since):
+                news.framings.append(framing)
         for message in layout.definitions:
             self._add_message(message)
         for command in layout.commands:

@@ -103,11 +103,6 @@ struct Meta<msg::AxisRc> {
     visitor(fields[4], value.rc_speed);
     visitor(fields[5], value.rc_follow);
   }
-  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
-  template <class T, class Check>
-  static constexpr void rules(const T& value, Check&& check) {
-    check(fields[0], value.rc_min_angle, fields[1], value.rc_max_angle, false);
-  }
 };
 
 template <>

@@ -47,7 +47,7 @@ class BasicParser {
 
   /// The accepted framings. A change applies to the bytes that have not yet been inspected; the
   /// sink may make it.
-  Formats& formats() noexcept { return formats_; }
+  constexpr Formats& formats() noexcept { return formats_; }
 
   /// Consumes the next bytes of the stream and calls `sink` for each frame that they complete.
   template <class Sink>

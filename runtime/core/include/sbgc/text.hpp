@@ -141,6 +141,10 @@ inline std::string to_string(const Violation& violation) {
   std::string value = detail::limit_text(violation.value, violation.unit);
   if (violation.named != nullptr) value = violation.named->name;
   if (violation.rule == Rule::count) value += violation.value == 1 ? " element" : " elements";
+  const bool is_of_version = violation.rule == Rule::firmware || violation.rule == Rule::board;
+  if (is_of_version && violation.named == nullptr && violation.value == 0) {
+    return to_string(violation.path) + ": " + violation_text(violation);  // that it is present
+  }
   return to_string(violation.path) + ": " + value + ' ' + violation_text(violation);
 }
 

@@ -197,7 +197,10 @@ class Validator {
   }
   template <class T>
   constexpr void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
-    if (optional) value(*optional, field, path);
+    if (!optional) return;
+    // Its presence alone changes the body, whatever the value.
+    if (!is_known(field.since)) return existence(field.since, 0, field, path);
+    value(*optional, field, path);
   }
 
   constexpr void count(std::size_t size, const FieldInfo& field, const FieldPath& path) {
@@ -250,6 +253,9 @@ class Validator {
       if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path, &flag);
     }
   }
+  constexpr bool is_known(const Availability& since) const noexcept {
+    return since.firmware <= versions_.firmware && since.board <= versions_.board;
+  }
   constexpr void existence(const Availability& since, double value, const FieldInfo& field,
                            const FieldPath& path, const ValueInfo* named = nullptr) {
     if (since.firmware > versions_.firmware) {
@@ -285,7 +291,7 @@ inline constexpr Availability newest{0xFFFF, 0xFF};
 ///
 /// Sentinels are allowed. Reserved bytes, unknown flags and unknown enum values are not checked,
 /// because later firmware gives them a meaning. A value that a later version introduced is reported
-/// if it is not 0. To check the message as a whole, use is_supported().
+/// if it is not 0, and an optional field whenever it is present. To check the message as a whole, use is_supported().
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
   detail::Validator<std::remove_reference_t<Report>> validator(versions, report);
