@@ -255,6 +255,22 @@ TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
   EXPECT_TRUE(parse_backup(document.dump()));
 }
 
+// Made when most bytes of ReadParamsExt2 and BoardInfo3 had no names.
+TEST_F(BackupTest, AFileFromBeforeReservedBytesHadNamesIsRestored) {
+  mark();
+  const Result<Backup> backup = load_backup(SBGC_TEST_DATA "/backup_of_rev_0.15.json");
+  ASSERT_TRUE(backup) << backup.error().message;
+  ASSERT_THAT(backup->parameters.all(), SizeIs(6));
+  const WriteReport report =
+      client().restore(*backup, {.save_current = save_to(file("present.json"))});
+  ASSERT_TRUE(report) << to_text(report);
+  const ParameterSet now = make().parameters;
+  for (const Parameters& block : backup->parameters.all()) {
+    ASSERT_NE(now.find(block.id), nullptr);
+    EXPECT_EQ(now.find(block.id)->body, block.body) << block.id.message;
+  }
+}
+
 TEST_F(BackupTest, RestoringBringsEverythingBack) {
   mark();
   // Later firmware sends more than is documented.

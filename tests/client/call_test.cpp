@@ -131,6 +131,27 @@ TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
   EXPECT_FALSE(client.identity().details);
 }
 
+TEST_F(Call, SendsTheLengthThatTheFirmwareExpects) {
+  msg::EncodersCalibOffset4 request;
+  {
+    Client client = connect_to_firmware(2686);
+    board.on<msg::EncodersCalibOffset4>(
+        [&](const msg::EncodersCalibOffset4& arrived) { EXPECT_FALSE(arrived.for_motor); });
+    EXPECT_TRUE(client.encoders_calib_offset_4(request));
+    request.for_motor = msg::CalibMotor::roll;
+    const auto refused = client.encoders_calib_offset_4(request);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "CMD_ENCODERS_CALIB_OFFSET_4: for_motor: needs firmware 2.68b7, the board has 2.68b6");
+  }
+  Client client = connect_to_firmware(2687);
+  board.on<msg::EncodersCalibOffset4>([&](const msg::EncodersCalibOffset4& arrived) {
+    EXPECT_EQ(arrived.for_motor, msg::CalibMotor::roll);
+  });
+  EXPECT_TRUE(client.encoders_calib_offset_4(request));
+  EXPECT_TRUE(board.wait_for<msg::EncodersCalibOffset4>(2));
+}
+
 TEST_F(Call, RefusesValuesThatAreNotAllowed) {
   Client client = connect();
   msg::EepromReadRequest read;

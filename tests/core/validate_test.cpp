@@ -31,6 +31,36 @@ TEST(Validate, LimitsAreAllowed) {
   EXPECT_TRUE(is_valid(good_beep()));
 }
 
+TEST(Validate, FieldsThatOlderFirmwareDoesNotHave) {
+  msg::EncodersCalibFldOffset4 message;
+  const auto valid_for = [&](std::uint16_t firmware) {
+    return validate(message, {firmware, 31}, [](const Violation&) {});
+  };
+  EXPECT_TRUE(valid_for(2590));
+  message.calib_angle.emplace();
+  EXPECT_FALSE(valid_for(2625)) << "present, although 0";
+  EXPECT_TRUE(valid_for(2626));
+  message.calib_speed.emplace();
+  EXPECT_FALSE(valid_for(2710));
+  EXPECT_TRUE(valid_for(2711));
+}
+
+TEST(Validate, RulesAcrossFields) {
+  msg::ReadParamsExt2 params;
+  const auto orders = [&] {
+    Violations found;
+    for (const ViolationCopy& violation : violations_of(params)) {
+      if (violation.rule == Rule::order) found.push_back(violation);
+    }
+    return found;
+  };
+  params.frame_cam_angle_min.pitch = msg::Degrees(-30);
+  params.frame_cam_angle_max.pitch = msg::Degrees(-30);
+  EXPECT_EQ(orders(), Violations{});
+  params.frame_cam_angle_max.pitch = msg::Degrees(-31);
+  EXPECT_EQ(orders(), (Violations{{"frame_cam_angle_min.pitch", -30, -31, Rule::order}}));
+}
+
 TEST(Validate, Minimum) {
   msg::BeepSound message = good_beep();
   message.note_freq_hz[1] = msg::NoteFrequency(553);

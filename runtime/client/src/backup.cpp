@@ -119,7 +119,8 @@ class Reader {
     if (decoded.is_object() && said.is_object()) {
       for (const auto& item : decoded.items()) {
         const auto found = said.find(item.key());
-        if (found != said.end()) compare(*found, item.value(), path + "." + item.key());
+        if (found == said.end() || has_other_size(item.key(), *found, item.value())) continue;
+        compare(*found, item.value(), path + "." + item.key());
       }
     } else if (decoded.is_array() && said.is_array() && said.size() == decoded.size()) {
       for (std::size_t i = 0; i < said.size(); ++i) {
@@ -128,6 +129,12 @@ class Reader {
     } else if (said != decoded) {
       fail(path, "differs from the body; only the body would be restored");
     }
+  }
+
+  /// True for reserved bytes of which some had no names yet when the file was made.
+  static bool has_other_size(const std::string& key, const Json& said, const Json& decoded) {
+    return key.starts_with("reserved") && said.is_string() && decoded.is_string() &&
+           said.get_ref<const std::string&>().size() != decoded.get_ref<const std::string&>().size();
   }
 
   const Json& member(const Json& object, const char* name, const std::string& path) {
