@@ -94,7 +94,17 @@ Json objections_of(const DecodedFrame& decoded) {
 }  // namespace
 
 DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
-  DecodedFrame result{.frame = frame, .direction = direction ? *direction : guess(frame)};
+  if (direction) return decode_from(frame, *direction);
+  const Direction likely = guess(frame);
+  DecodedFrame result = decode_from(frame, likely);
+  if (result.status) return result;
+  DecodedFrame other = decode_from(
+      frame, likely == Direction::to_board ? Direction::from_board : Direction::to_board);
+  return other.status ? other : result;
+}
+
+DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) {
+  DecodedFrame result{.frame = frame, .direction = direction};
   result.command = command_name(frame.id, result.direction);
   const auto take = [&]<class M>(const M& message) {
     contexts_.learn(message);

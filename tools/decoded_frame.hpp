@@ -46,10 +46,13 @@ class FrameDecoder {
   /// Objects to what a board with these versions does not know.
   explicit FrameDecoder(const Availability& versions) : versions_(versions) {}
 
-  /// `direction` is the direction of the frame; if it is missing, the frame size decides.
+  /// `direction` is the direction of the frame; if it is missing, the frame size decides, unless
+  /// the body can only be decoded in the other direction.
   DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
 
  private:
+  DecodedFrame decode_from(const Frame& frame, Direction direction);
+
   std::optional<Availability> versions_;
   Contexts contexts_;
 };

@@ -93,6 +93,7 @@ class Player {
 
   void step() {
     const std::uint8_t code = byte();
+    framing_ = (code & 64) != 0 ? sbgc::framings.back() : sbgc::basic_framing;
     switch (code % 12) {
       case 0: open(); break;
       case 1: port_ = code / 12U % ports_.size(); break;
@@ -149,7 +150,7 @@ class Player {
 
   void send_frame(std::uint8_t id, std::span<const std::uint8_t> body) {
     std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-    if (const auto written = sbgc::write_frame(id, body, frame)) {
+    if (const auto written = sbgc::write_frame(framing_, id, body, frame)) {
       send(std::span(frame).first(written.size));
     }
   }
@@ -182,6 +183,7 @@ class Player {
   Board board_;
   Instant now_{};
   std::size_t port_{};
+  sbgc::Framing framing_{};  // of the next frames
   std::array<Port, Board::max_ports> ports_{};
 };
 

@@ -66,7 +66,8 @@ before(async () => {
 });
 
 function command(input, ...options) {
-  const result = spawnSync(sbgc, ["decode", "--format", "jsonl", ...options], { input });
+  const maxBuffer = 64 << 20;
+  const result = spawnSync(sbgc, ["decode", "--format", "jsonl", ...options], { input, maxBuffer });
   return { status: result.status, lines: result.stdout.toString().split("\n").slice(0, -1) };
 }
 
@@ -159,12 +160,13 @@ test("rows stand where the model says, and cover every byte that is not 0", () =
   }
   let compared = 0;
   for (const vector of decodable) {
-    if (vector.error || vector.after) continue;
+    if (vector.error || vector.after || "chosen" in vector) continue;
     const from = vector.direction === "to_board" ? "host" : "board";
-    const [{ frame: found, rows, body, size }] = module.frames(ofVector(vector), { from });
+    const [{ frame: found, rows, body, checksum }] = module.frames(ofVector(vector), { from });
+    assert.notEqual(found.message, null, JSON.stringify(vector));
     const bytes = Buffer.from(vector.hex, "hex");
     let end = body;
-    for (const [name, , , , at, length] of [...rows, ["", "", "", "", size - 1, 0]]) {
+    for (const [name, , , , at, length] of [...rows, ["", "", "", "", checksum, 0]]) {
       const skipped = bytes.subarray(end - body, at - body);
       assert.ok(at >= end, `${found.message} ${name}: overlap`);
       assert.ok(skipped.every((byte) => byte === 0), `${found.message}: gap before ${name}`);
@@ -207,7 +209,7 @@ test("the summary counts", () => {
 
 test("the module is small", () => {
   const size = Buffer.from(globalThis.sbgcDecoderModule, "base64").length;
-  assert.ok(size < 400_000, `${size} bytes`);
+  assert.ok(size < 700_000, `${size} bytes`);
 });
 
 /** The engine as the page uses it. */

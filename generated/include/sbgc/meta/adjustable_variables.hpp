@@ -450,6 +450,7 @@ struct Meta<msg::AdjVarsInfoRequestAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};
 

@@ -98,7 +98,8 @@ struct Meta<msg::AutoPid2Config> {
       {.name = "test_freq_to",
        .spec_name = "TEST_FREQ_TO",
        .summary = "Highest frequency of the test signal.",
-       .unit = &UnitMeta<msg::SmallFrequency>::info},
+       .unit = &UnitMeta<msg::SmallFrequency>::info,
+       .unconfirmed = true},
       {.name = "multi_pos_flag",
        .spec_name = "MULTI_POS_FLAG",
        .summary = "Positions in which to tune."},
@@ -1323,7 +1324,8 @@ struct Meta<msg::EncIntCalib> {
       .id = 122,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1347,6 +1349,7 @@ struct Meta<msg::EncIntCalibRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1370,7 +1373,8 @@ struct Meta<msg::VibrationTestStartStop> {
       .id = 125,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1394,6 +1398,7 @@ struct Meta<msg::VibrationTestStartStopRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1417,7 +1422,8 @@ struct Meta<msg::VibrationTestData> {
       .id = 126,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1441,6 +1447,7 @@ struct Meta<msg::VibrationTestDataRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

@@ -323,9 +323,9 @@ struct EnumMeta<msg::BoardErrorCode> {
   static constexpr ValueInfo values[] = {
       {"CMD_SIZE", 1, "The command has no body of this size."},
       {"WRONG_PARAMS", 2, "A value is invalid."},
-      {"GET_DEVICE_ID", 3, "The board cannot read its device id."},
+      {"GET_DEVICE_ID", 3, "The board cannot read its device id.", {}, true},
       {"CRYPTO", 4, "A key or signature check failed."},
-      {"CALIBRATE_BAT", 5, "The calibration of the battery voltage failed."},
+      {"CALIBRATE_BAT", 5, "The calibration of the battery voltage failed.", {}, true},
       {"UNKNOWN_COMMAND", 6, "The board does not know the command."},
       {"WRONG_STATE", 8, "Not possible in the current state."},
       {"NOT_SUPPORTED", 9, "The board lacks a feature that the command requires."},
@@ -494,11 +494,11 @@ struct EnumMeta<msg::MenuCommand> {
       {"MENU_CMD_RUN_SCRIPT3", 25, "Run script 3."},
       {"MENU_CMD_RUN_SCRIPT4", 26, "Run script 4."},
       {"MENU_CMD_RUN_SCRIPT5", 27, "Run script 5."},
-      {"MENU_CMD_RUN_SCRIPT6", 28, "Run script 6."},
-      {"MENU_CMD_RUN_SCRIPT7", 29, "Run script 7."},
-      {"MENU_CMD_RUN_SCRIPT8", 30, "Run script 8."},
-      {"MENU_CMD_RUN_SCRIPT9", 31, "Run script 9."},
-      {"MENU_CMD_RUN_SCRIPT10", 32, "Run script 10."},
+      {"MENU_CMD_RUN_SCRIPT6", 28, "Run script 6.", {}, true},
+      {"MENU_CMD_RUN_SCRIPT7", 29, "Run script 7.", {}, true},
+      {"MENU_CMD_RUN_SCRIPT8", 30, "Run script 8.", {}, true},
+      {"MENU_CMD_RUN_SCRIPT9", 31, "Run script 9.", {}, true},
+      {"MENU_CMD_RUN_SCRIPT10", 32, "Run script 10.", {}, true},
       {"MENU_CMD_CALIB_MAG", 33, "Calibrate the magnetometer."},
       {"MENU_CMD_LEVEL_ROLL_PITCH", 34, "Level roll and pitch."},
       {"MENU_CMD_CENTER_YAW", 35, "Center yaw."},
@@ -987,7 +987,7 @@ struct EnumMeta<msg::EulerOrderChange> {
       {"LOCAL_ROLL", 3, "Pitch of the motor, roll, yaw of the motor."},
       {"ROLL_LOCAL", 4, "Roll, pitch of the motor, yaw of the motor."},
       {"YAW_ROLL_PITCH", 5, "Yaw, roll, pitch."},
-      {"YAW_PITCH_ROLL", 6, "Yaw, pitch, roll."},
+      {"YAW_PITCH_ROLL", 6, "Yaw, pitch, roll.", {}, true},
   };
   static constexpr EnumInfo info{"EulerOrderChange", values, false};
 };
@@ -1552,8 +1552,8 @@ struct EnumMeta<msg::ProfileFlag> {
       {"RC_KEEP_MIX_RATE", 2048, "Keep the mix rate of the RC channels."},
       {"RC_KEEP_CUR_POS_ON_INIT", 4096, "Keep the current position when RC control starts."},
       {"OUTER_MOTOR_LIMIT_FREE_ROTATION", 8192, "Limit the free rotation of the outer motor.", {.firmware = 2660}},
-      {"EULER_ORDER_AUTO", 16384, "Select the order of the Euler angles automatically.", {.firmware = 2671}},
-      {"CAM_UPSIDE_DOWN_WORKING", 32768, "The camera may work upside down."},
+      {"EULER_ORDER_AUTO", 16384, "Select the order of the Euler angles automatically.", {.firmware = 2671}, true},
+      {"CAM_UPSIDE_DOWN_WORKING", 32768, "The camera may work upside down.", {}, true},
   };
   static constexpr EnumInfo info{"ProfileFlags", values, true};
 };
@@ -1634,8 +1634,8 @@ struct EnumMeta<msg::GeneralFlags4Bit> {
   static constexpr ValueInfo values[] = {
       {"ACC_LIMIT_BY_MOMENTUM", 1, "The momentum determines the acceleration limits."},
       {"CALIB_MOMENTUM_IN_NORMAL_POS", 2, "Calibrate the momentum in the normal position."},
-      {"EULER_MIDDLE_AXIS", 4, "The middle axis determines the initial Euler angles."},
-      {"EULER_MATCH_MOTOR_ROTATION", 8, "The rotation of the motors determines the initial Euler angles."},
+      {"EULER_MIDDLE_AXIS", 4, "The middle axis determines the initial Euler angles.", {}, true},
+      {"EULER_MATCH_MOTOR_ROTATION", 8, "The rotation of the motors determines the initial Euler angles.", {}, true},
   };
   static constexpr EnumInfo info{"GeneralFlags4", values, true};
 };
@@ -1773,8 +1773,8 @@ struct EnumMeta<msg::SystemPowerFlag> {
   static constexpr ValueInfo values[] = {
       {"SW_LIMIT_VIOLATED", 1, "A motor is beyond a software limit."},
       {"OVERHEAT_WARNING", 2, "A motor or a driver is too warm."},
-      {"DRIVER_OTW", 4, "A motor driver reports an overtemperature warning."},
-      {"DRIVER_FAULT", 8, "A motor driver failed."},
+      {"DRIVER_OTW", 4, "A motor driver reports an overtemperature warning.", {}, true},
+      {"DRIVER_FAULT", 8, "A motor driver failed.", {}, true},
   };
   static constexpr EnumInfo info{"SystemPowerFlags", values, true};
 };
@@ -1881,7 +1881,7 @@ struct EnumMeta<msg::ControlQuatFlag> {
       {"CONFIRM", 1, "Confirm the command."},
       {"ATTITUDE_PACKED", 2, "The attitude is packed into 8 bytes."},
       {"ATTITUDE_LIMITED_180", 4, "Attitudes are within half a turn, and each is reached from the last one by the shortest way."},
-      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented."},
+      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented.", {}, true},
       {"AUTO_TASK", 64, "For ATTITUDE: move as fast as automatic tasks do, and confirm when the attitude is reached within 1 degree. The motion ends after 10 s in any case."},
   };
   static constexpr EnumInfo info{"ControlQuatFlags", values, true};
@@ -1893,7 +1893,7 @@ struct EnumMeta<msg::ControlQuatStatusFlag> {
       {"CONFIRM", 1, "Commands are confirmed."},
       {"ATTITUDE_PACKED", 2, "Attitudes are packed into 8 bytes."},
       {"ATTITUDE_LIMITED_180", 4, "Attitudes are within half a turn."},
-      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented."},
+      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented.", {}, true},
       {"AUTO_TASK", 64, "The motion is an automatic task."},
   };
   static constexpr EnumInfo info{"ControlQuatStatusFlags", values, true};
@@ -2046,7 +2046,7 @@ struct EnumMeta<msg::ExtMotorsStateField> {
 template <>
 struct EnumMeta<msg::ExtMotorPin> {
   static constexpr ValueInfo values[] = {
-      {"INDEX_PIN_STATE", 4, "The index pin is active."},
+      {"INDEX_PIN_STATE", 4, "The index pin is active.", {}, true},
   };
   static constexpr EnumInfo info{"ExtMotorPins", values, true};
 };

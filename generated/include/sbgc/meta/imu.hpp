@@ -112,6 +112,7 @@ struct Meta<msg::SelectImu3Ext> {
       .min_size = 2,
       .max_size = 11,
       .since = {.board = 30},
+      .unconfirmed = true,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
@@ -191,7 +192,8 @@ struct Meta<msg::AhrsHelper> {
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position); down according to later sources.",
-       .range = &z1_vector_range},
+       .range = &z1_vector_range,
+       .unconfirmed = true},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north (the Y axis in the normal position).",
@@ -356,7 +358,8 @@ struct Meta<msg::GyroCorrection> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
+       .summary = "The IMU.",
+       .unconfirmed = true},
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
        .summary = "Zero offset of each axis.",
@@ -468,7 +471,8 @@ struct Meta<msg::ExtSensCmd> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 255,
-      .since = {.firmware = 2687, .board = 36}};
+      .since = {.firmware = 2687, .board = 36},
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",

@@ -173,7 +173,8 @@ struct Meta<msg::TransparentSapi> {
   static constexpr FieldInfo fields[] = {
       {.name = "target",
        .spec_name = "TARGET",
-       .summary = "Device and port that sent the data."},
+       .summary = "Device and port that sent the data.",
+       .unconfirmed = true},
       {.name = "payload",
        .spec_name = "PAYLOAD",
        .summary = "The data."},
@@ -225,7 +226,8 @@ struct Meta<msg::UartBypass> {
       .id = 60,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -249,6 +251,7 @@ struct Meta<msg::UartBypassRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

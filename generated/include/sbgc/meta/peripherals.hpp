@@ -279,6 +279,7 @@ struct Meta<msg::I2cReadRegBufRequestNoRegister> {
       .min_size = 2,
       .max_size = 2,
       .since = {.board = 30},
+      .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
@@ -313,6 +314,7 @@ struct Meta<msg::I2cReadRegBufRequestWideRegister> {
       .min_size = 4,
       .max_size = 4,
       .since = {.board = 30},
+      .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};

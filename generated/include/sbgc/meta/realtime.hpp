@@ -206,7 +206,8 @@ struct Meta<msg::StreamConfig> {
        .summary = "Blocks to send."},
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "IMU whose attitude to send."},
+       .summary = "IMU whose attitude to send.",
+       .unconfirmed = true},
       {.name = "event_id",
        .spec_name = "EVENT_ID",
        .summary = "Event to report."},
@@ -803,11 +804,13 @@ struct Meta<msg::RealtimeDataCustom> {
       {.name = "ext_target_limit_min",
        .spec_name = "EXT_TARGET_LIMIT_MIN",
        .summary = "Lower limits of an external target.",
-       .unit = &UnitMeta<msg::LongAngle14>::info},
+       .unit = &UnitMeta<msg::LongAngle14>::info,
+       .unconfirmed = true},
       {.name = "ext_target_limit_max",
        .spec_name = "EXT_TARGET_LIMIT_MAX",
        .summary = "Upper limits of an external target.",
-       .unit = &UnitMeta<msg::LongAngle14>::info},
+       .unit = &UnitMeta<msg::LongAngle14>::info,
+       .unconfirmed = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -939,7 +942,8 @@ struct Meta<msg::CanDrvTelemetry> {
       .direction = Direction::from_board,
       .min_size = 3,
       .max_size = 35,
-      .since = {.firmware = 2720, .board = 36}};
+      .since = {.firmware = 2720, .board = 36},
+      .unconfirmed = true};
   static constexpr Range drv_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "drv_id",

@@ -870,7 +870,8 @@ struct Meta<msg::ExtLicenseInfo> {
       .id = 124,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -894,6 +895,7 @@ struct Meta<msg::ExtLicenseInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

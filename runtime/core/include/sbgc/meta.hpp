@@ -25,6 +25,7 @@ struct ValueInfo {
   std::int64_t value{};
   const char* summary = "";
   Availability since{};
+  bool unconfirmed{};  ///< from a single source, or contradicted by another
 };
 
 /// An enum or a flag set.
@@ -121,6 +122,7 @@ struct FieldInfo {
   bool reserved{};
   bool optional{};  ///< may be omitted in JSON
   Availability since{};
+  bool unconfirmed{};  ///< from a single source, or contradicted by another
   const AlternativeUnit* alternative{};
 };
 
@@ -147,6 +149,7 @@ struct MessageInfo {
   std::size_t min_size{};
   std::size_t max_size{};
   Availability since{};
+  bool unconfirmed{};    ///< from a single source, or contradicted by another
   Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
   /// Names of the response messages. response_policy() returns the rest of the policy.
   std::span<const char* const> answers{};
