@@ -41,7 +41,7 @@ struct DecodeOptions {
 
 /// Returns a decoder for the firmware of the options.
 FrameDecoder decoder_of(const DecodeOptions& options) {
-  if (options.firmware.empty()) return FrameDecoder();
+  if (options.firmware.empty()) return {};
   // Any board: which features it has is not known.
   return FrameDecoder(Availability{serving::read_firmware(options.firmware).raw(), 0xFF});
 }

@@ -32,8 +32,8 @@ struct DecodedFrame {
   std::string error_field{};  ///< the field of the error, if known
   Json fields{};
   std::vector<Row> rows{};
-  bool is_for_firmware{};     ///< checked against the versions of a certain board
-  std::string objection{};    ///< why a board with these versions does not know the message, or ""
+  bool is_for_firmware{};   ///< checked against the versions of a certain board
+  std::string objection{};  ///< why a board with these versions does not know the message, or ""
 
   /// Returns the object that `sbgc decode --format jsonl` prints.
   Json to_json() const;

@@ -141,8 +141,9 @@ TEST_F(Call, SendsTheLengthThatTheFirmwareExpects) {
     request.for_motor = msg::CalibMotor::roll;
     const auto refused = client.encoders_calib_offset_4(request);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message,
-              "CMD_ENCODERS_CALIB_OFFSET_4: for_motor: needs firmware 2.68b7, the board has 2.68b6");
+    EXPECT_EQ(
+        refused.error().message,
+        "CMD_ENCODERS_CALIB_OFFSET_4: for_motor: needs firmware 2.68b7, the board has 2.68b6");
   }
   Client client = connect_to_firmware(2687);
   board.on<msg::EncodersCalibOffset4>([&](const msg::EncodersCalibOffset4& arrived) {

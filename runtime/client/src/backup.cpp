@@ -134,7 +134,8 @@ class Reader {
   /// True for reserved bytes of which some had no names yet when the file was made.
   static bool has_other_size(const std::string& key, const Json& said, const Json& decoded) {
     return key.starts_with("reserved") && said.is_string() && decoded.is_string() &&
-           said.get_ref<const std::string&>().size() != decoded.get_ref<const std::string&>().size();
+           said.get_ref<const std::string&>().size() !=
+               decoded.get_ref<const std::string&>().size();
   }
 
   const Json& member(const Json& object, const char* name, const std::string& path) {

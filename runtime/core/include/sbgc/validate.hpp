@@ -291,7 +291,8 @@ inline constexpr Availability newest{0xFFFF, 0xFF};
 ///
 /// Sentinels are allowed. Reserved bytes, unknown flags and unknown enum values are not checked,
 /// because later firmware gives them a meaning. A value that a later version introduced is reported
-/// if it is not 0, and an optional field whenever it is present. To check the message as a whole, use is_supported().
+/// if it is not 0, and an optional field whenever it is present. To check the message as a whole,
+/// use is_supported().
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
   detail::Validator<std::remove_reference_t<Report>> validator(versions, report);
