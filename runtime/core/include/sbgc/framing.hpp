@@ -43,11 +43,13 @@ constexpr bool are(const std::array<FramePart, n>& parts, const std::array<Frame
 
 /// Headers are alike in all framings, so that id and size are known before the framing is.
 template <Framing framing>
-inline constexpr bool has_usual_header =
-    are(FramingFacts<framing>::header, FramingFacts<basic_framing>::header) &&
-    FramingFacts<framing>::header_checksum
-        == ChecksumKind::sum8&& are(FramingFacts<framing>::header_checksum_covers,
-                                    std::array{FramePart::id, FramePart::size});
+constexpr bool has_usual_header() {
+  using Facts = FramingFacts<framing>;
+  constexpr std::array covered{FramePart::id, FramePart::size};
+  const bool is_sum = Facts::header_checksum == ChecksumKind::sum8;
+  return is_sum && are(Facts::header, FramingFacts<basic_framing>::header) &&
+         are(Facts::header_checksum_covers, covered);
+}
 
 /// The checksum in the trailer: a sum of the body, or a cyclic redundancy check of header and body
 /// without the start byte.
@@ -115,7 +117,7 @@ constexpr std::size_t frame_size(std::size_t body_size) noexcept {
 template <Framing framing, CrcTable table = CrcTable::slices>
 struct FrameFormat {
   using Facts = FramingFacts<framing>;
-  static_assert(detail::has_usual_header<framing> && Facts::trailer.size() == 1,
+  static_assert(detail::has_usual_header<framing>() && Facts::trailer.size() == 1,
                 "another header or trailer in spec/simplebgc.yaml requires another is_header(), "
                 "skip_blocks() and finish()");
 
