@@ -130,7 +130,7 @@ BENCHMARK(decode_stream<noise>)->Name("stream/noise");
 
 // ---- single messages ----
 
-constexpr std::size_t overhead = sbgc::frame_header_size + sbgc::frame_trailer_size;
+constexpr std::size_t overhead = sbgc::frame_size(0);
 
 /// A body of `M` with random bytes.
 template <class M>

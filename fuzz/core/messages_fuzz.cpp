@@ -45,7 +45,7 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts) {
   }
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
   const sbgc::WriteResult framed = sbgc::encode_frame(again, frame);
-  require(framed.size == body.size() + sbgc::frame_header_size + sbgc::frame_trailer_size);
+  require(framed.size == sbgc::frame_size(body.size()));
   require(std::ranges::equal(std::span(frame).subspan(sbgc::frame_header_size, body.size()), body));
 }
 
