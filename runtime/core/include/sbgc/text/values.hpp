@@ -40,7 +40,7 @@ inline std::string number_text(double value) {
 inline std::string real_text(double value, std::size_t size) {
   const int most = size == sizeof(float) ? 9 : 17;
   for (int digits = 6; digits < most; ++digits) {
-    char buffer[32];
+    char buffer[320];  // as g++ assumes that the precision can be any
     std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
     const double again = size == sizeof(float) ? static_cast<double>(std::strtof(buffer, nullptr))
                                                : std::strtod(buffer, nullptr);
