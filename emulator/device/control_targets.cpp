@@ -29,11 +29,12 @@ void set_signal(const Device& device, std::size_t axis, const AxisTarget& target
                 AxisCommand& command) {
   const auto raw =
       static_cast<std::int16_t>(std::clamp<std::int32_t>(target.signal, -32768, 32767));
-  double signal = msg::CentredRcSignal(raw).fraction();
-  if (target.mode.mode() == msg::ControlModeKind::rc_high_res) {
-    command.is_lost = raw == msg::RealtimeDataCustom::undefined;
-    signal = msg::FineRcSignal(raw).fraction();
-  }
+  const bool is_fine = target.mode.mode() == msg::ControlModeKind::rc_high_res;
+  const double signal =
+      is_fine ? msg::FineRcSignal(raw).fraction() : msg::CentredRcSignal(raw).fraction();
+  // The same values as those of virtual channels.
+  command.is_lost =
+      raw == (is_fine ? msg::ApiVirtChHighRes::undefined : msg::ApiVirtChControl::undefined);
   // "Should be in range -500...500": like the signal of a receiver, it saturates.
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   command.signal = RemoteControl::shaped(parameters, axis, std::clamp(signal, -1.0, 1.0));

@@ -14,19 +14,19 @@ ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::
   if (request.setpoint32) return {.value = (*request.setpoint32)[index]};
   if (request.setpoint16_param16) {
     const auto& one = (*request.setpoint16_param16)[index];
-    return {one.setpoint, true, one.param1, true, true};
+    return {one.setpoint, true, one.param1, true};
   }
   if (request.setpoint16_param32) {
     const auto& one = (*request.setpoint16_param32)[index];
-    return {one.setpoint, true, one.param1, true, false};
+    return {one.setpoint, true, one.param1, true};
   }
   if (request.setpoint32_param16) {
     const auto& one = (*request.setpoint32_param16)[index];
-    return {one.setpoint, false, one.param1, true, true};
+    return {one.setpoint, false, one.param1, true};
   }
   if (!request.setpoint32_param32) return {};
   const auto& one = (*request.setpoint32_param32)[index];
-  return {one.setpoint, false, one.param1, true, false};
+  return {one.setpoint, false, one.param1, true};
 }
 
 }  // namespace

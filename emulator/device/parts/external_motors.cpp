@@ -18,8 +18,6 @@ constexpr double with_brake = 0.02;
 constexpr double without_both = 1;
 /// A motor settles within this time, in seconds; longer times are not simulated completely.
 constexpr double settling = 20;
-/// 16384 counts are a turn.
-constexpr double degrees_per_count = 360.0 / 16384;
 constexpr double full_torque = 32767;
 
 double control_speed(std::int32_t counts) {
@@ -124,7 +122,7 @@ void ExternalMotors::control(std::size_t motor, const Setpoint& setpoint, Instan
     case Mode::torque: one.goal = std::clamp(setpoint.value / full_torque, -1.0, 1.0); break;
     case Mode::speed: one.goal = control_speed(setpoint.value); break;
     case Mode::position: {
-      const double angle = setpoint.value * degrees_per_count;
+      const double angle = msg::LongAngle14(setpoint.value).degrees();
       one.goal =
           setpoint.wraps ? one.angle + std::remainder(angle - one.angle, angle_period) : angle;
       one.top = setpoint.has_param ? std::abs(control_speed(setpoint.param)) : 0;

@@ -30,7 +30,6 @@ class ExternalMotors {
     bool wraps{};
     std::int32_t param{};
     bool has_param{};
-    bool param_wraps{};
   };
   void control(std::size_t motor, const Setpoint& setpoint, Instant now);
   msg::ExtMotorsState state(Device& device, std::size_t motor, msg::ExtMotorsStateFields fields,

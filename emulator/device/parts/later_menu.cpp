@@ -17,10 +17,6 @@ using Command = msg::MenuCommand;
 constexpr std::size_t roll_motor = 0, pitch_motor = 1, yaw_motor = 2;
 constexpr double whole_turn = 360;
 
-void move_to(Device& device, std::size_t axis, double angle, Instant now) {
-  device.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
-}
-
 /// Moves to the nearest of the equal angles.
 void move_shortest(Device& device, std::size_t axis, double angle, Instant now) {
   const double from = device.gimbal.sample(now).targets[axis];
@@ -83,11 +79,6 @@ void trim_rc(Device& device, Instant now) {
         }
       }));
   device.apply_parameters(now);
-}
-
-void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
-  const std::size_t imu = device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
-  static_cast<void>(device.calibrations.start(device, kind, imu, {}, now));
 }
 
 std::optional<std::size_t> profile_set_of(Command action) {

@@ -50,13 +50,9 @@ void set_angle(Device& device, bool is_saved, Instant now) {
   device.apply_parameters(now);
 }
 
-void go_to(Device& device, std::size_t axis, double angle, Instant now) {
-  device.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
-}
-
 void go_home(Device& device, Instant now) {
   const Axes<double> angles = home_angles(device.parameters);
-  for (std::size_t axis = 0; axis < angles.size(); ++axis) go_to(device, axis, angles[axis], now);
+  for (std::size_t axis = 0; axis < angles.size(); ++axis) move_to(device, axis, angles[axis], now);
 }
 
 /// Turns to the heading of the frame without undoing full turns.
@@ -67,12 +63,16 @@ void center_yaw(Device& device, Instant now) {
       yaw, {.mode = AxisMode::relative_angle, .angle = turn * std::round(joint / turn)}, now);
 }
 
-void calibrate(Device& device, Calibrations::Kind kind, Instant now) {
+}  // namespace
+
+void move_to(Device& device, std::size_t axis, double angle, Instant now) {
+  device.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
+}
+
+void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
   const std::size_t imu = device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
   static_cast<void>(device.calibrations.start(device, kind, imu, {}, now));
 }
-
-}  // namespace
 
 bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
   using Kind = Calibrations::Kind;
@@ -95,11 +95,15 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
       device.remote.swap(yaw, roll);
       device.remote.apply(device, now);
       break;
-    case msg::MenuCommand::calib_acc: calibrate(device, Kind::acc, now); break;
-    case msg::MenuCommand::calib_gyro: calibrate(device, Kind::gyro, now); break;
-    case msg::MenuCommand::calib_acc_temp: calibrate(device, Kind::acc_temperature, now); break;
-    case msg::MenuCommand::calib_gyro_temp: calibrate(device, Kind::gyro_temperature, now); break;
-    case msg::MenuCommand::calib_mag: calibrate(device, Kind::mag, now); break;
+    case msg::MenuCommand::calib_acc: begin_calibration(device, Kind::acc, now); break;
+    case msg::MenuCommand::calib_gyro: begin_calibration(device, Kind::gyro, now); break;
+    case msg::MenuCommand::calib_acc_temp:
+      begin_calibration(device, Kind::acc_temperature, now);
+      break;
+    case msg::MenuCommand::calib_gyro_temp:
+      begin_calibration(device, Kind::gyro_temperature, now);
+      break;
+    case msg::MenuCommand::calib_mag: begin_calibration(device, Kind::mag, now); break;
     case msg::MenuCommand::reset: device.restarts.announce(device, now); break;
     case msg::MenuCommand::set_angle: set_angle(device, true, now); break;
     case msg::MenuCommand::set_angle_no_save: set_angle(device, false, now); break;
@@ -109,11 +113,11 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::auto_pid:
       static_cast<void>(device.auto_tuning.start(device, now));
       break;
-    case msg::MenuCommand::look_down: go_to(device, pitch, -90, now); break;
+    case msg::MenuCommand::look_down: move_to(device, pitch, -90, now); break;
     case msg::MenuCommand::home_position: go_home(device, now); break;
     case msg::MenuCommand::level_roll_pitch:
-      go_to(device, roll, 0, now);
-      go_to(device, pitch, 0, now);
+      move_to(device, roll, 0, now);
+      move_to(device, pitch, 0, now);
       break;
     case msg::MenuCommand::center_yaw: center_yaw(device, now); break;
     case msg::MenuCommand::untwist_cables:

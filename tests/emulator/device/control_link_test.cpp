@@ -74,22 +74,28 @@ TEST(ControlLink, LimitsTheAcceleration) {
   EXPECT_NEAR(moved(500), 60, 0.1);
 }
 
-TEST(Control, AHighResolutionSignalMayBeLost) {
+/// Moves pitch to the highest angle by a signal, then loses the signal.
+void lose_signal(ModeKind mode, std::int16_t full, std::int16_t lost) {
   Host host(newest_board());
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   parameters.rc_deadband = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) parameters.rc[axis].rc_mode = {};
   host.ask(msg::WriteParams3{parameters});
   msg::Control request;
-  request.control_mode.set_mode(ModeKind::rc_high_res);
-  request.axes.pitch.angle = msg::Angle14(16384);
+  request.control_mode.set_mode(mode);
+  request.axes.pitch.angle = msg::Angle14(full);
   host.ask(request, seconds(5));
   const double highest = host.board.gimbal().sample(host.now).targets.pitch;
   EXPECT_NEAR(highest, parameters.rc.pitch.rc_max_angle.degrees(), 0.5);
-  request.axes.pitch.angle = msg::Angle14(-32768);
+  request.axes.pitch.angle = msg::Angle14(lost);
   EXPECT_TRUE(is_confirmed(host, request));
   host.listen(seconds(3));
   EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, highest, 0.5) << "it holds";
+}
+
+TEST(Control, ASignalMayBeLost) {
+  lose_signal(ModeKind::rc, 500, -10000);
+  lose_signal(ModeKind::rc_high_res, 16384, -32768);
 }
 
 TEST(Control, AnIgnoredAxisKeepsItsState) {

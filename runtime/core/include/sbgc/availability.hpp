@@ -1,32 +1,21 @@
 /// What a board supports.
 #pragma once
 
-#include <cstddef>
-#include <type_traits>
-#include <utility>
-
 #include <sbgc/message.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc {
 
-/// Returns true if a board with these versions has a feature that exists since `since`.
-constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
-  return since.firmware <= versions.firmware && since.board <= versions.board;
-}
-
 /// Returns the newest framing that a board with these versions understands.
 constexpr Framing newest_framing(const Availability& versions) noexcept {
-  return [&versions]<std::size_t... i>(std::index_sequence<i...>) {
-    Framing result = basic_framing;
-    const auto consider = [&]<Framing framing>(std::integral_constant<Framing, framing>) {
-      using Facts = FramingFacts<framing>;
-      if (is_available({Facts::since_firmware, Facts::since_board}, versions)) result = framing;
-    };
-    (consider(std::integral_constant<Framing, framings[i]>{}), ...);
-    return result;
+  Framing result = basic_framing;
+  for (const Framing framing : framings) {
+    const Availability since = with_framing(framing, [](auto f) {
+      return Availability{FramingFacts<f()>::since_firmware, FramingFacts<f()>::since_board};
+    });
+    if (is_available(since, versions)) result = framing;
   }
-  (std::make_index_sequence<framings.size()>{});
+  return result;
 }
 
 /// Returns true if a board with these versions accepts the message: its firmware is not too old for

@@ -34,6 +34,11 @@ struct Availability {
   std::uint8_t board{};
 };
 
+/// Returns true if a board with these versions has a feature that exists since `since`.
+constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
+  return since.firmware <= versions.firmware && since.board <= versions.board;
+}
+
 /// A generated message.
 template <class M>
 concept Message = requires {

@@ -199,7 +199,7 @@ class Validator {
   constexpr void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
     if (!optional) return;
     // Its presence alone changes the body, whatever the value.
-    if (!is_known(field.since)) return existence(field.since, 0, field, path);
+    if (!is_available(field.since, versions_)) return existence(field.since, 0, field, path);
     value(*optional, field, path);
   }
 
@@ -252,9 +252,6 @@ class Validator {
       const auto mask = static_cast<std::uint32_t>(flag.value);
       if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path, &flag);
     }
-  }
-  constexpr bool is_known(const Availability& since) const noexcept {
-    return since.firmware <= versions_.firmware && since.board <= versions_.board;
   }
   constexpr void existence(const Availability& since, double value, const FieldInfo& field,
                            const FieldPath& path, const ValueInfo* named = nullptr) {

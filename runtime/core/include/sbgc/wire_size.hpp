@@ -104,6 +104,14 @@ constexpr std::size_t counter_of(const List& list) noexcept {
   }
 }
 
+/// Returns the number of bits that are set. (std::popcount calls a library function on some cores.)
+template <class Bits>
+constexpr std::size_t count_bits(Bits bits) noexcept {
+  std::size_t count = 0;
+  for (; bits != 0; bits = static_cast<Bits>(bits & (bits - 1))) ++count;
+  return count;
+}
+
 template <class... T>
 constexpr std::size_t size_of_all(TypeList<T...>) noexcept {
   return (std::size_t{0} + ... + wire_size<T>);

@@ -205,13 +205,6 @@ class Reader {
     if (!status_) out.clear();
   }
 
-  template <class Bits>
-  static constexpr std::size_t count_bits(Bits bits) noexcept {
-    std::size_t count = 0;
-    for (; bits != 0; bits = static_cast<Bits>(bits & (bits - 1))) ++count;
-    return count;
-  }
-
   constexpr bool take(std::size_t size, const char* field) noexcept {
     if (!status_) return false;
     if (body_.size() - at_ < size) {

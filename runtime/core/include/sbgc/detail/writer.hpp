@@ -122,12 +122,7 @@ class Writer {
   template <class T, std::size_t n, class Flags>
   constexpr void counted_by_bits(const BoundedArray<T, n>& in, const Flags& flags,
                                  const char* field) noexcept {
-    std::size_t count = 0;
-    for (auto bits = flags.raw(); bits != 0;
-         bits = static_cast<decltype(bits)>(bits & (bits - 1))) {
-      ++count;
-    }
-    if (status_ && in.size() != count) return fail(Code::count_mismatch, field);
+    if (status_ && in.size() != count_bits(flags.raw())) return fail(Code::count_mismatch, field);
     rest(in, field);
   }
   /// As count() and counted(), for a counter that does not hold the number of elements.
