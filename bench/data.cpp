@@ -36,6 +36,7 @@ std::vector<TypicalBody> read_typical_bodies() {
     std::ifstream file(std::string(SBGC_VECTORS "/") + family + ".jsonl");
     if (!file) fail("the test vectors are missing");
     for (std::string line; std::getline(file, line);) {
+      if (line.find("typical values") == std::string::npos) continue;  // parsing takes long
       const auto vector = nlohmann::json::parse(line);
       if (vector.at("why") != "typical values" || vector.at("direction") == "to_board") continue;
       bodies.push_back({vector.at("id"), from_hex(vector.at("hex"))});

@@ -60,12 +60,11 @@ void visit_stream(benchmark::State& state) {
   for (auto _ : state) {
     sbgc::Parser parser;
     parser.feed(bytes, [&](const sbgc::Frame& frame) {
-      const auto status =
-          sbgc::visit(frame, sbgc::Direction::from_board, [&](const auto& message) {
-            benchmark::DoNotOptimize(&message);
-            benchmark::ClobberMemory();
-            ++visited;
-          });
+      const auto status = sbgc::visit(frame, sbgc::Direction::from_board, [&](const auto& message) {
+        benchmark::DoNotOptimize(&message);
+        benchmark::ClobberMemory();
+        ++visited;
+      });
       if (!status) ++failed;
     });
   }

@@ -1,8 +1,10 @@
-// The content of CMD_REALTIME_DATA_4 with this library and with general serializers. Each frames its
-// messages as its users do: protobuf and nanopb with a length in front, FlatBuffers with a size. None
-// of these can find its way back after an error or detects a wrong byte; this protocol can.
+// The content of CMD_REALTIME_DATA_4 with this library and with general serializers. Each frames
+// its messages as its users do: protobuf and nanopb with a length in front, FlatBuffers with a
+// size. None of these can find its way back after an error or detects a wrong byte; this protocol
+// can.
 //
-// One iteration reads or writes 10,000 messages. All read the same three angles of a decoded message.
+// One iteration reads or writes 10,000 messages. All read the same three angles of a decoded
+// message.
 
 #include <cstddef>
 #include <cstdint>
@@ -250,7 +252,8 @@ void protobuf_write(benchmark::State& state) {
       const std::size_t body = message.ByteSizeLong();
       std::uint8_t* const begin = pb::io::CodedOutputStream::WriteVarint32ToArray(
           static_cast<std::uint32_t>(body), frame.data());
-      size = static_cast<std::size_t>(message.SerializeWithCachedSizesToArray(begin) - frame.data());
+      size =
+          static_cast<std::size_t>(message.SerializeWithCachedSizesToArray(begin) - frame.data());
       benchmark::ClobberMemory();
     }
   }
