@@ -20,6 +20,7 @@ from sbgcgen.model import Layout
 from sbgcgen.model.export import export
 from sbgcgen.model.names import slug
 from sbgcgen.targets import Items, Target
+from sbgcgen.targets.bytecode import BytecodeCache
 from sbgcgen.views.words import FILTERS, TESTS
 
 # The objects that placeholders such as @family@ in a path stand for.
@@ -48,6 +49,7 @@ def _environment(folder: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
+        bytecode_cache=BytecodeCache(),
     )
     environment.filters.update(FILTERS)
     environment.tests.update(TESTS)
