@@ -78,7 +78,8 @@ class Choice:
 
     def why(self) -> str:
         """A description of the chosen values, or only of the round if it would be too long."""
-        text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
+        some = self.chosen[:30]  # the text of more is always too long
+        text = ", ".join(f"{path} = {name}" for path, name in some)
         if not text:
             return "no variable values"
         return text if len(text) <= 100 else f"round {self.round} of edge values of all fields"

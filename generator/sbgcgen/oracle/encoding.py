@@ -135,8 +135,13 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
     """Write elements; of a member of fixed size, all elements fit or none."""
     inner = writer if field.size is None else _Writer(field.size, writer.at)
-    for element in elements:
-        _write_value(field.type, element, inner, name)
+    if isinstance(field.type, (Blob, Struct)):
+        for element in elements:
+            _write_value(field.type, element, inner, name)
+    else:
+        scalar = scalar_of(field.type)
+        for element in elements:
+            inner.put(_number(scalar, element, inner, name), name)
     if inner is not writer:
         writer.put(bytes(inner.data), name)
 
