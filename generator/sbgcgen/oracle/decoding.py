@@ -166,7 +166,9 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
 
 def _number(scalar: Scalar, data: bytes) -> Any:
     number = int.from_bytes(data, "little", signed=scalar.is_signed)
-    return (float_from_bits if scalar.is_float else integer_of)(number, scalar.size)
+    if scalar.is_float:
+        return float_from_bits(number, scalar.size)
+    return integer_of(number, scalar.size)
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

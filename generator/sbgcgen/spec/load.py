@@ -71,6 +71,15 @@ def directions_of(command: Map) -> tuple[str, ...]:
     return tuple(direction for direction in both if direction in command) or both
 
 
+def maps_in(node: Map | list[Any]) -> list[Map]:
+    """A node and the nodes in it that are mappings, in the order of the file."""
+    found = [node] if isinstance(node, Map) else []
+    for value in node.values() if isinstance(node, Map) else node:
+        if isinstance(value, (Map, list)):
+            found += maps_in(value)
+    return found
+
+
 def _empty(position: Position) -> Map:
     result = Map()
     result.position = position

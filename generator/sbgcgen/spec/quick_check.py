@@ -42,7 +42,7 @@ class QuickCheck:
     def _all_of(self, rules: Mapping[str, Any] | bool) -> Check:
         """The check for a schema."""
         if isinstance(rules, bool):
-            return lambda value: rules
+            return _anything if rules else _nothing
         keywords = [word for word in rules if word not in _NO_CHECK and word not in _MEMBERS]
         checks = [self._keyword(word, rules[word]) for word in keywords]
         if not _MEMBERS.isdisjoint(rules):
@@ -94,6 +94,14 @@ class QuickCheck:
             name = self._all_of(wanted)
             return lambda value: not isinstance(value, dict) or all(map(name, value))
         return _simple_keyword(word, wanted)
+
+
+def _anything(_: Any) -> bool:
+    return True
+
+
+def _nothing(_: Any) -> bool:
+    return False
 
 
 def _is_one_of(names: list[str]) -> Check:

@@ -26,7 +26,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import Map, Spec, maps_in
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
@@ -467,19 +467,10 @@ class FieldResolver:
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
-    def walk(node: Any) -> Iterator[Map]:
-        if isinstance(node, Map):
-            if "struct" in node and "fields" in node:
-                yield node
-            for value in node.values():
-                yield from walk(value)
-        elif isinstance(node, list):
-            for value in node:
-                yield from walk(value)
-
     for family, content in spec.families.items():
-        for node in walk(content):
-            yield family, node
+        for node in maps_in(content):
+            if "struct" in node and "fields" in node:
+                yield family, node
 
 
 def _number_reserved(fields: list[Field]) -> list[Field]:
