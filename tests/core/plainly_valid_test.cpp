@@ -1,5 +1,5 @@
-// Tests that the quick check of validate() never disagrees with the walk that reports violations, and
-// that both find each value outside the limits of the exported model.
+// Tests that the quick check of validate() never disagrees with the walk that reports violations,
+// and that both find each value outside the limits of the exported model.
 
 #include <cstddef>
 #include <cstdint>
@@ -99,7 +99,8 @@ const std::map<std::string, IntegerType> integer_types = {
     {"u16", {2, 0, 0xFFFF}},
     {"i16", {2, -0x8000, 0x7FFF}},
     {"u32", {4, 0, 0xFFFFFFFF}},
-    {"i32", {4, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}},
+    {"i32",
+     {4, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}},
 };
 
 bool reports(const AnyMessage& message, std::int64_t value, std::int64_t limit) {
@@ -124,7 +125,8 @@ TEST(PlainlyValid, NoValueOutsideTheLimitsOfTheModelPasses) {
     const auto message = message_type(name).make();
     for (const Json& leaf : entry["layout"]) {
       const auto type = integer_types.find(leaf["type"].get<std::string>());
-      if (type == integer_types.end() || leaf["min"].is_null() || leaf["offset"].is_null()) continue;
+      if (type == integer_types.end() || leaf["min"].is_null() || leaf["offset"].is_null())
+        continue;
       const auto& [size, lowest, highest] = type->second;
       for (const int beyond : {-1, 1}) {
         const auto bound = leaf[beyond < 0 ? "min" : "max"].get<std::int64_t>();
@@ -136,7 +138,8 @@ TEST(PlainlyValid, NoValueOutsideTheLimitsOfTheModelPasses) {
         const auto offset = leaf["offset"].get<std::size_t>();
         if (offset + size > body.size()) continue;
         for (std::size_t i = 0; i < size; ++i) {
-          body[offset + i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
+          body[offset + i] =
+              static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
         }
         if (!message->decode(body)) continue;  // a counter, for example
         ++tried;

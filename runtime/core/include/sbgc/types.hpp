@@ -132,8 +132,8 @@ class BoundedArray {
     return true;
   }
 
-  /// Sets the size. Elements added by it are value-initialized. Returns false and changes nothing if
-  /// `size` exceeds the capacity.
+  /// Sets the size. Elements added by it are value-initialized. Returns false and changes nothing
+  /// if `size` exceeds the capacity.
   constexpr bool resize(std::size_t size) noexcept {
     if (size > n) return false;
     for (std::size_t i = size_; i < size; ++i) room_.items[i] = T{};

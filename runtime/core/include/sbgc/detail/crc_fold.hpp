@@ -58,7 +58,8 @@ template <std::uint16_t polynomial>
   const auto first = reinterpret_cast<Bytes16>(Words2{start, 0});
   const std::size_t rest = size % 16;
   // Leading zeros do not change a register of 0: the first block is filled up with them. The
-  // register enters together with the first two bytes, the second of which may be in the next block.
+  // register enters together with the first two bytes, the second of which may be in the next
+  // block.
   const auto to_end = reinterpret_cast<Chars16>(load16(shift_bytes + rest));
   const auto to_begin = reinterpret_cast<Chars16>(load16(shift_bytes + 16 + rest));
   auto folded = reinterpret_cast<Words2>(

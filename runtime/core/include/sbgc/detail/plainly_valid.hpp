@@ -123,8 +123,7 @@ class PlainCheck {
     if (field.align != 1) note(bytes.size() % field.align != 0);
   }
   template <class T>
-  [[gnu::always_inline]] constexpr void value(const Optional<T>& optional,
-                                              const FieldInfo& field) {
+  [[gnu::always_inline]] constexpr void value(const Optional<T>& optional, const FieldInfo& field) {
     if (!optional) return;
     note(!is_available(field.since, versions_));
     value(*optional, field);
