@@ -282,6 +282,11 @@ class Field:
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @cached_property
+    def scalar(self) -> Scalar | None:
+        """The wire type of a number or of the elements of a list; None for bytes and structs."""
+        return scalar_of(self.type)
+
+    @cached_property
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
         return self.when is not None or self.appended

@@ -87,6 +87,8 @@ def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fie
 
 def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
     if field.dim == "one":
+        if field.scalar:
+            return _number(field.scalar, reader.take(field.scalar.size, field.name))
         if isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
         return _read_value(field.type, reader, field.name)
@@ -99,11 +101,11 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
         return reader.take(count, field.name).hex()
     if count < 0:
         return _read_to_the_end(field, reader)
-    if isinstance(field.type, (Blob, Struct)):
+    if field.scalar is None:
         return [_read_value(field.type, reader, field.name) for _ in range(count)]
-    scalar = scalar_of(field.type)
-    data = reader.take(count * scalar.size, field.name)
-    return [_number(scalar, data[at : at + scalar.size]) for at in range(0, len(data), scalar.size)]
+    size = field.scalar.size
+    data = reader.take(count * size, field.name)
+    return [_number(field.scalar, data[at : at + size]) for at in range(0, len(data), size)]
 
 
 def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
@@ -168,7 +170,7 @@ def _number(scalar: Scalar, data: bytes) -> Any:
     number = int.from_bytes(data, "little", signed=scalar.is_signed)
     if scalar.is_float:
         return float_from_bits(number, scalar.size)
-    return integer_of(number, scalar.size)
+    return integer_of(number, scalar.size) if scalar.size == 8 else number
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

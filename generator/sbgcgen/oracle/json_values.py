@@ -80,4 +80,4 @@ def to_json(value: Any) -> str:
     return _ENCODER.encode(value) + "\n"
 
 
-_ENCODER = json.JSONEncoder(separators=(",", ":"))
+_ENCODER = json.JSONEncoder(check_circular=False, separators=(",", ":"))

@@ -59,6 +59,17 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
 
 def typical_vector(message: Message) -> Vector:
     """The first vector that can be decoded, which has typical values."""
+    known = _TYPICAL.get(id(message))
+    if known is None or known.message is not message:
+        known = _TYPICAL[id(message)] = _typical_vector(message)
+    return known
+
+
+# By the id of the message, because the hash of a message takes long.
+_TYPICAL: dict[int, Vector] = {}
+
+
+def _typical_vector(message: Message) -> Vector:
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
@@ -271,12 +282,14 @@ class _Maker:
 
     def add_body(self, body: bytes, context: Fields, why: str) -> None:
         """Add a body with its fields or the error of decoding it."""
+        if not self._is_new(body, context):
+            return
         try:
             fields = decode(self.message, body, context)
         except CodecError as error:
-            self._add(Vector(self.message, why, body, None, context, error))
+            self.vectors.append(Vector(self.message, why, body, None, context, error))
         else:
-            self._add(Vector(self.message, why, body, fields, context))
+            self.vectors.append(Vector(self.message, why, body, fields, context))
 
     def add_refused(self, fields: Fields, why: str) -> None:
         """Add fields with the error of encoding them, if there is one and they can be held."""
@@ -285,13 +298,15 @@ class _Maker:
         try:
             encode(self.message, fields)
         except CodecError as error:
-            self._add(Vector(self.message, why, None, fields, {}, error))
+            if self._is_new(fields, {}):
+                self.vectors.append(Vector(self.message, why, None, fields, {}, error))
 
-    def _add(self, vector: Vector) -> None:
-        key = repr((vector.body if vector.body is not None else vector.fields, vector.context))
-        if key not in self.seen:
-            self.seen.add(key)
-            self.vectors.append(vector)
+    def _is_new(self, given: bytes | Fields, context: Fields) -> bool:
+        key = repr((given, context))
+        if key in self.seen:
+            return False
+        self.seen.add(key)
+        return True
 
 
 class _Random:
