@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Iterator
 
@@ -55,6 +56,11 @@ class Spec:
     families: dict[str, Map] = field(default_factory=dict)
     errata: Map = field(default_factory=lambda: _empty(Position("spec/errata.yaml")))
     files: list[Path] = field(default_factory=list)
+
+    @cached_property
+    def maps(self) -> dict[str, list[Map]]:
+        """The mappings in each family, in file order."""
+        return {family: maps_in(content) for family, content in self.families.items()}
 
     def entries(self, section: str) -> Iterator[tuple[str, str, Any, Position]]:
         """Every (family, name, value, position) of one section, in file order."""
