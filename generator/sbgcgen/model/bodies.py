@@ -83,6 +83,11 @@ class Struct:
             return ()
         return tuple(takewhile(lambda f: f.offset is not None and not f.is_variable, self.fields))
 
+    @cached_property
+    def fixed_size(self) -> int:
+        """The size of the fixed part."""
+        return sum(f.size or 0 for f in self.fixed_part)
+
 
 @dataclass(frozen=True)
 class Announced:

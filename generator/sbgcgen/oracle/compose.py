@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from sbgcgen.model import (
@@ -245,7 +245,7 @@ class _Composer:
         outside, self.conditional = self.conditional, True
         types = self.choice.context.get(type_.context, [])[: member.capacity]
         numbers = [
-            {name: self._value(replace(member, type=SCALARS[name]), f"{path}[{i}].{name}")}
+            {name: self._value(member, f"{path}[{i}].{name}", type_=SCALARS[name])}
             for i, name in enumerate(types)
         ]
         self.conditional = outside
@@ -277,8 +277,10 @@ class _Composer:
             typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
         return min(max(typical, member.min_count), documented_length(fields, member))
 
-    def _value(self, member: Field, path: str, around: Any = None) -> Any:
-        type_, choice = member.type, self.choice
+    def _value(
+        self, member: Field, path: str, around: Any = None, type_: Type | None = None
+    ) -> Any:
+        type_, choice = type_ or member.type, self.choice
         if not member.scalar:
             if isinstance(type_, Struct):
                 return self.fields(type_.fields, f"{path}.", around or {})
@@ -287,7 +289,7 @@ class _Composer:
                 if length is not None:
                     return "".join(chr(65 + i % 26) for i in range(length))
         if choice.typical:
-            return self._typical(member, path)
+            return self._typical(member, type_, path)
         number, found = choice.places.at(path, member, type_)
         rounds = len(found)
         if self.conditional:
@@ -300,7 +302,7 @@ class _Composer:
             choice.chosen.append((path, name))
         return value
 
-    def _typical(self, member: Field, path: str) -> Any:
+    def _typical(self, member: Field, type_: Type, path: str) -> Any:
         """An ordinary value, or that of the example."""
         choice = self.choice
         number = choice.places.number(path)
@@ -308,4 +310,4 @@ class _Composer:
             return choice.example[path]
         if member.typical is not None:
             return element_of(member.typical, path)
-        return typical(member, member.type, number + self.element)
+        return typical(member, type_, number + self.element)

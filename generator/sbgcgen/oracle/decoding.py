@@ -41,7 +41,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     `context` has the facts from earlier messages: raw values, and lists of type names.
     """
     fixed = message.body.fixed_part
-    size = sum(f.size or 0 for f in fixed)
+    size = message.body.fixed_size
     exact = len(fixed) == len(message.fields) and not message.keeps_tail
     if len(body) < size or (exact and len(body) != size):
         raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))

@@ -24,6 +24,7 @@ from sbgcgen.oracle.compose import (
 )
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.remember import remember
 from sbgcgen.oracle.room import has_room
 
 
@@ -57,19 +58,9 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
     return maker.vectors
 
 
+@remember
 def typical_vector(message: Message) -> Vector:
     """The first vector that can be decoded, which has typical values."""
-    known = _TYPICAL.get(id(message))
-    if known is None or known.message is not message:
-        known = _TYPICAL[id(message)] = _typical_vector(message)
-    return known
-
-
-# By the id of the message, because the hash of a message takes long.
-_TYPICAL: dict[int, Vector] = {}
-
-
-def _typical_vector(message: Message) -> Vector:
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
@@ -84,7 +75,7 @@ class _Maker:
     def __init__(self, message: Message) -> None:
         self.message = message
         self.vectors: list[Vector] = []
-        self.seen: set[str] = set()
+        self.seen: set[tuple[bytes | str, str]] = set()
         self.places = Places()
 
     def readable(self) -> list[Vector]:
@@ -196,7 +187,9 @@ class _Maker:
         """Truncated bodies, one for each distinct error, and one body that is too long."""
         context, whole = self.whole()
         reported: set[tuple[str, str]] = set()
-        for size in (len(whole) + 1, *range(len(whole) - 1, -1, -1)):
+        # All bodies that are shorter than the fixed part have the same error.
+        least = max(0, self.message.body.fixed_size - 1)
+        for size in (len(whole) + 1, *range(len(whole) - 1, least - 1, -1)):
             body = (whole + b"\x5a")[:size]
             try:
                 decode(self.message, body, context)
@@ -302,7 +295,7 @@ class _Maker:
                 self.vectors.append(Vector(self.message, why, None, fields, {}, error))
 
     def _is_new(self, given: bytes | Fields, context: Fields) -> bool:
-        key = repr((given, context))
+        key = (given if isinstance(given, bytes) else repr(given), repr(context))
         if key in self.seen:
             return False
         self.seen.add(key)
