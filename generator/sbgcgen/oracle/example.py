@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from sbgcgen.model import (
@@ -85,7 +86,7 @@ class Example:
     trailer: bytes
     read: Example | None = None
 
-    @property
+    @cached_property
     def changed(self) -> frozenset[str]:
         """The paths of the values that differ from those in `read`."""
         before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 from sbgcgen.model import EnumValue, Message, Packed
 
@@ -32,6 +33,7 @@ def code(text: str) -> str:
     return f"{fence}{text}{fence}".replace("|", "\\|") if text else ""
 
 
+@cache
 def anchor(title: str) -> str:
     """The anchor that GitHub gives a heading."""
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
