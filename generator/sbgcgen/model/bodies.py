@@ -208,7 +208,7 @@ class Condition:
             return (
                 value & self.mask == self.mask
                 and (not self.any_flags or any(value & f.value == f.value for f in self.any_flags))
-                and not any(value & f.value == f.value for f in self.no_flags)
+                and not (self.no_flags and any(value & f.value == f.value for f in self.no_flags))
             )
         return (value in self.numbers) != self.negated
 

@@ -52,7 +52,7 @@ class Places:
         return found
 
 
-_MOST_CHOSEN = 30  # the text of more is always too long
+_MOST_CHOSEN = 15  # the text of more is always too long
 
 
 @dataclass

@@ -27,6 +27,7 @@ MAIN_FILE = "simplebgc.yaml"
 SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
+_WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
 _HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
 
 
@@ -97,11 +98,15 @@ def _scalar(node: yaml.ScalarNode) -> Any:
     if node.style in ("'", '"', "|", ">"):
         return node.value
     text = str(node.value)
+    if text in _WORDS:
+        return _WORDS[text]
+    if text[0] not in "+-0123456789":
+        return text
     if _INT.match(text):
         return int(text)
     if _HEX.match(text):
         return int(text, 16)
-    return {"true": True, "false": False, "null": None, "~": None, "": None}.get(text, text)
+    return text
 
 
 class _Loader(_SafeLoader):
