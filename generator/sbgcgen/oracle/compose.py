@@ -212,6 +212,8 @@ class _Composer:
         if member.is_counter:
             return 0  # set after its list
         if member.dim == "one":
+            if member.scalar:
+                return self._value(member, name)
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
             return self._value(member, name, around)
         if member.dim not in LISTS:

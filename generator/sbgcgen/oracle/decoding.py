@@ -87,13 +87,11 @@ def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fie
 
 def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
     if field.dim == "one":
-        if field.scalar:
-            return _number(field.scalar, reader.take(field.scalar.size, field.name))
-        if isinstance(field.type, Struct) and field.type.is_region:
+        if not field.scalar and isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
-        return _read_value(field.type, reader, field.name)
+        return _read_one(field, reader)
     if field.dim not in LISTS:
-        return {key: _read_value(field.type, reader, field.name) for key in keys_of(field)}
+        return {key: _read_one(field, reader) for key in keys_of(field)}
     if isinstance(field.type, Announced):
         return _read_announced(context.get(field.type.context, []), reader, field)
     count = _count(field, reader, values)
@@ -102,7 +100,7 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
     if count < 0:
         return _read_to_the_end(field, reader)
     if field.scalar is None:
-        return [_read_value(field.type, reader, field.name) for _ in range(count)]
+        return [_read_one(field, reader) for _ in range(count)]
     size = field.scalar.size
     data = reader.take(count * size, field.name)
     return [_number(field.scalar, data[at : at + size]) for at in range(0, len(data), size)]
@@ -113,7 +111,7 @@ def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
     while reader.left():
         if len(elements) == field.capacity:
             raise CodecError("too_long", field.name, reader.at)
-        elements.append(_read_value(field.type, reader, field.name))
+        elements.append(_read_one(field, reader))
     if len(elements) < field.min_count:
         raise CodecError("too_short", field.name, reader.at)
     return elements
@@ -153,6 +151,14 @@ def _size_of(type_: Type) -> int:
     size = type_.size if isinstance(type_, (Blob, Struct)) else scalar_of(type_).size
     assert size is not None, f"the size of {type_} varies"
     return size
+
+
+def _read_one(field: Field, reader: _Reader) -> Any:
+    """The value of a field, or an element of it."""
+    scalar = field.scalar
+    if scalar:
+        return _number(scalar, reader.take(scalar.size, field.name))
+    return _read_value(field.type, reader, field.name)
 
 
 def _read_value(type_: Type, reader: _Reader, name: str) -> Any:

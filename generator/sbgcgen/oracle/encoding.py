@@ -29,14 +29,15 @@ class _Writer:
         self.data += data
 
     def put_number(self, scalar: Scalar, value: Any, field: str) -> None:
+        size = scalar.size
         try:
-            if scalar.is_float:
-                data = float_to_bits(value, scalar.size).to_bytes(scalar.size, "little")
-            else:
-                data = int(value).to_bytes(scalar.size, "little", signed=scalar.is_signed)
+            number = float_to_bits(value, size) if scalar.is_float else int(value)
+            data = number.to_bytes(size, "little", signed=scalar.is_signed)
         except (OverflowError, ValueError):
             raise CodecError("value_out_of_range", field, self.at) from None
-        self.put(data, field)
+        if len(self.data) + size > self.limit:
+            raise CodecError("buffer_too_small", field, self.at)
+        self.data += data
 
 
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:

@@ -75,7 +75,7 @@ class _Maker:
     def __init__(self, message: Message) -> None:
         self.message = message
         self.vectors: list[Vector] = []
-        self.seen: set[tuple[bytes | str, str]] = set()
+        self.seen: set[tuple[str, str]] = set()
         self.places = Places()
 
     def readable(self) -> list[Vector]:
@@ -295,7 +295,7 @@ class _Maker:
                 self.vectors.append(Vector(self.message, why, None, fields, {}, error))
 
     def _is_new(self, given: bytes | Fields, context: Fields) -> bool:
-        key = (given if isinstance(given, bytes) else repr(given), repr(context))
+        key = repr(given), repr(context)
         if key in self.seen:
             return False
         self.seen.add(key)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from fractions import Fraction
-from json.encoder import encode_basestring
+from functools import cache
 from typing import Any
 
 from sbgcgen.model import (
@@ -39,16 +39,14 @@ def to_json(value: Any) -> str:
 def _indented(value: Any, line: str) -> str:
     """A value whose lines begin with `line`."""
     if isinstance(value, str):
-        return encode_basestring(value)
+        return _quoted(value)
     if value is None or value is True or value is False:
         return _WORDS[value]
     if isinstance(value, int):
         return str(value)
     inner = line + "  "
     if isinstance(value, dict) and value:
-        items = [
-            f"{encode_basestring(name)}: {_indented(item, inner)}" for name, item in value.items()
-        ]
+        items = [f"{_quoted(name)}: {_indented(item, inner)}" for name, item in value.items()]
         return f"{{{inner}{f',{inner}'.join(items)}{line}}}"
     if isinstance(value, (list, tuple)) and value:
         items = [_indented(item, inner) for item in value]
@@ -57,6 +55,7 @@ def _indented(value: Any, line: str) -> str:
 
 
 _WORDS = {None: "null", True: "true", False: "false"}
+_quoted = cache(json.JSONEncoder(ensure_ascii=False).encode)
 
 
 def number(value: Fraction) -> str:

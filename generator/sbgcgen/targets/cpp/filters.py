@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import textwrap
 from collections.abc import Callable, Iterable
-from json.encoder import encode_basestring
 from typing import Any
 
 from sbgcgen.model import Field, Quantity, constants, copy_field, scalar_of
@@ -26,7 +26,7 @@ def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -
 
 def c_string(text: str) -> str:
     """Text as a C string literal, in which nothing looks like a trigraph."""
-    return encode_basestring(text).replace("??", "?\\?")
+    return json.dumps(text, ensure_ascii=False).replace("??", "?\\?")
 
 
 def statement(text: str, indent: int) -> str:
