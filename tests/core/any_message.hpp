@@ -9,10 +9,12 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/validate.hpp>
 
 #include "support.hpp"
@@ -71,8 +73,10 @@ class AnyMessage {
   virtual std::size_t tail_size() const = 0;
   virtual std::vector<ViolationCopy> violations() const = 0;
   virtual FieldValues spec_fields() const = 0;
-  virtual Json to_json() const = 0;
-  virtual void from_json(const Json& json) = 0;
+  virtual Json to_dom() const = 0;
+  virtual void from_dom(const Json& json) = 0;
+  virtual std::string to_json() const = 0;
+  virtual JsonResult from_json(std::string_view text) = 0;
 
   Status decode(std::span<const std::uint8_t> body) { return decode(body, Contexts{}); }
   /// Returns the body, or an empty vector if the message does not encode.
