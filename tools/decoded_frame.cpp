@@ -58,49 +58,29 @@ std::string objection_to(const MessageInfo& info, const Availability& versions) 
                                                  : std::string();
 }
 
-/// Writes the members of a JSON object.
-class JsonMembers {
- public:
-  explicit JsonMembers(TextOutput& out) : out_(out) { out_.put('{'); }
-
-  /// Begins a member, whose value is to be written.
-  void key(std::string_view name) {
-    if (!is_first_) out_.put(',');
-    is_first_ = false;
-    put_json_string(out_, name);
-    out_.put(':');
-  }
-  void add(std::string_view name, std::string_view text) {
-    key(name);
-    put_json_string(out_, text);
-  }
-  void add(std::string_view name, std::uint64_t number) {
-    key(name);
-    out_.put(number);
-  }
-  void end() { out_.put('}'); }
-
- private:
-  TextOutput& out_;
-  bool is_first_ = true;
-};
-
 /// Writes objections by path; that to the whole message has the path "".
 void put_objections(TextOutput& out, const DecodedFrame& decoded) {
-  JsonMembers members(out);
-  if (!decoded.objection.empty()) members.add("", decoded.objection);
+  char separator = '{';
+  const auto add = [&](std::string_view path, std::string_view objection) {
+    out.put(separator);
+    separator = ',';
+    put_json_string(out, path);
+    out.put(':');
+    put_json_string(out, objection);
+  };
+  if (!decoded.objection.empty()) add("", decoded.objection);
   for (const Row& row : decoded.rows) {
-    if (!row.objection.empty()) members.add(row.path, row.objection);
+    if (!row.objection.empty()) add(row.path, row.objection);
   }
-  members.end();
+  out.put(separator == '{' ? "{}" : "}");
 }
 
-void put_error(TextOutput& out, const DecodedFrame& decoded) {
-  JsonMembers members(out);
-  members.add("code", name(decoded.status.code));
-  members.add("field", decoded.error_field);
-  members.add("offset", decoded.status.offset);
-  members.end();
+/// Writes a name, which needs no escapes, or null.
+void put_name(TextOutput& out, const char* name) {
+  if (*name == '\0') return out.put("null");
+  out.put('"');
+  out.put(name);
+  out.put('"');
 }
 
 }  // namespace
@@ -163,45 +143,43 @@ void put_json_string(TextOutput& out, std::string_view text) {
 
 void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place) {
   const Frame& frame = decoded.frame;
-  JsonMembers members(out);
-  members.add("offset", frame.offset);
-  members.key("command");
-  if (*decoded.command == '\0') {
-    out.put("null");
-  } else {
-    put_json_string(out, decoded.command);
-  }
-  members.add("id", frame.id);
-  members.key("message");
-  if (decoded.message == nullptr) {
-    out.put("null");
-  } else {
-    put_json_string(out, decoded.message->name);
-  }
-  members.add("direction", decoded.direction == Direction::from_board ? "from_board" : "to_board");
-  members.add("framing", to_string(frame.framing));
+  out.put("{\"offset\":");
+  out.put(frame.offset);
+  out.put(",\"command\":");
+  put_name(out, decoded.command);
+  out.put(",\"id\":");
+  out.put(frame.id);
+  out.put(",\"message\":");
+  put_name(out, decoded.message == nullptr ? "" : decoded.message->name);
+  out.put(",\"direction\":");
+  put_name(out, decoded.direction == Direction::from_board ? "from_board" : "to_board");
+  out.put(",\"framing\":");
+  put_name(out, to_string(frame.framing));
   if (decoded.status) {
-    members.key("fields");
+    out.put(",\"fields\":");
     out.put(decoded.fields);
     if (decoded.is_for_firmware) {
-      members.key("objections");
+      out.put(",\"objections\":");
       put_objections(out, decoded);
     }
   } else {
-    members.key("error");
-    put_error(out, decoded);
-    members.key("body");
-    out.put('"');
+    out.put(",\"error\":{\"code\":");
+    put_name(out, name(decoded.status.code));
+    out.put(",\"field\":");
+    put_json_string(out, decoded.error_field);
+    out.put(",\"offset\":");
+    out.put(decoded.status.offset);
+    out.put("},\"body\":\"");
     out.put_hex(frame.body);
     out.put('"');
   }
   if (place != nullptr) {
-    members.key("time");
+    out.put(",\"time\":");
     detail::put_real(out, place->time);
-    members.key("session");
+    out.put(",\"session\":");
     out.put(place->session);
   }
-  members.end();
+  out.put('}');
 }
 
 }  // namespace sbgc::tools

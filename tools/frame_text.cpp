@@ -63,18 +63,12 @@ void put_remark(TextOutput& out, const Row& row) {
 
 bool has_remark(const Row& row) { return !row.meaning.empty() || !row.objection.empty(); }
 
-void put_spaces(TextOutput& out, std::size_t count) {
-  constexpr std::string_view spaces = "                                ";
-  for (; count > spaces.size(); count -= spaces.size()) out.put(spaces);
-  out.put(spaces.substr(0, count));
-}
-
 /// Writes a raw value in a column of `width` bytes.
 void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
   const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
   if (std::all_of(raw.begin(), raw.end(), is_ascii)) {
     out.put(raw);
-    put_spaces(out, width - raw.size());
+    out.put(' ', width - raw.size());
   } else {
     out.put(fmt::format("{:<{}}", raw, width));  // it knows how wide characters are
   }
@@ -91,7 +85,7 @@ void put_values(TextOutput& out, std::span<const Row> rows) {
     out.put("    ");
     out.put(row.path);
     if (!row.raw.empty() || has_remark(row)) {
-      put_spaces(out, path_width - row.path.size() + 2);
+      out.put(' ', path_width - row.path.size() + 2);
       if (has_remark(row)) {
         put_raw(out, row.raw, raw_width);
         out.put("  ");

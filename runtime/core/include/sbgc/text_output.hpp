@@ -24,15 +24,21 @@ class TextOutput {
     *at_++ = c;
   }
   void put(std::string_view text) {
-    while (text.size() > static_cast<std::size_t>(end_ - at_)) {
-      const auto some = static_cast<std::size_t>(end_ - at_);
-      copy(text.substr(0, some));
-      text.remove_prefix(some);
-      make_room();
-    }
-    copy(text);
+    if (text.size() > free()) return put_in_parts(text);
+    std::memcpy(at_, text.data(), text.size());
+    at_ += text.size();
   }
   void put(const char* text) { put(std::string_view(text)); }
+  void put(char c, std::size_t count) {
+    while (count > free()) {
+      count -= free();
+      std::memset(at_, c, free());
+      at_ = end_;
+      make_room();
+    }
+    std::memset(at_, c, count);
+    at_ += count;
+  }
 
   /// Writes an integer in decimal.
   template <class T>
@@ -60,7 +66,7 @@ class TextOutput {
   /// Returns memory for `size` characters, at most longest_number; then tell advance() the end of
   /// what was written.
   char* room(std::size_t size) {
-    if (static_cast<std::size_t>(end_ - at_) < size) make_room();
+    if (free() < size) make_room();
     return at_;
   }
   void advance(char* end) { at_ = end; }
@@ -85,12 +91,17 @@ class TextOutput {
     char* const start = room(longest_number);
     advance(std::to_chars(start, start + longest_number, number).ptr);
   }
-
-  void copy(std::string_view text) {
-    if (text.empty()) return;
-    std::memcpy(at_, text.data(), text.size());
-    at_ += text.size();
+  [[gnu::noinline]] void put_in_parts(std::string_view text) {
+    while (text.size() > free()) {
+      const std::size_t some = free();
+      put(text.substr(0, some));
+      text.remove_prefix(some);
+      make_room();
+    }
+    put(text);
   }
+
+  std::size_t free() const { return static_cast<std::size_t>(end_ - at_); }
 };
 
 /// Calls `take(std::string_view)` with pieces of the text.

@@ -120,8 +120,8 @@ class JsonTextSink {
   void begin_list() { begin('['); }
   void end_list() { end(']'); }
   [[gnu::noinline]] void key(const char* name) {
-    element();
-    out_.put('"');
+    out_.put(is_first_ ? std::string_view("\"") : std::string_view(",\""));
+    is_first_ = false;
     out_.put(name);
     out_.put("\":");
   }

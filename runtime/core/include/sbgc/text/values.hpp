@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <clocale>
 #include <cstdint>
@@ -46,6 +47,7 @@ inline void put_general(TextOutput& out, double value) {
   constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
   constexpr int one = 4;  // the index of 1e0
   const double size = value < 0 ? -value : value;
+  if (std::bit_cast<std::uint64_t>(value) == 0) return out.put('0');
   if (!(size >= powers[0] && size < powers[one + 6])) return out.put(printed(value, 6));
   int exponent = 0;  // of the first digit
   while (size < powers[one + exponent]) --exponent;
