@@ -51,8 +51,8 @@ void put_error(TextOutput& out, const DecodedFrame& decoded) {
 void put_remark(TextOutput& out, const Row& row) {
   const std::string_view objection = row.objection;
   if (objection.empty()) return out.put(row.meaning);
-  const bool has_meaning = objection.starts_with(row.meaning) &&
-                           objection.substr(row.meaning.size()).starts_with(' ');
+  const bool has_meaning =
+      objection.starts_with(row.meaning) && objection.substr(row.meaning.size()).starts_with(' ');
   if (!row.meaning.empty() && !has_meaning) {
     const bool has_subject = objection.front() >= 'A' && objection.front() <= 'Z';
     out.put(row.meaning);

@@ -15,9 +15,9 @@
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/json/hex.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/parse_json.hpp>
-#include <sbgc/json_dom.hpp>
 
 namespace sbgc::serving {
 namespace {

@@ -1,5 +1,5 @@
-// Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected. The same with
-// text and with values of nlohmann_json.
+// Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected. The same
+// with text and with values of nlohmann_json.
 
 #include <bit>
 #include <cmath>
@@ -89,7 +89,8 @@ std::string refusal(const Json& json) {
     EXPECT_EQ(message, before) << "the message was modified";
     EXPECT_TRUE(by_text.problem);
     EXPECT_EQ(by_text.problem.value_or(JsonProblem{}).field, error.field());
-    EXPECT_TRUE(std::string(error.what()).ends_with(by_text.problem.value_or(JsonProblem{}).reason));
+    EXPECT_TRUE(
+        std::string(error.what()).ends_with(by_text.problem.value_or(JsonProblem{}).reason));
     EXPECT_EQ(std::string(error.what()).find(error.field()), 0U);
     return error.field() + "|" + error.what();
   }
@@ -260,6 +261,7 @@ TEST(Json, TextsThatDoNotFit) {
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "at most 48");
   json["profile_name"][2] = 7;
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "string");
+  json["profile_name"][2] = "x";
   json["profile_name"].erase(4);
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name", "list of 5");
 }

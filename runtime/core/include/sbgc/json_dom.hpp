@@ -71,7 +71,7 @@ class JsonDomSink {
   }
 
   Json result_{};
-  Json* place_ = &result_;  // of the next value
+  Json* place_ = &result_;        // of the next value
   std::vector<Json*> parents_{};  // none of which grows while a value in it is open
 };
 

@@ -111,7 +111,8 @@ class JsonReader {
       Meta<T>::visit(*static_cast<T*>(object), members);
     });
   }
-  [[gnu::noinline]] void object(const FieldPath* path, void* out, void (*visit)(void* object, Members& members)) {
+  [[gnu::noinline]] void object(const FieldPath* path, void* out,
+                                void (*visit)(void* object, Members& members)) {
     constexpr const char* needed = "an object is needed";
     if (!source_.is_object()) return path != nullptr ? fail(*path, needed) : fail_at_all(needed);
     Members members{*this, path, source_.enter()};
@@ -251,7 +252,8 @@ class JsonReader {
     out = static_cast<T>(integer(Limits::min(), Limits::max(), path));
   }
   /// Returns an integer in a range; 0 after an error.
-  [[gnu::noinline]] std::int64_t integer(std::int64_t lowest, std::int64_t highest, const FieldPath& path) {
+  [[gnu::noinline]] std::int64_t integer(std::int64_t lowest, std::int64_t highest,
+                                         const FieldPath& path) {
     JsonInteger number;
     if (!source_.integer(number)) {
       fail(path, "an integer is needed");

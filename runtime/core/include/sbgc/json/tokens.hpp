@@ -75,8 +75,8 @@ class JsonBytes {
     std::uint32_t code = static_cast<std::uint32_t>(hex4(rest_));
     rest_.remove_prefix(4);
     if (code >= 0xD800 && code < 0xDC00) {
-      code = 0x10000 + ((code & 0x3FFU) << 10 |
-                        (static_cast<std::uint32_t>(hex4(rest_.substr(2))) & 0x3FFU));
+      code = 0x10000 +
+             ((code & 0x3FFU) << 10 | (static_cast<std::uint32_t>(hex4(rest_.substr(2))) & 0x3FFU));
       rest_.remove_prefix(6);
     }
     const auto more = [&](unsigned shift) { return 0x80U | ((code >> shift) & 0x3FU); };

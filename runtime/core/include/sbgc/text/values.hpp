@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <clocale>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -27,7 +28,9 @@ inline std::string printed(double value, int digits) {
   std::string result = buffer;
   const char* const point = std::localeconv()->decimal_point;
   const std::size_t at = result.find(point);
-  if (at != std::string::npos) result.replace(at, std::strlen(point), ".");
+  if (at == std::string::npos) return result;
+  result.erase(at + 1, std::strlen(point) - 1);
+  result[at] = '.';
   return result;
 }
 
@@ -53,12 +56,18 @@ inline void put_general(TextOutput& out, double value) {
   while (size < powers[one + exponent]) --exponent;
   while (size >= powers[one + exponent + 1]) ++exponent;
   constexpr double scales[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-  const double scaled = size * scales[5 - exponent];
+  const double scale = scales[5 - exponent];
+  const double scaled = size * scale;
   auto digits = static_cast<std::uint32_t>(scaled);
   const double rest = scaled - digits;
-  // The product is exact to 1e-10. Where that does not decide, the exact value does.
-  if (rest > 0.5 - 1e-9 && rest < 0.5 + 1e-9) return out.put(printed(value, 6));
-  if (rest > 0.5) ++digits;
+  // The product is exact to 1e-10. Where that does not decide, a half that is exact is rounded to
+  // an even digit, and the exact value decides the rest.
+  if (rest > 0.5 - 1e-9 && rest < 0.5 + 1e-9) {
+    if (rest != 0.5 || std::fma(size, scale, -scaled) != 0) return out.put(printed(value, 6));
+    digits += digits & 1U;
+  } else if (rest > 0.5) {
+    ++digits;
+  }
   if (digits == 1'000'000) {
     if (exponent == 5) return out.put(printed(value, 6));
     digits /= 10;
