@@ -32,8 +32,9 @@ Outcome carry_out(RequestContext& context, const M& request) {
 class Board::Core {
  public:
   Core(const BoardOptions& options, Memory memory, Instant now)
-      : device(options, std::move(memory), now), start_(now), clock_(now) {
+      : device(options, std::move(memory), now), clock_(now) {
     request_times_.fill(Instant::never);
+    free_times_.fill(now);
     idle_times_.fill(Instant::never);
   }
 
@@ -121,6 +122,8 @@ class Board::Core {
  private:
   /// The pause after which a partial frame is dropped. Assumption.
   static constexpr Duration idle_time = milliseconds(100);
+  /// From the end of a request to its execution. Assumption.
+  static constexpr Duration reaction_time = microseconds(100);
 
   /// Runs one step of the board. Any frame sent in this step may report a change that the step made
   /// to the memory.
@@ -149,17 +152,17 @@ class Board::Core {
     for (std::size_t port = 0; port < request_times_.size(); ++port) {
       if (request_times_[port] > now) continue;
       request_times_[port] = Instant::never;
+      free_times_[port] = now + Device::cycle();
       if (device.ports.can_take(port)) step([&] { carry_out_next(port, now); });
       plan_request(port);
     }
   }
 
-  /// Schedules the next request: the controller executes one per port and cycle.
+  /// Schedules the next request: the controller executes at most one per port in the time of a
+  /// cycle.
   void plan_request(std::size_t port) {
     if (request_times_[port] != Instant::never || !device.ports.can_take(port)) return;
-    const std::int64_t cycle = Device::cycle().us;
-    const std::int64_t elapsed = (clock_ - start_).us;
-    request_times_[port] = clock_ + microseconds(cycle - elapsed % cycle);
+    request_times_[port] = later(clock_ + reaction_time, free_times_[port]);
   }
 
   void carry_out_next(std::size_t port, Instant now) {
@@ -228,11 +231,11 @@ class Board::Core {
     return code == Code::unknown_form ? Outcome::malformed : outcome;
   }
 
-  Instant start_;
   Instant clock_;
-  std::array<Instant, max_ports>
-      request_times_{};                          ///< when the next request of each port is executed
-  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is dropped
+  // Of each port
+  std::array<Instant, max_ports> request_times_{};  ///< when the next request is executed
+  std::array<Instant, max_ports> free_times_{};     ///< when the next one may be executed
+  std::array<Instant, max_ports> idle_times_{};     ///< when a partial frame is dropped
 };
 
 Board::Board(const BoardOptions& options, Memory memory, Instant now)

@@ -7,8 +7,8 @@ namespace sbgc::serving {
 namespace {
 
 /// The minimum interval of the timer: events within it are handled together, each at its own time.
-/// Comparable to the latency of a typical USB serial adapter.
-constexpr Duration granularity = milliseconds(1);
+/// A tenth of the time that a request and its response take at 115200 baud.
+constexpr Duration granularity = microseconds(250);
 
 /// The line begins at 0; silences and text lines count from there.
 constexpr Instant line_beginning{};

@@ -98,6 +98,16 @@ class Holder final : public AnyMessage {
     }
   }
   std::vector<ViolationCopy> violations() const override { return violations_of(message_); }
+  std::vector<ViolationCopy> walk(const Availability& versions) const override {
+    std::vector<ViolationCopy> result;
+    ViolationCopies copies{result};
+    detail::Validator<ViolationCopies> validator(versions, copies);
+    validator.members(message_, nullptr);
+    return result;
+  }
+  bool is_plainly_valid(const Availability& versions) const override {
+    return detail::is_plainly_valid(message_, versions);
+  }
   FieldValues spec_fields() const override {
     FieldCollector collector;
     collector.members(message_);

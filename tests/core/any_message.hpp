@@ -72,6 +72,10 @@ class AnyMessage {
   virtual void teach(Contexts& contexts) const = 0;
   virtual std::size_t tail_size() const = 0;
   virtual std::vector<ViolationCopy> violations() const = 0;
+  /// The violations that the walk over all members reports, without the quick check before it.
+  virtual std::vector<ViolationCopy> walk(const Availability& versions) const = 0;
+  /// The result of the quick check alone.
+  virtual bool is_plainly_valid(const Availability& versions) const = 0;
   virtual FieldValues spec_fields() const = 0;
   virtual Json to_dom() const = 0;
   virtual void from_dom(const Json& json) = 0;

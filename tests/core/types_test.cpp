@@ -1,8 +1,11 @@
 // Tests of the small value types that messages consist of.
 
+#include <array>
 #include <cstdint>
+#include <new>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +66,54 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   EXPECT_NE(a, b) << "the bytes past the end are equal, the sizes are not";
   EXPECT_NE(b, a);
 }
+
+TEST(BoundedArray, ResizeInitializesWhatItAdds) {
+  struct Pair {
+    std::uint8_t first = 7;
+    std::uint8_t second{};
+    bool operator==(const Pair&) const = default;
+  };
+  BoundedArray<int, 4> numbers;
+  BoundedArray<Pair, 4> pairs;
+  for (int i = 1; i <= 4; ++i) {
+    numbers.push_back(i);
+    pairs.push_back({1, 1});
+  }
+  numbers.resize(1);
+  pairs.resize(1);
+  EXPECT_TRUE(numbers.resize(3));
+  EXPECT_TRUE(pairs.resize(3));
+  EXPECT_EQ(std::vector<int>(numbers.begin(), numbers.end()), (std::vector<int>{1, 0, 0}));
+  EXPECT_EQ(std::vector<Pair>(pairs.begin(), pairs.end()),
+            (std::vector<Pair>{{1, 1}, {7, 0}, {7, 0}}));
+}
+
+// What is not in use is not initialized at run time, but copied as bytes.
+TEST(BoundedArray, CopiesAreEqualWhateverTheUnusedBytes) {
+  using List = BoundedArray<std::uint16_t, 5>;
+  static_assert(std::is_trivially_copyable_v<List>);
+  alignas(List) std::array<unsigned char, sizeof(List)> zeros{};
+  alignas(List) std::array<unsigned char, sizeof(List)> ones{};
+  ones.fill(0xFF);
+  List& a = *new (zeros.data()) List;
+  List& b = *new (ones.data()) List;
+  EXPECT_EQ(a, b);
+  EXPECT_TRUE(b.empty());
+  a.push_back(3);
+  b.push_back(3);
+  const List copy = b;
+  EXPECT_EQ(copy, a);
+  EXPECT_TRUE(b.resize(5));
+  EXPECT_EQ(b[4], 0);
+}
+
+constexpr BoundedArray<std::uint8_t, 3> list_at_compile_time = [] {
+  BoundedArray<std::uint8_t, 3> list;
+  list.push_back(5);
+  return list;
+}();
+static_assert(list_at_compile_time.size() == 1 && list_at_compile_time[0] == 5);
+static_assert(list_at_compile_time.data()[2] == 0, "a constant is initialized as a whole");
 
 TEST(BoundedArray, HoldsAFullBody) {
   BoundedBytes<255> bytes;

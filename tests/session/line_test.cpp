@@ -68,15 +68,105 @@ TEST(Pacing, CanBeOffAndOther) {
   EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), milliseconds(40));
 }
 
-TEST(Pacing, HoldsForEveryPairOfFrames) {
+TEST(Pacing, EndsWithTheResponse) {
+  Simulation line;
+  line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
+  for (int i = 0; i < 3; ++i) line.send(sbgc::msg::GetAnglesRequest{});
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(3));
+  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(2));
+  EXPECT_EQ(line.written[2].at - line.written[1].at, milliseconds(2));
+}
+
+TEST(Pacing, EndsWithAConfirmationOrAnError) {
+  Simulation line;
+  line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
+  line.send(sbgc::msg::MotorsOn{}, {.expect_confirmation = true});
+  line.send(sbgc::msg::BeepSound{});
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(2));
+  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(1));
+
+  Simulation refused;
+  refused.board = [&](const Written& frame) {
+    refused.say(255, {1, frame.id, 0, 0, 0}, milliseconds(1));
+  };
+  refused.send(sbgc::msg::GetAnglesRequest{});
+  refused.send(sbgc::msg::BeepSound{});
+  refused.run();
+  ASSERT_THAT(refused.written, SizeIs(2));
+  EXPECT_EQ(refused.written[1].at - refused.written[0].at, milliseconds(1));
+}
+
+TEST(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == 73) line.say(frame.id, body_of(18), milliseconds(11));
+  };
+  line.send(sbgc::msg::GetAnglesRequest{});
+  line.send(sbgc::msg::BeepSound{});
+  line.send(sbgc::msg::BeepSound{});
+  line.run();
+  ASSERT_THAT(simulation::ids(line.written), ::testing::ElementsAre(73, 89, 89));
+  // The response arrives between the second frame and the third.
+  EXPECT_LT(line.written[1].at - line.written[0].at, milliseconds(11));
+  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+}
+
+TEST(Pacing, IsKeptAfterAResponseToAResentFrame) {
+  Simulation line;
+  int left = 1;
+  line.board = [&](const Written& frame) {
+    if (frame.id != 73 || left-- > 0) return;
+    line.say(frame.id, body_of(18), milliseconds(1));  // to which of the two?
+  };
+  line.send(sbgc::msg::GetAnglesRequest{});
+  line.on_event = [&](const simulation::Record& record) {
+    if (record.event.kind == EventKind::completed && record.event.command == 73) {
+      line.send(sbgc::msg::BeepSound{});
+    }
+  };
+  line.run();
+  ASSERT_THAT(simulation::ids(line.written), ::testing::ElementsAre(73, 73, 89));
+  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+}
+
+TEST(Pacing, CanLastLongerThanTheResponse) {
+  sbgc::SessionOptions options;
+  options.pacing.until_response = false;
+  Simulation line(options);
+  line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
+  line.send(sbgc::msg::GetAnglesRequest{});
+  line.send(sbgc::msg::GetAnglesRequest{});
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(2));
+  EXPECT_GE(line.written[1].at - line.written[0].at, milliseconds(10));
+}
+
+TEST(Pacing, EndsBeforeTheWriteIsReported) {
+  sbgc::Session session;
+  std::array<std::uint8_t, sbgc::max_frame_size> answer{};
+  const std::size_t size = sbgc::write_frame(73, body_of(18), answer).size;
+  const auto ignore = [](const sbgc::Event&) {};
+  ASSERT_TRUE(session.send(sbgc::msg::GetAnglesRequest{}));
+  sbgc::Instant now = simulation::start;
+  ASSERT_FALSE(session.poll(now, ignore).bytes.empty());
+  now = now + milliseconds(2);
+  session.feed(std::span(answer).first(size), now, ignore);
+  session.written(now);
+  ASSERT_TRUE(session.send(sbgc::msg::GetAnglesRequest{}));
+  EXPECT_FALSE(session.poll(now, ignore).bytes.empty());
+}
+
+TEST(Pacing, HoldsForEveryPairOfFramesWithoutResponse) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
   int left = 50;
   line.on_event = [&](const simulation::Record& record) {
-    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::msg::MotorsOn{});
+    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::msg::Control{});
   };
-  line.send(sbgc::msg::MotorsOn{});
-  line.send(sbgc::msg::BoardInfoRequest{});
+  line.send(sbgc::msg::Control{});
+  line.send(sbgc::msg::BeepSound{});
   line.run();
   ASSERT_GT(line.written.size(), 50U);
   for (std::size_t i = 1; i < line.written.size(); ++i) {

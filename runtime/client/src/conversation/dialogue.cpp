@@ -22,7 +22,7 @@ std::string milliseconds_text(Duration duration) {
 
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
-  if (!options.pacing) result.pacing = {Duration{}, Duration{}};
+  if (!options.pacing) result.pacing = {.shortest = {}, .longest = {}};
   result.duplicate_window = milliseconds(options.duplicate_window.count());
   result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share_percent, 100U));
   return result;

@@ -93,7 +93,7 @@ constexpr Status get_tail(std::span<const std::uint8_t> body, std::size_t size,
                           BoundedBytes<n>& tail) noexcept {
   tail.clear();
   if (body.size() == size) return {};
-  if (!tail.resize(body.size() - size)) return {Code::too_long, max_body_size};
+  if (!tail.resize_for_overwrite(body.size() - size)) return {Code::too_long, max_body_size};
   copy(body.data() + size, tail.data(), tail.size());
   return {};
 }

@@ -1,10 +1,12 @@
-/// Cyclic redundancy checks of 16 bits, by table.
+/// Cyclic redundancy checks of 16 bits.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include <sbgc/detail/crc_fold.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {
@@ -13,17 +15,19 @@ namespace sbgc {
 enum class CrcTable : std::uint8_t {
   nibbles,  ///< 32 bytes; two steps for each byte
   bytes,    ///< 512 bytes; a step for each byte
-  slices,   ///< 4 KB; a step for each eight bytes
+  slices,   ///< 4 KB; a step for each eight bytes, or by multiplication if the processor can
 };
 
 namespace detail {
 
+/// Returns the bits in the opposite order: swaps bytes, nibbles, pairs and single bits.
 constexpr std::uint16_t reversed(std::uint16_t value) noexcept {
-  std::uint16_t result = 0;
-  for (int bit = 0; bit < 16; ++bit) {
-    result = static_cast<std::uint16_t>(result << 1 | (value >> bit & 1));
-  }
-  return result;
+  unsigned bits = value;
+  bits = bits >> 8 | (bits & 0x00FF) << 8;
+  bits = (bits >> 4 & 0x0F0F) | (bits & 0x0F0F) << 4;
+  bits = (bits >> 2 & 0x3333) | (bits & 0x3333) << 2;
+  bits = (bits >> 1 & 0x5555) | (bits & 0x5555) << 1;
+  return static_cast<std::uint16_t>(bits);
 }
 
 /// Returns the register, least significant bit first, after `steps` zero bits.
@@ -66,6 +70,22 @@ class Crc16 {
 
  public:
   constexpr Crc16& add(const std::uint8_t* bytes, std::size_t size) noexcept {
+#if defined(SBGC_HAS_CRC_FOLD)
+    if constexpr (table == CrcTable::slices) {
+      constexpr std::size_t worthwhile = 48;
+      if (!std::is_constant_evaluated() && size >= worthwhile &&
+          detail::has_carryless_multiplication()) {
+        const auto folded = detail::fold_blocks<polynomial>(register_, bytes, size);
+        register_ = 0;
+        return add_by_table(folded.data(), folded.size());
+      }
+    }
+#endif
+    return add_by_table(bytes, size);
+  }
+
+  /// The same by table on any processor.
+  constexpr Crc16& add_by_table(const std::uint8_t* bytes, std::size_t size) noexcept {
     const std::uint8_t* const end = bytes + size;
     unsigned value = register_;
     if constexpr (table == CrcTable::slices) {

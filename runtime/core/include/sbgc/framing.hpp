@@ -258,6 +258,11 @@ template <CrcTable table, Framing... accepted>
 struct FrameFormats {
   static constexpr Framing first = std::array{accepted...}[0];
 
+  /// Returns true if a frame may begin with `byte`.
+  static constexpr bool is_start(std::uint8_t byte) noexcept {
+    return ((byte == FramingFacts<accepted>::start) || ...);
+  }
+
   /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
   static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
     return detail::inspect<table, accepted...>(bytes, available);
@@ -290,11 +295,16 @@ class SelectedFrameFormats {
         ((framing == known && (starts_.fill(FramingFacts<known>::start), true)) || ...));
   }
 
-  constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {
+  constexpr bool is_start(std::uint8_t byte) const noexcept {
     for (const std::uint8_t start : starts_) {
-      if (bytes[0] == start) return detail::inspect<table, known...>(bytes, available);
+      if (byte == start) return true;
     }
-    return {Verdict::no_start, 0};
+    return false;
+  }
+
+  constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {
+    if (!is_start(bytes[0])) return {Verdict::no_start, 0};
+    return detail::inspect<table, known...>(bytes, available);
   }
 
   constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,

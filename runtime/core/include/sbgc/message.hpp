@@ -10,6 +10,7 @@
 #include <sbgc/checksum.hpp>
 #include <sbgc/codec.hpp>
 #include <sbgc/detail/layout.hpp>
+#include <sbgc/detail/value_sum.hpp>
 #include <sbgc/frame.hpp>
 
 namespace sbgc {
@@ -44,6 +45,32 @@ inline std::uint8_t sum_in_memory(const M& message) noexcept {
   return sum.value();
 }
 
+/// True if all bodies of a message have the same size.
+template <class M>
+inline constexpr bool is_of_fixed_size =
+    !HasVaryingMembers<M> && !HasTaggedUnions<M> && !HasTail<M>;
+
+/// Completes the frame whose body was encoded from `message`; returns its size.
+template <Framing framing, CrcTable table, class M>
+[[gnu::always_inline]] constexpr std::size_t finish_frame_of(const M& message, std::uint8_t* frame,
+                                                             std::uint8_t id,
+                                                             std::size_t body_size) noexcept {
+  // To sum the values of a small message is faster than to sum its bytes: they may still be in
+  // registers, and reading back members that were just set one by one would stall.
+  constexpr bool is_small = is_of_fixed_size<M> && fixed_size<M> <= 24;
+  if constexpr (FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8) {
+    using Format = FrameFormat<framing>;
+    if constexpr (is_small) {
+      return Format::finish(frame, id, body_size, static_cast<std::uint8_t>(sum_of_value(message)));
+    } else if constexpr (is_same_in_memory<M>) {
+      if (!std::is_constant_evaluated()) {
+        return Format::finish(frame, id, body_size, sum_in_memory(message));
+      }
+    }
+  }
+  return finish_frame<framing, table>(frame, id, body_size);
+}
+
 }  // namespace detail
 
 /// Writes the body of a frame into `out`; returns its size or the error, which is too_long for a
@@ -64,19 +91,23 @@ template <Message M>
 template <Framing framing = basic_framing, CrcTable table = CrcTable::slices, Message M>
 [[nodiscard]] constexpr WriteResult encode_frame(const M& message,
                                                  std::span<std::uint8_t> out) noexcept {
-  constexpr std::size_t overhead = frame_size<framing>(0);
-  if (out.size() < overhead) return {0, {Code::buffer_too_small}};
-  const WriteResult body = encode_body(message, {frame_body(out.data()), out.size() - overhead});
-  if (!body) return body;
-  constexpr auto id = static_cast<std::uint8_t>(M::command);
-  constexpr bool is_sum = FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8;
-  if constexpr (is_sum && detail::is_same_in_memory<detail::CodedAs<M>>) {
-    if (!std::is_constant_evaluated()) {
-      const std::uint8_t sum = detail::sum_in_memory<detail::CodedAs<M>>(message);
-      return {FrameFormat<framing>::finish(out.data(), id, body.size, sum), {}};
+  using Coded = detail::CodedAs<M>;
+  const Coded& coded = message;
+  std::size_t body_size = detail::fixed_size<Coded>;
+  if constexpr (detail::is_of_fixed_size<Coded>) {
+    if (out.size() < frame_size<framing>(body_size)) return {0, {Code::buffer_too_small}};
+    if constexpr (detail::HasFixedMembers<Coded>) {
+      detail::Fixed::put(frame_body(out.data()), coded);
     }
+  } else {
+    constexpr std::size_t overhead = frame_size<framing>(0);
+    if (out.size() < overhead) return {0, {Code::buffer_too_small}};
+    const WriteResult body = encode_body(message, {frame_body(out.data()), out.size() - overhead});
+    if (!body) return body;
+    body_size = body.size;
   }
-  return {finish_frame<framing, table>(out.data(), id, body.size), {}};
+  constexpr auto id = static_cast<std::uint8_t>(M::command);
+  return {detail::finish_frame_of<framing, table>(coded, out.data(), id, body_size), {}};
 }
 
 /// The same for a framing selected at run time.

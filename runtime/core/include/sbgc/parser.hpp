@@ -53,10 +53,14 @@ class BasicParser {
   template <class Sink>
   [[gnu::always_inline]] void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
       std::is_nothrow_invocable_v<Sink&, const Frame&>) {
-    // The fast path: most small chunks do not complete the waiting candidate.
-    if (chunk.size() < sizeof buffer_ && held_ + chunk.size() < needed_) {
-      copy(buffer_ + held_, chunk.data(), chunk.size());
-      held_ += chunk.size();
+    const std::size_t held = held_;  // a local, because copying to buffer_ could change held_
+    // The fast paths: most small chunks do not complete the waiting candidate, and most bytes of
+    // noise are no start.
+    if (chunk.size() < sizeof buffer_ && held + chunk.size() < needed_) {
+      copy(buffer_ + held, chunk.data(), chunk.size());
+      held_ = held + chunk.size();
+    } else if (chunk.size() == 1 && held == 0 && !formats_.is_start(chunk.front())) {
+      ++taken_;
     } else {
       search(chunk.data(), chunk.data() + chunk.size(), sink);
     }

@@ -82,38 +82,69 @@ struct Bytes : std::array<std::uint8_t, n> {
   friend constexpr bool operator==(const Bytes&, const Bytes&) = default;
 };
 
+namespace detail {
+
+/// Room for the elements of a list, not initialized at run time: lists are usually much shorter
+/// than their capacity. A union, because copying one copies its bytes, initialized or not.
+template <class T, std::size_t n>
+union Room {
+  struct Zeroed {};
+  struct Uninitialized {};
+
+  constexpr explicit Room(Zeroed) noexcept : items{} {}
+  constexpr explicit Room(Uninitialized) noexcept {}
+
+  std::array<T, n> items;
+};
+
+}  // namespace detail
+
 /// Up to `n` elements, stored in place.
 template <class T, std::size_t n>
 class BoundedArray {
  public:
   using value_type = T;
 
+  constexpr BoundedArray() noexcept
+      : room_(std::is_constant_evaluated() ? Room(typename Room::Zeroed{})
+                                           : Room(typename Room::Uninitialized{})) {}
+
   static constexpr std::size_t capacity() noexcept { return n; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
   [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
-  constexpr T* data() noexcept { return items_.data(); }
-  constexpr const T* data() const noexcept { return items_.data(); }
-  constexpr T* begin() noexcept { return items_.data(); }
-  constexpr T* end() noexcept { return items_.data() + size_; }
-  constexpr const T* begin() const noexcept { return items_.data(); }
-  constexpr const T* end() const noexcept { return items_.data() + size_; }
+  constexpr T* data() noexcept { return room_.items.data(); }
+  constexpr const T* data() const noexcept { return room_.items.data(); }
+  constexpr T* begin() noexcept { return room_.items.data(); }
+  constexpr T* end() noexcept { return room_.items.data() + size_; }
+  constexpr const T* begin() const noexcept { return room_.items.data(); }
+  constexpr const T* end() const noexcept { return room_.items.data() + size_; }
 
   /// Precondition: index < size().
-  constexpr T& operator[](std::size_t index) noexcept { return items_[index]; }
-  constexpr const T& operator[](std::size_t index) const noexcept { return items_[index]; }
+  constexpr T& operator[](std::size_t index) noexcept { return room_.items[index]; }
+  constexpr const T& operator[](std::size_t index) const noexcept { return room_.items[index]; }
 
   constexpr void clear() noexcept { size_ = 0; }
 
   /// Returns false and changes nothing if it is full.
   constexpr bool push_back(const T& value) noexcept {
     if (size_ == n) return false;
-    items_[size_++] = value;
+    room_.items[size_++] = value;
     return true;
   }
 
-  /// Sets the size. Elements added by it have the values that they held last. Returns false and
-  /// changes nothing if `size` exceeds the capacity.
+  /// Sets the size. Elements added by it are value-initialized. Returns false and changes nothing
+  /// if `size` exceeds the capacity.
   constexpr bool resize(std::size_t size) noexcept {
+    if (size > n) return false;
+    for (std::size_t i = size_; i < size; ++i) room_.items[i] = T{};
+    size_ = static_cast<std::uint8_t>(size);
+    return true;
+  }
+
+  /// The same for a caller that assigns the added elements before they are read. Those of trivial
+  /// types are not initialized.
+  constexpr bool resize_for_overwrite(std::size_t size) noexcept {
+    if constexpr (!std::is_trivially_default_constructible_v<T>) return resize(size);
     if (size > n) return false;
     size_ = static_cast<std::uint8_t>(size);
     return true;
@@ -123,16 +154,17 @@ class BoundedArray {
   friend constexpr bool operator==(const BoundedArray& a, const BoundedArray& b) noexcept {
     if (a.size_ != b.size_) return false;
     for (std::size_t i = 0; i < a.size_; ++i) {
-      if (!(a.items_[i] == b.items_[i])) return false;
+      if (!(a.room_.items[i] == b.room_.items[i])) return false;
     }
     return true;
   }
 
  private:
   static_assert(n <= 255, "no body holds more");
+  using Room = detail::Room<T, n>;
 
   std::uint8_t size_{};
-  std::array<T, n> items_{};
+  Room room_;
 };
 
 /// Up to `n` opaque bytes, stored in place.
@@ -184,7 +216,7 @@ class BoundedText {
   /// As Text::assign().
   template <class String>
   constexpr bool assign(const String& text) noexcept {
-    if (!chars_.resize(text.size())) return false;
+    if (!chars_.resize_for_overwrite(text.size())) return false;
     for (std::size_t i = 0; i < text.size(); ++i) chars_[i] = text.data()[i];
     return true;
   }

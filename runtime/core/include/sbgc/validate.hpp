@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/named_values.hpp>
+#include <sbgc/detail/plainly_valid.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/meta.hpp>
-#include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/variables.hpp>
 
 namespace sbgc {
@@ -134,25 +135,13 @@ class Validator {
   constexpr void value(const T& value, const FieldInfo& field, const FieldPath& path) {
     if constexpr (std::is_enum_v<T>) {
       number(static_cast<std::underlying_type_t<T>>(value), field, path);
-      named(EnumMeta<T>::info, static_cast<std::int64_t>(value), field, path);
+      names(value, field, path);
     } else if constexpr (std::is_arithmetic_v<T>) {
       number(value, field, path);
-    } else if constexpr (requires { typename T::flag_type; }) {
-      number(value.raw(), field, path);
-      flags(EnumMeta<typename T::flag_type>::info, value.raw(), field, path);
-    } else if constexpr (requires { PackedMeta<T>::info; }) {
-      number(value.raw(), field, path);
-      for (const PartInfo& part : PackedMeta<T>::parts) {
-        if (part.values == nullptr) continue;
-        const auto bits = static_cast<std::uint64_t>(value.raw()) & part.mask;
-        if (part.values->is_flags) {
-          flags(*part.values, static_cast<std::uint32_t>(bits), field, path);
-        } else {
-          named(*part.values, static_cast<std::int64_t>(bits >> part.shift), field, path);
-        }
-      }
     } else if constexpr (RawValue<T>) {
       number(value.raw(), field, path);
+      constexpr bool is_flag_set = requires { typename T::flag_type; };
+      if constexpr (is_flag_set || requires { PackedMeta<T>::info; }) names(value, field, path);
     } else if constexpr (requires { Meta<T>::fields; }) {
       members(value, &path);
     }
@@ -191,7 +180,7 @@ class Validator {
   constexpr void value(const BoundedBytes<n>& bytes, const FieldInfo& field,
                        const FieldPath& path) {
     count(bytes.size(), field, path);
-    if (bytes.size() % field.align != 0) {
+    if (field.align != 1 && bytes.size() % field.align != 0) {
       fail(field, path, static_cast<double>(bytes.size()), field.align, Rule::alignment);
     }
   }
@@ -220,7 +209,7 @@ class Validator {
       if (value == static_cast<double>(special.value)) return;
     }
     if constexpr (std::is_integral_v<T>) {
-      if (static_cast<std::uint64_t>(raw) % field.align != 0) {
+      if (field.align != 1 && static_cast<std::uint64_t>(raw) % field.align != 0) {
         fail(field, path, value, field.align, Rule::alignment);
       }
     }
@@ -237,21 +226,13 @@ class Validator {
     }
   }
 
-  /// Reports a named value that a later version introduced.
-  constexpr void named(const EnumInfo& info, std::int64_t raw, const FieldInfo& field,
-                       const FieldPath& path) {
-    for (const ValueInfo& known : info.values) {
-      if (known.value == raw) {
-        existence(known.since, static_cast<double>(raw), field, path, &known);
-      }
-    }
-  }
-  constexpr void flags(const EnumInfo& info, std::uint32_t raw, const FieldInfo& field,
-                       const FieldPath& path) {
-    for (const ValueInfo& flag : info.values) {
-      const auto mask = static_cast<std::uint32_t>(flag.value);
-      if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path, &flag);
-    }
+  /// Reports the named values that a later version introduced.
+  template <class T>
+  constexpr void names(const T& value, const FieldInfo& field, const FieldPath& path) {
+    if (is_available(has_all_values_of<T>, versions_)) return;
+    for_each_name(value, [&](const ValueInfo& known, std::int64_t raw) {
+      existence(known.since, static_cast<double>(raw), field, path, &known);
+    });
   }
   constexpr void existence(const Availability& since, double value, const FieldInfo& field,
                            const FieldPath& path, const ValueInfo* named = nullptr) {
@@ -292,6 +273,7 @@ inline constexpr Availability newest{0xFFFF, 0xFF};
 /// use is_supported().
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
+  if (detail::is_plainly_valid(message, versions)) return true;
   detail::Validator<std::remove_reference_t<Report>> validator(versions, report);
   validator.members(message, nullptr);
   return validator.valid();
@@ -306,7 +288,7 @@ constexpr bool validate(const M& message, Report&& report) {
 /// True if the specification allows every value of `message`.
 template <class M>
 constexpr bool is_valid(const M& message) {
-  return validate(message, [](const Violation&) {});
+  return detail::is_plainly_valid(message, newest);
 }
 
 }  // namespace sbgc

@@ -29,7 +29,7 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
   Status status{};
   const Code code = select(direction, id, body.size(), [&]<class M>(Type<M>) {
     if constexpr (Accepted::template has<M>) {
-      M message{};
+      M message;
       if constexpr (requires { contexts.of(message); }) {
         status = decode(body, message, contexts.of(message));
       } else {

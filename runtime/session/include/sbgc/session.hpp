@@ -36,8 +36,9 @@ struct SessionCapacity {
 ///     session.feed(received, now, sink);                // sink(const Event&)
 ///
 /// - Every request that send() accepts completes with exactly one event.
-/// - Requests are sent in order, with the pauses that the protocol requires. A request waits while
-///   its response could be confused with that of a request in flight; unrelated ones overtake it.
+/// - Requests are sent in order, with the pauses that the protocol requires; a response ends the
+///   pause. A request waits while its response could be confused with that of a request in flight;
+///   unrelated ones overtake it.
 /// - If a request has ended but its response may still arrive, a later request that this response
 ///   would match also waits. So a late reply is never matched to the next request.
 /// - The sink may call send(), cancel(), set_line() and the const functions, but not feed(),
@@ -384,6 +385,7 @@ class BasicSession {
     for (Request& request : requests_) {
       const ResponseForm* const form = awaited_form(request, frame);
       if (form == nullptr) continue;
+      end_pause(request);
       complete(request, form->is_error ? Outcome::failed : Outcome::answered, frame, sink);
       return;
     }
@@ -419,6 +421,7 @@ class BasicSession {
           now_ < request.confirmed_at + options_.duplicate_window) {
         break;  // a duplicate of the last one
       }
+      end_pause(request);
       ++request.confirmations;
       request.confirmed_at = now_;
       const Handle handle = request.handle;
@@ -463,6 +466,7 @@ class BasicSession {
       meant = &request;
     }
     if (meant != nullptr && is_clear) {
+      end_pause(*meant);
       complete(*meant, Outcome::board_error, frame, sink);
       return;
     }
@@ -487,6 +491,16 @@ class BasicSession {
     complete_all(Outcome::reset, sink, newest);
     // The board may continue to respond until it restarts.
     late_replies_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
+  }
+
+  /// Called when the board responds to `request`. If that was the last frame sent, the board has
+  /// read its input buffer empty, which ends the pause. A response to a resent request may be that
+  /// to its first transmission.
+  void end_pause(const Request& request) noexcept {
+    if (!options_.pacing.until_response) return;
+    if (request.handle != sent_.handle || request.transmissions != 1) return;
+    next_send_ = now_;
+    sent_.pause = {};
   }
 
   /// Returns true if the line may deliver a frame twice.

@@ -17,7 +17,8 @@ struct ConnectOptions {
   bool detect_line = true;
   /// How often a request is repeated if no response arrives and the protocol allows it.
   unsigned retries = 2;
-  /// Keep the pause of 10 to 20 ms between commands that the protocol requires.
+  /// Keep the pause of 10 to 20 ms that the protocol requires after a command, until the board
+  /// responds.
   bool pacing = true;
   /// Use the newest framing that the board's firmware understands and the board answers. Otherwise
   /// use the one that every board understands.

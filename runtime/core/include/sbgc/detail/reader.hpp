@@ -103,7 +103,7 @@ class Reader {
                          std::size_t /*least*/ = 0) noexcept {
     out.clear();
     if (!status_) return;
-    if (!out.resize(count)) return fail(Code::too_short, field);
+    if (!out.resize_for_overwrite(count)) return fail(Code::too_short, field);
     if constexpr (std::is_same_v<T, std::uint8_t>) {
       if (take(count, field)) detail::copy(body_.data() + at_ - count, out.data(), count);
     } else {

@@ -95,6 +95,7 @@ struct SendOptions {
 struct PacingOptions {
   Duration shortest = milliseconds(shortest_pause_ms);  ///< after a small request and response
   Duration longest = milliseconds(longest_pause_ms);    ///< after the largest
+  bool until_response = true;  ///< a response ends the pause: the board has read the command
 };
 
 /// Options of a session. The defaults suit a serial line of unknown speed.

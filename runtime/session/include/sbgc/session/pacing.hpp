@@ -14,7 +14,8 @@ namespace sbgc::detail {
 /// output buffer does not overflow.
 constexpr Duration pause_after(const SessionOptions& options, std::size_t request_size,
                                std::size_t response_size) noexcept {
-  const auto [shortest, longest] = options.pacing;
+  const Duration shortest = options.pacing.shortest;
+  const Duration longest = options.pacing.longest;
   if (longest <= Duration{}) return {};
   constexpr auto both_largest = static_cast<std::int32_t>(2 * max_frame_size);
   const auto both = static_cast<std::int32_t>(request_size + response_size);

@@ -1,0 +1,8 @@
+// What a user compiles who needs one family of messages.
+
+#include <sbgc/message.hpp>
+#include <sbgc/messages/control.hpp>
+
+sbgc::WriteResult write(const sbgc::msg::ControlExt& control, std::span<std::uint8_t> frame) {
+  return sbgc::encode_frame(control, frame);
+}

@@ -1,0 +1,106 @@
+"""Measure whole programs: `sbgc decode`, the generator, and the compiler on the headers.
+
+usage: programs.py [--quick] SBGC BUILD_FOLDER    (writes the format of Google Benchmark)
+
+Times are those of the processor, user and system. The files of the compiler are next to this script.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).parent
+sys.path.append(str(HERE.parent / "instructions"))
+
+import instructions  # noqa: E402  # the frames to decode are the same
+
+
+def run(*command: str) -> tuple[float, int]:
+    """Runs a command without its output; returns its processor time and peak memory in kilobytes."""
+    child = os.fork()
+    if child == 0:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        os.execvp(command[0], command)
+    _, status, usage = os.wait4(child, 0)
+    if status != 0:
+        raise SystemExit(f"programs: {' '.join(command)} failed")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss
+
+
+def entry(name: str, seconds: float, **more: float) -> dict[str, Any]:
+    return {"name": name, "cpu_time": seconds, "time_unit": "s", **more}
+
+
+def decode(sbgc: str, folder: Path, megabytes: int, repetitions: int) -> list[dict[str, Any]]:
+    capture = folder / "capture.bin"
+    once = instructions.frames()
+    with capture.open("wb") as file:
+        for _ in range(megabytes * 1_000_000 // len(once)):
+            file.write(once)
+    size = capture.stat().st_size
+    entries = []
+    for output_format in ("jsonl", "text"):
+        for _ in range(repetitions):
+            seconds, memory = run(
+                sbgc, "decode", "--from", "board", "--format", output_format, str(capture)
+            )
+            entries.append(
+                entry(
+                    f"decode/{output_format}",
+                    seconds,
+                    bytes_per_second=size / seconds,
+                    peak_megabytes=memory / 1000,
+                )
+            )
+    capture.unlink()
+    return entries
+
+
+def generator(folder: Path, repetitions: int) -> list[dict[str, Any]]:
+    entries = []
+    for repetition in range(repetitions):
+        output = folder / f"generated{repetition}"
+        command = (
+            str(ROOT / "generator" / "python"),
+            *("-m", "sbgcgen", "generate", "--root", str(ROOT), "--output", str(output)),
+        )
+        entries.append(entry("generator/all", run(*command)[0]))
+        entries.append(entry("generator/unchanged", run(*command)[0]))
+    return entries
+
+
+def compiler(folder: Path, repetitions: int) -> list[dict[str, Any]]:
+    include = (f"-I{ROOT}/runtime/core/include", f"-I{ROOT}/generated/include")
+    entries = []
+    for source in sorted(HERE.glob("*.cpp")):
+        command = ("g++", "-std=c++20", "-O2", *include, "-c", str(source), "-o", f"{folder}/out.o")
+        entries += [entry(f"compile/{source.stem}", run(*command)[0]) for _ in range(repetitions)]
+    return entries
+
+
+def main(arguments: list[str]) -> int:
+    quick = arguments[:1] == ["--quick"]
+    if len(arguments[quick:]) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    sbgc, build = arguments[quick:]
+    repetitions = 1 if quick else 5
+    with tempfile.TemporaryDirectory(dir=build) as name:
+        folder = Path(name)
+        entries = [
+            *decode(sbgc, folder, 5 if quick else 100, repetitions),
+            *generator(folder, repetitions),
+            *compiler(folder, repetitions),
+        ]
+    json.dump({"benchmarks": entries}, sys.stdout, indent=1)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,59 @@
+/// The sum of the bytes of a value on the wire, computed from the value.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <sbgc/types.hpp>
+#include <sbgc/wire.hpp>
+#include <sbgc/wire_size.hpp>
+
+namespace sbgc::detail {
+
+/// Returns the sum of the lowest `size` bytes. Only the lowest byte of the result counts.
+template <std::size_t size, wire::Number T>
+[[gnu::always_inline]] constexpr unsigned sum_of_number(T number) noexcept {
+  const auto bits = std::bit_cast<wire::detail::Bits<T>>(number);
+  unsigned sum = 0;
+  for (std::size_t i = 0; i < size; ++i) sum += static_cast<unsigned>(bits >> (8 * i));
+  return sum;
+}
+
+template <class T>
+constexpr unsigned sum_of_value(const T& value) noexcept;
+
+template <class T, auto... member>
+[[gnu::always_inline]] constexpr unsigned sum_of_members(const T& value,
+                                                         Members<member...>) noexcept {
+  return (0U + ... + sum_of_value(value.*member));
+}
+
+/// The same for any value of fixed size.
+template <class T>
+[[gnu::always_inline]] constexpr unsigned sum_of_value(const T& value) noexcept {
+  if constexpr (wire::Number<T>) {
+    return sum_of_number<sizeof(T)>(value);
+  } else if constexpr (std::is_same_v<T, char>) {
+    return static_cast<std::uint8_t>(value);
+  } else if constexpr (std::is_enum_v<T>) {
+    return sum_of_value(static_cast<std::underlying_type_t<T>>(value));
+  } else if constexpr (RawValue<T>) {
+    return sum_of_number<wire_size<T>>(value.raw());
+  } else if constexpr (HasFixedMembers<T>) {
+    return sum_of_members(value, typename T::FixedMembers{});
+  } else if constexpr (requires { value.bytes; }) {
+    return sum_of_value(value.bytes);
+  } else if constexpr (requires { value.roll; }) {
+    return sum_of_value(value.roll) + sum_of_value(value.pitch) + sum_of_value(value.yaw);
+  } else if constexpr (requires { value.size(); }) {
+    unsigned sum = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) sum += sum_of_value(value[i]);
+    return sum;
+  } else {
+    return 0;  // a message without members
+  }
+}
+
+}  // namespace sbgc::detail

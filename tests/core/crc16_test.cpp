@@ -1,0 +1,140 @@
+// Tests of cyclic redundancy checks: every way to compute one against a computation bit by bit.
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/crc16.hpp>
+
+namespace sbgc::test {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+unsigned reflected(unsigned value, int bits) {
+  unsigned result = 0;
+  for (int i = 0; i < bits; ++i) result |= (value >> i & 1) << (bits - 1 - i);
+  return result;
+}
+
+/// The definition of the catalogues, most significant bit first.
+unsigned bit_by_bit(const Crc16Parameters& parameters, const Bytes& bytes) {
+  unsigned value = parameters.initial;
+  for (const std::uint8_t byte : bytes) {
+    value ^= reflected(byte, 8) << 8;
+    for (int bit = 0; bit < 8; ++bit) {
+      value = value << 1 ^ ((value & 0x8000) != 0 ? parameters.polynomial : 0U);
+    }
+    value &= 0xFFFF;
+  }
+  return (parameters.reflect_out ? reflected(value, 16) : value) ^ parameters.final_xor;
+}
+
+constexpr Crc16Parameters of_v2 = FramingFacts<Framing::v2>::trailer_checksum_crc;
+constexpr Crc16Parameters arc{0x8005, 0, true, true, 0};
+constexpr Crc16Parameters modbus{0x8005, 0xFFFF, true, true, 0};
+constexpr Crc16Parameters x25{0x1021, 0xFFFF, true, true, 0xFFFF};
+constexpr Crc16Parameters riello{0x1021, 0xB2AA, true, true, 0};
+constexpr Crc16Parameters dnp{0x3D65, 0, true, true, 0xFFFF};
+constexpr Crc16Parameters reversed_output{0x3D65, 0x1234, true, false, 0x5678};
+
+TEST(Crc16, GivesTheCheckValuesOfTheCatalogue) {
+  const Bytes text{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+  EXPECT_EQ(bit_by_bit(arc, text), 0xBB3DU);
+  EXPECT_EQ(bit_by_bit(modbus, text), 0x4B37U);
+  EXPECT_EQ(bit_by_bit(x25, text), 0x906EU);
+  EXPECT_EQ(bit_by_bit(riello, text), 0x63D0U);
+  EXPECT_EQ(bit_by_bit(dnp, text), 0xEA82U);
+}
+
+template <Crc16Parameters parameters, CrcTable table>
+unsigned in_two_parts(const Bytes& bytes, std::size_t cut) {
+  return Crc16<parameters, table>{}
+      .add(bytes.data(), cut)
+      .add(bytes.data() + cut, bytes.size() - cut)
+      .value();
+}
+
+template <Crc16Parameters parameters>
+void expect_the_same_with_every_table() {
+  std::mt19937 random(1);
+  for (std::size_t size = 0; size <= 600; ++size) {
+    for (int round = 0; round < 4; ++round) {
+      Bytes bytes(size);
+      for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+      const unsigned expected = bit_by_bit(parameters, bytes);
+      const std::size_t cut = round == 0 ? 0 : random() % (size + 1);
+      ASSERT_EQ((in_two_parts<parameters, CrcTable::nibbles>(bytes, cut)), expected) << size;
+      ASSERT_EQ((in_two_parts<parameters, CrcTable::bytes>(bytes, cut)), expected) << size;
+      ASSERT_EQ((in_two_parts<parameters, CrcTable::slices>(bytes, cut)), expected) << size;
+      // What `slices` does on a processor without the multiplication.
+      Crc16<parameters, CrcTable::slices> by_table;
+      by_table.add_by_table(bytes.data(), size);
+      ASSERT_EQ(by_table.value(), expected) << size;
+    }
+  }
+}
+
+TEST(Crc16, IsTheSameWithEveryTableAndEveryPolynomial) {
+  expect_the_same_with_every_table<of_v2>();
+  expect_the_same_with_every_table<modbus>();
+  expect_the_same_with_every_table<x25>();
+  expect_the_same_with_every_table<riello>();
+  expect_the_same_with_every_table<dnp>();
+  expect_the_same_with_every_table<reversed_output>();
+}
+
+TEST(Crc16, IsTheSameAtEveryAlignment) {
+  std::mt19937 random(2);
+  Bytes bytes(300);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+  for (std::size_t begin = 0; begin < 20; ++begin) {
+    for (std::size_t size = 0; begin + size <= bytes.size(); ++size) {
+      const Bytes part(bytes.data() + begin, bytes.data() + begin + size);
+      Crc16<of_v2, CrcTable::slices> crc;
+      ASSERT_EQ(crc.add(bytes.data() + begin, size).value(), bit_by_bit(of_v2, part)) << size;
+    }
+  }
+}
+
+#if defined(SBGC_HAS_CRC_FOLD)
+// Also for sizes for which it is not worthwhile.
+TEST(Crc16, FoldingPreservesTheRegister) {
+  if (!detail::has_carryless_multiplication()) GTEST_SKIP() << "this processor cannot fold";
+  constexpr std::uint16_t polynomial = detail::reversed(x25.polynomial);
+  const auto register_after = [](std::uint16_t start, const std::uint8_t* bytes, std::size_t size) {
+    unsigned value = start;
+    for (std::size_t i = 0; i < size; ++i) {
+      value = detail::shifted(static_cast<std::uint16_t>(value ^ bytes[i]), 8, polynomial);
+    }
+    return value;
+  };
+  std::mt19937 random(3);
+  for (std::size_t size = 16; size <= 300; ++size) {
+    Bytes bytes(size);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    const auto start = static_cast<std::uint16_t>(random());
+    const auto folded = detail::fold_blocks<polynomial>(start, bytes.data(), size);
+    ASSERT_EQ(register_after(0, folded.data(), folded.size()),
+              register_after(start, bytes.data(), size))
+        << size;
+  }
+}
+#endif
+
+constexpr std::uint8_t zero_to_63[] = {
+    0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+    22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43,
+    44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
+constexpr std::uint16_t at_compile_time =
+    Crc16<of_v2, CrcTable::slices>{}.add(zero_to_63, sizeof zero_to_63).value();
+
+TEST(Crc16, IsTheSameAtCompileTime) {
+  EXPECT_EQ(at_compile_time, bit_by_bit(of_v2, Bytes(zero_to_63, zero_to_63 + 64)));
+}
+
+}  // namespace
+}  // namespace sbgc::test
