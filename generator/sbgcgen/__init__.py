@@ -9,6 +9,6 @@ Packages, each of which imports only those above it:
 - `targets/`: one folder for each kind of output;
 - `compat/`: the changes between two versions of the protocol.
 
-`build.py` loads and checks a spec, `output.py` writes the output of the targets, `cli.py` is the
-command line.
+`build.py` loads and checks a spec, `output.py` writes the output of the targets, `record.py`
+recognizes a run with nothing to do, `cli.py` is the command line.
 """

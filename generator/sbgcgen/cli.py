@@ -5,19 +5,24 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from sbgcgen.build import load_protocol
-from sbgcgen.spec.diagnostics import SpecError
-from sbgcgen.compat import report
-from sbgcgen.model import Layout
-from sbgcgen.output import Output
-from sbgcgen.targets import Target, outputs, targets
+from sbgcgen.record import Record, inputs
+
+if TYPE_CHECKING:
+    from sbgcgen.build import Protocol
+    from sbgcgen.targets import Target
+
+# The modules that do the work are imported when a command needs them: a run of `generate` with
+# nothing to do needs none, and most commands do not need all.
 
 _ROOT = Path(__file__).resolve().parents[2]
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
+    """The parser of all commands, including those of the targets `apart`."""
     parser = argparse.ArgumentParser(
         prog="sbgcgen", description="Generates generated/ from the protocol in spec/."
     )
@@ -28,7 +33,7 @@ def _parser() -> argparse.ArgumentParser:
             "check",
             "check that generated/ is up to date with spec/ and generator/; exit status 1 if not",
         ),
-        *((target.name, target.help) for target in _apart()),
+        *((target.name, target.help) for target in apart),
         ("lint", "check spec/ only"),
         ("compat", "list the changes since another version of the spec; exit status 1 for breaks"),
     ):
@@ -47,7 +52,7 @@ def _parser() -> argparse.ArgumentParser:
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
             sub.add_argument("--stamp", type=Path, help="touch this file when done")
-        elif name in (target.name for target in _apart()):
+        elif name in (target.name for target in apart):
             text = f"output folder, if not <root>/build/{name}"
             sub.add_argument("--output", type=Path, help=text)
     return parser
@@ -55,14 +60,9 @@ def _parser() -> argparse.ArgumentParser:
 
 def _apart() -> list[Target]:
     """Targets that are not part of generated/; each has its own command."""
+    from sbgcgen.targets import targets
+
     return [target for target in targets() if not target.committed]
-
-
-def inputs() -> list[Path]:
-    """Files of the generator that its output depends on."""
-    here = Path(__file__).resolve().parent
-    files = [*here.rglob("*"), *(here.parent / "schema").glob("*.json")]
-    return [path for path in files if path.is_file() and "__pycache__" not in path.parts]
 
 
 def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
@@ -75,53 +75,103 @@ def _escape(path: Path) -> str:
     return re.sub(r"([ #\\])", r"\\\1", str(path)).replace("$", "$$")
 
 
-def _output(options: argparse.Namespace, root: Path, layout: Layout) -> Output:
-    chosen: Path | None = getattr(options, "output", None)
-    for target in _apart():
-        if target.name == options.command:
-            folder = (chosen or root / "build" / target.name).resolve()
-            return Output(folder, dict(target.files(layout, root)), target.mark)
-    return Output((chosen or root / "generated").resolve(), outputs(layout, root))
-
-
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns 0, or 1 for findings. Wrong usage exits with status 2."""
-    parser = _parser()
+    arguments = sys.argv[1:] if arguments is None else arguments
+    parser = _parser(() if arguments[:1] == ["generate"] else _apart())
     options = parser.parse_args(arguments)
     if getattr(options, "depfile", None) and not options.stamp:
         parser.error("--depfile needs --stamp")
     root: Path = options.root.resolve()
     spec_dir: Path = (options.spec or root / "spec").resolve()
     if options.command == "compat":
+        from sbgcgen.compat import report
+
         return report.run(options.old, options.new, root, spec_dir)
-    try:
-        protocol = load_protocol(spec_dir)
-    except SpecError as error:
-        print(error, file=sys.stderr)
-        count = len(error.diagnostics)
-        print(f"{count} error{'s' if count != 1 else ''} in {spec_dir.name}/", file=sys.stderr)
+    if options.command == "generate":
+        return _generate(options, root, spec_dir)
+    protocol = _load(spec_dir)
+    if protocol is None:
         return 1
     layout = protocol.layout
     if options.command == "lint":
         print(f"{len(layout.commands)} commands, {len(layout.messages)} messages: no errors")
         return 0
-    output = _output(options, root, layout)
     if options.command == "check":
-        drift = output.drift()
-        for line in drift:
-            print(line, file=sys.stderr)
-        if drift:
-            print("generated/ has drifted: run './dev generate'", file=sys.stderr)
-        return 1 if drift else 0
+        return _check(protocol, root)
+    return _render_apart(options, protocol, root)
+
+
+def _load(spec_dir: Path) -> Protocol | None:
+    """The spec; None if it has errors, which are printed."""
+    from sbgcgen.build import load_protocol
+    from sbgcgen.spec.diagnostics import SpecError
+
     try:
-        changed = output.write()
-        if getattr(options, "depfile", None):
-            _write_depfile(options.depfile, options.stamp, protocol.spec.files + inputs())
-        if getattr(options, "stamp", None):
+        return load_protocol(spec_dir)
+    except SpecError as error:
+        print(error, file=sys.stderr)
+        count = len(error.diagnostics)
+        print(f"{count} error{'s' if count != 1 else ''} in {spec_dir.name}/", file=sys.stderr)
+        return None
+
+
+def _generate(options: argparse.Namespace, root: Path, spec_dir: Path) -> int:
+    folder: Path = (options.output or root / "generated").resolve()
+    record = Record(root / "build" / "generator", spec_dir, folder)
+    unchanged = record.unchanged()
+    try:
+        if unchanged:
+            count, spec_files = unchanged
+            changed = 0
+        else:
+            from sbgcgen.output import Output
+            from sbgcgen.targets import outputs
+
+            protocol = _load(spec_dir)
+            if protocol is None:
+                return 1
+            output = Output(folder, outputs(protocol.layout, root))
+            changed = output.write()
+            count, spec_files = len(output.files), protocol.spec.files
+            record.write(output.files, spec_files)
+        if options.depfile:
+            _write_depfile(options.depfile, options.stamp, spec_files + inputs())
+        if options.stamp:
             options.stamp.parent.mkdir(parents=True, exist_ok=True)
             options.stamp.touch()
     except OSError as error:
-        print(f"cannot write {error.filename}: {error.strerror}", file=sys.stderr)
-        return 1
+        return _cannot_write(error)
+    print(f"{count} files, {changed} changed")
+    return 0
+
+
+def _check(protocol: Protocol, root: Path) -> int:
+    from sbgcgen.output import Output
+    from sbgcgen.targets import outputs
+
+    drift = Output((root / "generated").resolve(), outputs(protocol.layout, root)).drift()
+    for line in drift:
+        print(line, file=sys.stderr)
+    if drift:
+        print("generated/ has drifted: run './dev generate'", file=sys.stderr)
+    return 1 if drift else 0
+
+
+def _render_apart(options: argparse.Namespace, protocol: Protocol, root: Path) -> int:
+    from sbgcgen.output import Output
+
+    target = next(target for target in _apart() if target.name == options.command)
+    folder: Path = (options.output or root / "build" / target.name).resolve()
+    output = Output(folder, dict(target.files(protocol.layout, root)), target.mark)
+    try:
+        changed = output.write()
+    except OSError as error:
+        return _cannot_write(error)
     print(f"{len(output.files)} files, {changed} changed")
     return 0
+
+
+def _cannot_write(error: OSError) -> int:
+    print(f"cannot write {error.filename}: {error.strerror}", file=sys.stderr)
+    return 1

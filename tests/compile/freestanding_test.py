@@ -78,10 +78,7 @@ def test_there_are_headers() -> None:
 def test_direct_includes() -> None:
     wrong = []
     for name in headers():
-        path = next(folder / name for folder in INCLUDES if (folder / name).exists())
-        for include in re.findall(
-            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(encoding="utf-8"), re.MULTILINE
-        ):
+        for include in direct_includes(name):
             if include not in ALLOWED and not (
                 include.startswith("sbgc/") and not HOSTED.match(include)
             ):
@@ -89,10 +86,54 @@ def test_direct_includes() -> None:
     assert not wrong
 
 
+def direct_includes(name: str) -> list[str]:
+    path = next(folder / name for folder in INCLUDES if (folder / name).exists())
+    text = path.read_text(encoding="utf-8")
+    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', text, re.MULTILINE)
+
+
+def all_includes(name: str, known: dict[str, frozenset[str]]) -> frozenset[str]:
+    """Returns the headers that one of ours reads, also by way of others."""
+    if name not in known:
+        direct = direct_includes(name) if name.startswith("sbgc/") else []
+        known[name] = frozenset(direct).union(*(all_includes(each, known) for each in direct))
+    return known[name]
+
+
+def chains() -> list[list[str]]:
+    """Divides the headers into lists in which each header includes all that those before it include.
+
+    A header in a list sees no declaration that it does not include itself, as if it were alone. So one run
+    of the compiler checks all headers of a list.
+    """
+    known: dict[str, frozenset[str]] = {}
+    left = sorted(headers(), key=lambda name: (len(all_includes(name, known)), name))
+    found = []
+    while left:
+        chain = [left.pop()]
+        for name in reversed(left):
+            if {name, *all_includes(name, known)} <= all_includes(chain[0], known):
+                chain.insert(0, name)
+        left = [name for name in left if name not in chain]
+        found.append(chain)
+    return found
+
+
+def test_chains() -> None:
+    seen: list[str] = []
+    for chain in chains():
+        seen += chain
+        for name, following in zip(chain, chain[1:]):
+            included = all_includes(following, {})
+            assert name in included and all_includes(name, {}) <= included
+    assert sorted(seen) == headers()
+
+
 def test_each_header_alone() -> None:
     """Checks with one compiler, because a missing include does not depend on it."""
-    for name in headers():
-        compile_text(COMPILERS[-1], f"#include <{name}>\n", "-fsyntax-only")
+    for chain in chains():
+        text = "".join(f"#include <{name}>\n" for name in chain)
+        compile_text(COMPILERS[-1], text, "-fsyntax-only")
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

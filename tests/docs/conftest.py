@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from pathlib import Path
 
@@ -16,6 +17,10 @@ from sbgcgen.model import Layout  # noqa: E402
 from sbgcgen.targets import target  # noqa: E402
 
 from pages import Page, read  # noqa: E402
+
+# The tests hold all pages in memory, whose elements refer to each other. Searching them for cycles at the
+# default rate takes long.
+gc.set_threshold(200_000, 20, 50)
 
 
 @pytest.fixture(scope="session")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
+from functools import cached_property
 from html.parser import HTMLParser
 from typing import Any, Optional
 from urllib.parse import unquote, urljoin
@@ -29,14 +30,14 @@ class Element:
     def get(self, name: str) -> str:
         return self.attributes.get(name, "")
 
+    @cached_property
+    def descendants(self) -> list[Element]:
+        """All elements in this one, in the order of the page, which is complete when this is used."""
+        return [e for child in self.children for e in (child, *child.descendants)]
+
     def all(self, *tags: str) -> list[Element]:
         """Returns the descendants with one of these tags, or all of them."""
-        found = []
-        for child in self.children:
-            if not tags or child.tag in tags:
-                found.append(child)
-            found += child.all(*tags)
-        return found
+        return [e for e in self.descendants if e.tag in tags] if tags else self.descendants
 
     def with_class(self, name: str) -> list[Element]:
         return [e for e in self.all() if name in e.get("class").split()]

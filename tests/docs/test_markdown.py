@@ -6,6 +6,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -103,6 +104,7 @@ def test_any_other_protocol_is_told_as_well(seed: int, tmp_path: Path) -> None:
 # ---- links ----
 
 
+@cache
 def anchors(page: str) -> list[str]:
     """Returns the anchors of a page as a code host derives them from the headings."""
     page = re.sub(r"```.*?```", "", page, flags=re.DOTALL)

@@ -26,10 +26,9 @@ FAMILIES = {command.name: command.family for command in LAYOUT.commands}
 
 
 @pytest.fixture(scope="module", name="files")
-def rendered() -> dict[str, str]:
+def texts(files: dict[str, bytes]) -> dict[str, str]:
     """Returns the pages by path."""
-    files = target("site").files(LAYOUT, ROOT)
-    return {name: data.decode() for name, data in files if name.endswith(".html")}
+    return {name: data.decode() for name, data in files.items() if name.endswith(".html")}
 
 
 def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from sbgcgen.cli import inputs, main
+from sbgcgen.cli import main
+from sbgcgen.record import inputs
 from support import GENERATOR, write_spec
 
 Capture = pytest.CaptureFixture[str]

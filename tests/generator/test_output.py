@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from sbgcgen.build import load_protocol
-from sbgcgen.cli import inputs
+from sbgcgen.record import inputs
 from sbgcgen.output import Output
 from sbgcgen.targets import outputs, targets
 from support import GENERATOR, PROJECT, layout_of, write_spec

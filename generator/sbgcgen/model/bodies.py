@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
+from itertools import takewhile
 from typing import Any, Union
 
 from sbgcgen.model.position import NOWHERE, Position
@@ -65,6 +67,21 @@ class Struct:
     kind: str = "struct"
     rules: tuple[FieldRule, ...] = ()
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The names of the fields."""
+        return frozenset(f.name for f in self.fields)
+
+    @cached_property
+    def fixed_part(self) -> tuple[Field, ...]:
+        """The leading fields with a fixed offset and size in every body.
+
+        The codec checks their total size once, which determines the field and offset of an error.
+        """
+        if any(f.is_counter for f in self.fields):
+            return ()
+        return tuple(takewhile(lambda f: f.offset is not None and not f.is_variable, self.fields))
 
 
 @dataclass(frozen=True)
@@ -146,11 +163,11 @@ class Condition:
     may_be_missing: bool = False
     source_may_be_missing: bool = False
 
-    @property
+    @cached_property
     def is_on_flags(self) -> bool:
         return self.enum is not None and self.enum.kind == "flags"
 
-    @property
+    @cached_property
     def mask(self) -> int:
         """The flags that must all be set."""
         return _mask(self.flags)
@@ -183,15 +200,10 @@ class Condition:
         if value is None:
             return False
         if self.is_on_flags:
-            known = value
-
-            def has(flag: EnumValue) -> bool:
-                return known & flag.value == flag.value
-
             return (
-                all(map(has, self.flags))
-                and (not self.any_flags or any(map(has, self.any_flags)))
-                and not any(map(has, self.no_flags))
+                value & self.mask == self.mask
+                and (not self.any_flags or any(value & f.value == f.value for f in self.any_flags))
+                and not any(value & f.value == f.value for f in self.no_flags)
             )
         return (value in self.numbers) != self.negated
 
@@ -269,17 +281,17 @@ class Field:
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
-    @property
+    @cached_property
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
         return self.when is not None or self.appended
 
-    @property
+    @cached_property
     def has_hidden_counter(self) -> bool:
         """True if the size of the list implies its counter, which is no member then."""
         return bool(self.counter) and self.counting != "bits"
 
-    @property
+    @cached_property
     def is_variable(self) -> bool:
         """True if the number of bytes depends on the message."""
         return self.size is None or self.may_be_absent

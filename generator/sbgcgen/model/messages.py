@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from sbgcgen.model.position import NOWHERE, Position
@@ -59,7 +60,7 @@ class Message:
     has_own_name: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
-    @property
+    @cached_property
     def identifier(self) -> str:
         """The name in snake_case, for members."""
         return snake_case(self.name)
@@ -98,7 +99,7 @@ class Message:
     def has_fixed_size(self) -> bool:
         return self.body.size is not None
 
-    @property
+    @cached_property
     def lengths(self) -> tuple[tuple[Availability, int], ...]:
         """The sizes of the body by the versions that introduced them; empty if there is only one."""
         appended = [field for field in self.fields if field.appended]
@@ -157,7 +158,7 @@ class Family:
         names |= {m.body.family for m in self.messages}
         return tuple(sorted(names - {self.name}))
 
-    @property
+    @cached_property
     def definitions(self) -> tuple[Message, ...]:
         """Messages that define a type; one in both directions defines it once.
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import Identifier
@@ -83,16 +86,29 @@ class Layout:
         """The maximum size of a body, the same in all framings."""
         return self.framing.max_body
 
-    @property
+    @cached_property
     def messages(self) -> tuple[Message, ...]:
         return tuple(m for family in self.families for m in family.messages)
 
-    @property
+    def messages_of(self, command: str, direction: str) -> tuple[Message, ...]:
+        """The messages of a command in a direction."""
+        return self._by_command.get((command, direction), ())
+
+    @cached_property
+    def _by_command(self) -> dict[tuple[str, str], tuple[Message, ...]]:
+        return _grouped(self.messages, lambda m: (m.command, m.direction))
+
+    @cached_property
+    def messages_by_id(self) -> dict[tuple[str, int], tuple[Message, ...]]:
+        """The messages of each direction and id."""
+        return _grouped(self.messages, lambda m: (m.direction, m.id))
+
+    @cached_property
     def definitions(self) -> tuple[Message, ...]:
         """Messages that define a type, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
 
-    @property
+    @cached_property
     def settings(self) -> tuple[Settings, ...]:
         """The settings that can be read and stored, in the order of families."""
         stored = {m.stores for m in self.messages}
@@ -112,7 +128,7 @@ class Layout:
             if message.name in stored
         )
 
-    @property
+    @cached_property
     def forms(self) -> tuple[str, ...]:
         """The names of all forms, those with a special meaning first."""
         named = (m.form for m in self.messages if m.form)
@@ -121,3 +137,12 @@ class Layout:
     def having_role(self, kind: str) -> tuple[Message, ...]:
         """The messages with a role; if there are several, they are forms of one command."""
         return tuple(m for m in self.messages if m.role and m.role.kind == kind)
+
+
+def _grouped(
+    messages: Iterable[Message], key: Callable[[Message], tuple[Any, Any]]
+) -> dict[tuple[Any, Any], tuple[Message, ...]]:
+    groups: dict[tuple[Any, Any], tuple[Message, ...]] = {}
+    for message in messages:
+        groups[key(message)] = (*groups.get(key(message), ()), message)
+    return groups

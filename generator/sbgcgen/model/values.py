@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from fractions import Fraction
 
 from sbgcgen.model.position import NOWHERE, Position
@@ -33,9 +34,13 @@ class Scalar:
     maximum: int | None
     kind: str = "scalar"
 
-    @property
+    @cached_property
     def is_float(self) -> bool:
         return self.minimum is None
+
+    @cached_property
+    def is_signed(self) -> bool:
+        return self.minimum is not None and self.minimum < 0
 
     def holds(self, number: int) -> bool:
         """True if a value of this type can be the number."""

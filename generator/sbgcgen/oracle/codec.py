@@ -10,6 +10,7 @@ number of announced type.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from sbgcgen.model import Blob, Enum, Field, Packed, Quantity, Scalar, Type
@@ -29,10 +30,10 @@ class CodecError(Exception):
 
 def scalar_of(type_: Type) -> Scalar:
     """The wire type of a numeric type."""
-    if isinstance(type_, Scalar):
-        return type_
-    assert isinstance(type_, (Quantity, Enum, Packed)), f"no number: {type_}"
-    return type_.scalar
+    if isinstance(type_, (Quantity, Enum, Packed)):
+        return type_.scalar
+    assert isinstance(type_, Scalar), f"no number: {type_}"
+    return type_
 
 
 def is_bytes(field: Field) -> bool:
@@ -43,23 +44,12 @@ def is_bytes(field: Field) -> bool:
 
 def keys_of(field: Field) -> tuple[str, ...]:
     """The keys of a value with one element per axis: roll, pitch, yaw."""
-    return tuple(word.lower() for word in field.index)
+    return _lower(field.index)
 
 
-def fixed_part(fields: tuple[Field, ...]) -> tuple[Field, ...]:
-    """The leading fields with a fixed offset and size in every body.
-
-    The generated codec checks their total size once, which determines the field and offset of an
-    error.
-    """
-    if any(f.is_counter for f in fields):
-        return ()
-    result = []
-    for field in fields:
-        if field.offset is None or field.is_variable:
-            break
-        result.append(field)
-    return tuple(result)
+@cache
+def _lower(words: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(word.lower() for word in words)
 
 
 LISTS = ("fixed", "counted", "rest")

@@ -40,12 +40,16 @@ class Places:
     numbers: dict[str, int] = field(default_factory=dict)
     edges: dict[str, list[Edge]] = field(default_factory=dict)
 
-    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
-        """The number and the edge values of a place."""
-        if path not in self.numbers:
-            self.numbers[path] = len(self.numbers)
-            self.edges[path] = edges(member, type_)
-        return self.numbers[path], self.edges[path]
+    def number(self, path: str) -> int:
+        """The number of a place."""
+        return self.numbers.setdefault(path, len(self.numbers))
+
+    def edges_at(self, path: str, member: Field, type_: Type) -> list[Edge]:
+        """The edge values of a place."""
+        found = self.edges.get(path)
+        if found is None:
+            found = self.edges[path] = edges(member, type_)
+        return found
 
 
 @dataclass
@@ -74,7 +78,8 @@ class Choice:
 
     def why(self) -> str:
         """A description of the chosen values, or only of the round if it would be too long."""
-        text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
+        some = self.chosen[:30]  # the text of more is always too long
+        text = ", ".join(f"{path} = {name}" for path, name in some)
         if not text:
             return "no variable values"
         return text if len(text) <= 100 else f"round {self.round} of edge values of all fields"
@@ -194,7 +199,7 @@ class _Composer:
         name = path + member.name
         if name in self.choice.example:
             return self._given(member, self.choice.example[name], f"{name}[]")
-        if self._is_typical(member, name):
+        if self.choice.typical and self._is_typical(member, name):
             return member.typical
         if name in self.choice.forced:
             return self.choice.forced[name]
@@ -214,11 +219,12 @@ class _Composer:
             return counting(count).hex()
         if member.dim == "fixed":
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
-        return [self._element(member, f"{name}[]", i) for i in range(count)]
+        element = f"{name}[]"
+        return [self._element(member, element, i) for i in range(count)]
 
     def _is_typical(self, member: Field, name: str) -> bool:
         """True if the whole field has its typical value."""
-        if not self.choice.typical or member.typical is None or name in self.choice.forced:
+        if member.typical is None or name in self.choice.forced:
             return False
         return not any(path.startswith((f"{name}.", f"{name}[")) for path in self.choice.example)
 
@@ -262,7 +268,8 @@ class _Composer:
         elif is_bytes(member) or isinstance(member.type, Struct):
             typical = 2
         else:
-            typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
+            choice.places.number(f"{name}[]")
+            typical = len(choice.places.edges_at(f"{name}[]", member, member.type))
         return min(max(typical, member.min_count), documented_length(fields, member))
 
     def _value(self, member: Field, path: str, around: Any = None) -> Any:
@@ -273,13 +280,14 @@ class _Composer:
             length = choice.lengths.get(path, 0 if choice.short else None)
             if length is not None:
                 return "".join(chr(65 + i % 26) for i in range(length))
-        number, found = choice.places.at(path, member, type_)
+        number = choice.places.number(path)
         if path in choice.example:
             return choice.example[path]
         if choice.typical and member.typical is not None:
             return element_of(member.typical, path)
         if choice.typical:
             return typical(member, type_, number + self.element)
+        found = choice.places.edges_at(path, member, type_)
         if self.conditional:
             choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
         else:

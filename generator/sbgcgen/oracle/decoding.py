@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Struct, Type
+from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
 from sbgcgen.oracle.codec import (
     LISTS,
     CodecError,
     Fields,
-    fixed_part,
     is_bytes,
     keys_of,
     scalar_of,
@@ -29,10 +28,11 @@ class _Reader:
         return len(self.body) - self.at
 
     def take(self, size: int, field: str) -> bytes:
-        if self.left() < size:
+        begin, end = self.at, self.at + size
+        if end > len(self.body):
             raise CodecError("too_short", field, len(self.body))
-        self.at += size
-        return self.body[self.at - size : self.at]
+        self.at = end
+        return self.body[begin:end]
 
 
 def decode(message: Message, body: bytes, context: Fields | None = None) -> Fields:
@@ -40,7 +40,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
 
     `context` has the facts from earlier messages: raw values, and lists of type names.
     """
-    fixed = fixed_part(message.fields)
+    fixed = message.body.fixed_part
     size = sum(f.size or 0 for f in fixed)
     exact = len(fixed) == len(message.fields) and not message.keeps_tail
     if len(body) < size or (exact and len(body) != size):
@@ -99,7 +99,11 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
         return reader.take(count, field.name).hex()
     if count < 0:
         return _read_to_the_end(field, reader)
-    return [_read_value(field.type, reader, field.name) for _ in range(count)]
+    if isinstance(field.type, (Blob, Struct)):
+        return [_read_value(field.type, reader, field.name) for _ in range(count)]
+    scalar = scalar_of(field.type)
+    data = reader.take(count * scalar.size, field.name)
+    return [_number(scalar, data[at : at + scalar.size]) for at in range(0, len(data), scalar.size)]
 
 
 def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
@@ -157,11 +161,14 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     if isinstance(type_, Blob):
         return _read_blob(type_, reader, name)
     scalar = scalar_of(type_)
-    data = reader.take(scalar.size, name)
+    return _number(scalar, reader.take(scalar.size, name))
+
+
+def _number(scalar: Scalar, data: bytes) -> Any:
+    number = int.from_bytes(data, "little", signed=scalar.is_signed)
     if scalar.is_float:
-        return float_from_bits(int.from_bytes(data, "little"), scalar.size)
-    value = int.from_bytes(data, "little", signed=scalar.name[0] == "i")
-    return integer_of(value, scalar.size)
+        return float_from_bits(number, scalar.size)
+    return integer_of(number, scalar.size)
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

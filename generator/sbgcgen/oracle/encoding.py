@@ -38,7 +38,7 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     writer = _Writer(limit)
     given = dict(fields)
     tail = str(given.pop("tail", "")) if message.keeps_tail else ""
-    _write_fields(message.fields, given, writer, "")
+    _write_fields(message.body, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
     # The bytes after a missing value must be too few to be decoded as that value; after an appended
     # one, there must be none.
@@ -49,17 +49,17 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
 
 
 def _write_fields(
-    fields: tuple[Field, ...], values: Fields, writer: _Writer, path: str, around: Any = None
+    body: Struct, values: Fields, writer: _Writer, path: str, around: Any = None
 ) -> None:
     conditions = values if around is None else around
-    unknown = values.keys() - {f.name for f in fields}
+    unknown = values.keys() - body.names
     if unknown:
         raise CodecError("presence_mismatch", path + min(unknown), writer.at)
-    for field in fields:
+    for field in body.fields:
         name = path + field.name
         present = field.name in values
         if field.is_counter:
-            _write_counter(fields, field, values, writer, name)
+            _write_counter(body.fields, field, values, writer, name)
         elif field.when:
             # Encoding has no context, so fields that depend on one are written if present.
             if not field.when.from_context:
@@ -135,8 +135,13 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
     """Write elements; of a member of fixed size, all elements fit or none."""
     inner = writer if field.size is None else _Writer(field.size, writer.at)
-    for element in elements:
-        _write_value(field.type, element, inner, name)
+    if isinstance(field.type, (Blob, Struct)):
+        for element in elements:
+            _write_value(field.type, element, inner, name)
+    else:
+        scalar = scalar_of(field.type)
+        for element in elements:
+            inner.put(_number(scalar, element, inner, name), name)
     if inner is not writer:
         writer.put(bytes(inner.data), name)
 
@@ -159,7 +164,7 @@ def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
         inner = _Writer(type_.size or writer.limit, writer.at) if type_.size else writer
         # In errors, the generated codec names a fixed-size struct, but the member of any other
         # struct.
-        _write_fields(type_.fields, value, inner, f"{name}." if type_.size else "")
+        _write_fields(type_, value, inner, f"{name}." if type_.size else "")
         if inner is not writer:
             writer.put(bytes(inner.data), name)
     elif isinstance(type_, Blob):
@@ -172,7 +177,7 @@ def _number(scalar: Scalar, value: Any, writer: _Writer, name: str) -> bytes:
     try:
         if scalar.is_float:
             return float_to_bits(value, scalar.size).to_bytes(scalar.size, "little")
-        return int(value).to_bytes(scalar.size, "little", signed=scalar.name[0] == "i")
+        return int(value).to_bytes(scalar.size, "little", signed=scalar.is_signed)
     except (OverflowError, ValueError):
         raise CodecError("value_out_of_range", name, writer.at) from None
 
@@ -197,5 +202,5 @@ def _write_region(
 ) -> None:
     assert type_.size is not None
     inner = _Writer(type_.size, writer.at)
-    _write_fields(type_.fields, values, inner, f"{name}.", around)
+    _write_fields(type_, values, inner, f"{name}.", around)
     writer.put(bytes(inner.data).ljust(type_.size, b"\0"), name)

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from sbgcgen.model import BODY, ID, SIZE, START, Framing, Layout, Message
 from sbgcgen.oracle.codec import CodecError
 
-Forms = dict[tuple[str, int], list[Message]]
+Forms = Mapping[tuple[str, int], Sequence[Message]]
 
 
 def forms_of(layout: Layout) -> Forms:
     """The messages of each direction and id."""
-    forms: Forms = {}
-    for message in layout.messages:
-        forms.setdefault((message.direction, message.id), []).append(message)
-    return forms
+    return layout.messages_by_id
 
 
 def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
@@ -24,7 +21,7 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
 
     If a command has several forms, the one that allows the size.
     """
-    candidates = forms.get((direction, id), [])
+    candidates = forms.get((direction, id), ())
     if not candidates:
         raise CodecError("unknown_command")
     if len(candidates) == 1:

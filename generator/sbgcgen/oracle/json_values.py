@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import struct
 from typing import Any
@@ -72,3 +73,11 @@ def plain(value: Any) -> Any:
     if isinstance(value, list):
         return [plain(inner) for inner in value]
     return str(value) if isinstance(value, Wide) else value
+
+
+def to_json(value: Any) -> str:
+    """A line of compact JSON."""
+    return _ENCODER.encode(value) + "\n"
+
+
+_ENCODER = json.JSONEncoder(separators=(",", ":"))

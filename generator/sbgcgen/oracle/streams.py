@@ -7,13 +7,13 @@ stream is exactly the frame that a writer makes from framing, id and body.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from sbgcgen.model import Framing, Layout
 from sbgcgen.oracle.edges import counting
 from sbgcgen.oracle.frames import header_of, read_frames, write_frame
+from sbgcgen.oracle.json_values import to_json
 from sbgcgen.oracle.vectors import typical_vector
 
 
@@ -96,4 +96,4 @@ def _line(framings: Sequence[Framing], stream: bytes, why: str, written: bool = 
     if written:
         result["written"] = True
     result["why"] = why
-    return json.dumps(result, separators=(",", ":")) + "\n"
+    return to_json(result)

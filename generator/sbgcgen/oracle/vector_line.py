@@ -12,7 +12,6 @@ Lines of `unknown.jsonl` are bodies of no known message; they lack "message" and
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from sbgcgen.model import Context, Field, Message, Struct
@@ -21,7 +20,7 @@ from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.compose import Choice, Places, compose, satisfying
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
-from sbgcgen.oracle.json_values import plain
+from sbgcgen.oracle.json_values import plain, to_json
 from sbgcgen.oracle.vectors import Vector
 
 
@@ -51,7 +50,7 @@ def line(vector: Vector, forms: Forms) -> str:
     if vector.error:
         result["error"] = error_words(vector.error)
     result["why"] = vector.why
-    return json.dumps(result, separators=(",", ":")) + "\n"
+    return to_json(result)
 
 
 def _chosen(forms: Forms, message: Message, size: int) -> Message | None:

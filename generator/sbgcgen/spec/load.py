@@ -17,9 +17,9 @@ from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics
 
 try:
-    from yaml import CSafeLoader as _Loader
+    from yaml import CSafeLoader as _SafeLoader
 except ImportError:  # a PyYAML without libyaml: slower, same result
-    from yaml import SafeLoader as _Loader  # type: ignore[assignment]
+    from yaml import SafeLoader as _SafeLoader  # type: ignore[assignment]
 
 MAIN_FILE = "simplebgc.yaml"
 # Sections of a family file; each has one namespace across all files.
@@ -71,6 +71,15 @@ def directions_of(command: Map) -> tuple[str, ...]:
     return tuple(direction for direction in both if direction in command) or both
 
 
+def maps_in(node: Map | list[Any]) -> list[Map]:
+    """A node and the nodes in it that are mappings, in the order of the file."""
+    found = [node] if isinstance(node, Map) else []
+    for value in node.values() if isinstance(node, Map) else node:
+        if isinstance(value, (Map, list)):
+            found += maps_in(value)
+    return found
+
+
 def _empty(position: Position) -> Map:
     result = Map()
     result.position = position
@@ -87,6 +96,20 @@ def _scalar(node: yaml.ScalarNode) -> Any:
     if _HEX.match(text):
         return int(text, 16)
     return {"true": True, "false": False, "null": None, "~": None, "": None}.get(text, text)
+
+
+class _Loader(_SafeLoader):
+    """Skips the search for the type of each scalar, because _scalar() decides it."""
+
+    def resolve(self, kind: Any, value: Any, implicit: Any) -> str:
+        """The tag of a node, which nothing reads."""
+        return ""
+
+    def descend_resolver(self, current_node: Any, current_index: Any) -> None:
+        """Called before the nodes in a node."""
+
+    def ascend_resolver(self) -> None:
+        """Called after the nodes in a node."""
 
 
 class _Builder:

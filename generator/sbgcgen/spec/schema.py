@@ -6,14 +6,14 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
-
-import jsonschema
 
 from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.quick_check import QuickCheck
 
 SCHEMA_FILE = Path(__file__).resolve().parents[2] / "schema" / "sbgc-spec.schema.json"
 
@@ -77,15 +77,32 @@ def check_shape(spec: Spec, found: Diagnostics) -> None:
 
 def shape_errors(spec: Spec) -> Iterator[ShapeError]:
     """All violations of the schema."""
-    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
     parts = [("main", spec.main), ("errata", spec.errata)]
     parts += [("family", family) for family in spec.families.values()]
     for kind, content in parts:
         if not content:
             continue  # the file could not be read, which has been reported
-        rules = {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
-        checker = jsonschema.Draft202012Validator(rules)
-        yield from _relevant_errors(checker.iter_errors(content), content)
+        if not _quick_check().definition(kind)(content):
+            yield from _relevant_errors(_explain(kind, content), content)
+
+
+@cache
+def _schema() -> Any:
+    return json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
+
+
+@cache
+def _quick_check() -> QuickCheck:
+    return QuickCheck(_schema())
+
+
+def _explain(kind: str, content: Map) -> Iterator[Any]:
+    """The errors of a file, which does not fit its definition."""
+    import jsonschema  # takes long
+
+    rules = {"$ref": f"#/$defs/{kind}", "$defs": _schema()["$defs"]}
+    errors: Iterator[Any] = jsonschema.Draft202012Validator(rules).iter_errors(content)
+    return errors
 
 
 def _relevant_errors(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:

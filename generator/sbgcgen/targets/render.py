@@ -17,9 +17,9 @@ from typing import Any
 import jinja2
 
 from sbgcgen.model import Layout
-from sbgcgen.model.export import export
 from sbgcgen.model.names import slug
 from sbgcgen.targets import Items, Target
+from sbgcgen.targets.bytecode import BytecodeCache
 from sbgcgen.views.words import FILTERS, TESTS
 
 # The objects that placeholders such as @family@ in a path stand for.
@@ -48,6 +48,7 @@ def _environment(folder: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
+        bytecode_cache=BytecodeCache(),
     )
     environment.filters.update(FILTERS)
     environment.tests.update(TESTS)
@@ -63,12 +64,11 @@ def environment(target: Target) -> jinja2.Environment:
 def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
     """The output files of a target's templates.
 
-    Each template sees `layout`, its export `model`, the names of the target's view, `here` (the
-    path of its output) and `root` (the relative path from there to the root of the output).
+    Each template sees `layout`, the names of the target's view, `here` (the path of its output) and `root` (the relative path from there to the root of the output).
     """
     view = target.view(layout, project)
     made = environment(target)
-    made.globals.update(layout=layout, model=export(layout), **view.names)
+    made.globals.update(layout=layout, **view.names)
     made.filters.update(view.filters)
     made.tests.update(view.tests)
     for path, output, values in expand(sources_of(target), layout, view.each):

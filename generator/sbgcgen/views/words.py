@@ -23,6 +23,7 @@ from sbgcgen.model import (
     field_rules,
 )
 from sbgcgen.model.names import slug
+from sbgcgen.model.export import export
 from sbgcgen.views.framing import crc_text, frame_parts, sums_in
 
 
@@ -91,6 +92,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "crc_text": crc_text,
     "frame_parts": frame_parts,
     "sums_in": sums_in,
+    "export": export,
     "to_json": to_json,
     "number": number,
     "versions": versions,

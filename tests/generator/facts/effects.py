@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any, Optional
 
 from sbgcgen import build
-from sbgcgen.model import Layout
 from sbgcgen.model.export import export
-from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.model import Layout, Position
+from sbgcgen.spec.diagnostics import Diagnostics, SpecError
 from sbgcgen.spec.lint.effects import lint_effects
 from sbgcgen.spec.lint.usage import lint_unused
 from sbgcgen.spec.load import Spec
@@ -21,6 +21,14 @@ from sbgcgen.targets import target
 _COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
 
 
+class _FirstFinding(Diagnostics):
+    """Ends the work at the first finding: one is enough to refuse a spec."""
+
+    def add(self, position: Position, code: str, message: str, hint: str = "") -> None:
+        super().add(position, code, message, hint)
+        self.raise_if_any()
+
+
 class Made:
     """The output for a spec; each part is computed on first access."""
 
@@ -28,27 +36,32 @@ class Made:
         families = {name: spec.families[name] for name in spec.main["families"]}
         self.spec = Spec(spec.main, families, spec.errata, spec.files)
         self.project = project
-        self.found = Diagnostics()
+        self.found = _FirstFinding()
         self.layout: Optional[Layout] = None
         self._rendered: dict[str, dict[str, bytes]] = {}
 
     @cached_property
     def model(self) -> Any:
         """The exported model, or None if the spec is invalid."""
-        check_syntax(self.spec, self.found)
-        if not self.found.found:
+        try:
+            check_syntax(self.spec, self.found)
             self.layout = resolve(self.spec, self.found)
-        return export(self.layout) if self.layout and not self.found.found else None
+        except SpecError:
+            return None
+        return export(self.layout)
 
     @cached_property
     def is_refused(self) -> bool:
         """True if lint has findings."""
-        if self.model is not None and self.layout is not None:
+        if self.model is None or self.layout is None:
+            return True
+        try:
             build.check(self.spec, self.layout, self.found)
-            if not self.found.found:
-                lint_unused(self.spec, self.found)
-                lint_effects(self.layout, self.found)
-        return bool(self.found.found)
+            lint_unused(self.spec, self.found)
+            lint_effects(self.layout, self.found)
+        except SpecError:
+            return True
+        return False
 
     @cached_property
     def code(self) -> dict[str, bytes]:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import List, Map, Spec, maps_in
 
 _LINE = re.compile(r"\bL([0-9]+)\b")
 
@@ -74,21 +73,12 @@ def _check_lines(spec: Spec, found: Diagnostics) -> None:
 
 def _places(spec: Spec) -> Iterator[tuple[str, Position]]:
     for content in (spec.main, *spec.families.values()):
-        yield from _sources(content)
+        for node in maps_in(content):
+            if isinstance(node.get("source"), str):
+                yield node["source"], node.at("source")
     for node in spec.errata.get("errata", Map()).values():
         lines = node.get("lines", List())
         yield from zip(map(str, lines), lines.items_at if isinstance(lines, List) and lines else ())
-
-
-def _sources(node: Any) -> Iterator[tuple[str, Position]]:
-    if isinstance(node, Map):
-        if isinstance(node.get("source"), str):
-            yield node["source"], node.at("source")
-        for value in node.values():
-            yield from _sources(value)
-    elif isinstance(node, list):
-        for value in node:
-            yield from _sources(value)
 
 
 def _check_guides(spec: Spec, found: Diagnostics) -> None:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from sbgcgen.model import COMMAND_IDS, Position
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import Map, Spec, maps_in
 from sbgcgen.spec.resolve.types import VARIABLE_ID
 
 # Types of the spec begin with an upper-case letter, built-in ones do not.
@@ -38,16 +37,13 @@ def lint_spelling(spec: Spec, found: Diagnostics) -> None:
             _check_prefix(name, node, found)
 
 
-def _fields(node: Any) -> Iterator[Map]:
+def _fields(content: Map) -> Iterator[Map]:
     """The named fields of all lists of fields."""
-    if isinstance(node, Map):
-        for key, value in node.items():
-            if key == "fields" and isinstance(value, list):
-                yield from (item for item in value if isinstance(item, Map) and "name" in item)
-            yield from _fields(value)
-    elif isinstance(node, list):
-        for value in node:
-            yield from _fields(value)
+    for node in maps_in(content):
+        fields = node.get("fields")
+        for item in fields if isinstance(fields, list) else ():
+            if isinstance(item, Map) and "name" in item:
+                yield item
 
 
 def _check_case(name: str, node: Map, at: Position, found: Diagnostics) -> None:

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import Any
 
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import Map, Spec, maps_in
 
 # Sections of types, and the term for one entry.
 _TYPES = {
@@ -34,17 +32,7 @@ def lint_unused(spec: Spec, found: Diagnostics) -> None:
 
 
 def _all_maps(spec: Spec) -> list[Map]:
-    return [node for content in (spec.main, *spec.families.values()) for node in _maps(content)]
-
-
-def _maps(node: Any) -> Iterator[Map]:
-    if isinstance(node, Map):
-        yield node
-        for value in node.values():
-            yield from _maps(value)
-    elif isinstance(node, list):
-        for value in node:
-            yield from _maps(value)
+    return [node for content in (spec.main, *spec.families.values()) for node in maps_in(content)]
 
 
 def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:

@@ -106,7 +106,9 @@ class AnswerResolver:
                 ]
                 streams = tuple(_response(message, m) for m in known if m is not None)
                 role = replace(role, streams=streams)
-            result.append(replace(message, answer=answer, role=role))
+            if answer is not message.answer or role is not message.role:
+                message = replace(message, answer=answer, role=role)
+            result.append(message)
         return result
 
     def _board(self, name: str, board: dict[str, Message], at: Position) -> Message | None:

@@ -26,7 +26,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import Map, Spec, maps_in
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
@@ -225,12 +225,13 @@ class FieldResolver:
             if "include" in node:
                 added = include(node) if include else []
             else:
-                one = self._field(node, owner, contexts, [*around, *result], in_struct)
+                one = self._field(node, owner, contexts, [*around, *result], in_struct, offset)
                 added = [one] if one else []
             for field in added:
                 if field.spec_name == "RESERVED" and field.reserved:
                     reserved += 1
-                field = replace(field, offset=offset)
+                if field.offset != offset:
+                    field = replace(field, offset=offset)
                 size = None if field.is_variable else field.size
                 offset = None if offset is None or size is None else offset + size
                 result.append(field)
@@ -254,6 +255,7 @@ class FieldResolver:
         contexts: tuple[Context, ...],
         earlier: list[Field],
         in_struct: bool,
+        offset: int | None,
     ) -> Field | None:
         shorthand = isinstance(node.get("reserved"), int) and not isinstance(node["reserved"], bool)
         text = "RESERVED" if shorthand else str(node.get("name", ""))
@@ -300,7 +302,7 @@ class FieldResolver:
             index=index,
             counter=counter,
             is_counter=False,
-            offset=None,
+            offset=offset,
             size=whole,
             capacity=min(capacity, len(index)) if dim == "rest" and index else capacity,
             minimum=minimum,
@@ -467,19 +469,10 @@ class FieldResolver:
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
-    def walk(node: Any) -> Iterator[Map]:
-        if isinstance(node, Map):
-            if "struct" in node and "fields" in node:
-                yield node
-            for value in node.values():
-                yield from walk(value)
-        elif isinstance(node, list):
-            for value in node:
-                yield from walk(value)
-
     for family, content in spec.families.items():
-        for node in walk(content):
-            yield family, node
+        for node in maps_in(content):
+            if "struct" in node and "fields" in node:
+                yield family, node
 
 
 def _number_reserved(fields: list[Field]) -> list[Field]:

@@ -22,9 +22,10 @@ def leaves(
     for field in fields:
         offset = None if base is None or field.offset is None else base + field.offset
         for leaf in _field_leaves(field, path + field.name, offset, word):
-            yield replace(
-                leaf, optional=leaf.optional or field.appended, when=leaf.when or field.when
-            )
+            if field.may_be_absent:
+                optional, when = leaf.optional or field.appended, leaf.when or field.when
+                leaf = replace(leaf, optional=optional, when=when)
+            yield leaf
 
 
 def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Iterator[Leaf]:

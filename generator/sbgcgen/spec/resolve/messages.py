@@ -271,7 +271,10 @@ class MessageResolver:
             longest = message.max_size == max(forms)
             open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
             keeps = message.keeps_tail and longest
-            result.append(replace(message, keeps_tail=keeps, is_open=open_ended and longest))
+            is_open = open_ended and longest
+            if (keeps, is_open) != (message.keeps_tail, message.is_open):
+                message = replace(message, keeps_tail=keeps, is_open=is_open)
+            result.append(message)
         owners = {id(m.body): m.keeps_tail for m in result if not m.same_as}
         return [
             replace(m, keeps_tail=owners.get(id(m.body), m.keeps_tail))
@@ -282,6 +285,8 @@ class MessageResolver:
 
     def _settle_types(self, message: Message) -> Message:
         """Complete the announced types of contexts, which need all messages."""
+        if not any(context.announced for context in message.contexts):
+            return message
         contexts = []
         for context in message.contexts:
             announced = context.announced

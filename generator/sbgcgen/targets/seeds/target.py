@@ -29,15 +29,16 @@ class Seeds(Target):
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
         """The seeds and the dictionary by path."""
         yield "fuzz/sbgc.dict", _dictionary(layout).encode()
+        bodies = {id(message): _bodies(message) for message in layout.messages}
         for message in layout.messages:
             head = bytes((message.direction == "from_board", message.id))
             name = f"fuzz/messages/{message.direction}_{message.identifier}"
-            for number, body in enumerate(_bodies(message)):
+            for number, body in enumerate(bodies[id(message)]):
                 yield f"{name}_{number}", head + body
         for family in layout.families:
             for framing in layout.framings if family.messages else ():
                 frames = [
-                    write_frame(framing, message.id, _bodies(message)[0])
+                    write_frame(framing, message.id, bodies[id(message)][0])
                     for message in family.messages
                 ]
                 stream = b"".join(frames)[:_LARGEST_STREAM]

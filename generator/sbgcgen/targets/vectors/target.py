@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 from sbgcgen.model import Layout
 from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.frames import Forms, choose_message, forms_of
+from sbgcgen.oracle.json_values import to_json
 from sbgcgen.oracle.streams import stream_lines
 from sbgcgen.oracle.vector_line import error_words, line
 from sbgcgen.oracle.vectors import vectors_of
@@ -64,4 +64,4 @@ def _refused(forms: Forms, direction: str, number: int, sizes: Iterable[int]) ->
     for size, refusal in refused[:1] + refused[1:][-1:]:
         result: dict[str, Any] = {"id": number, "direction": direction, "hex": bytes(size).hex()}
         result.update(error=error_words(refusal), why=f"no message of {size} bytes")
-        yield json.dumps(result, separators=(",", ":")) + "\n"
+        yield to_json(result)
