@@ -1,5 +1,6 @@
 #include "command_lookup.hpp"
 
+#include <array>
 #include <span>
 
 #include <sbgc/dispatch.hpp>
@@ -12,6 +13,48 @@ namespace {
 bool travels(const MessageInfo& info, Direction direction) {
   return info.direction == direction || info.direction == Direction::both;
 }
+
+/// The names of all ids in both directions.
+class CommandNames {
+ public:
+  CommandNames() {
+    AllMessages::for_each([this]<class M>(Type<M>) {
+      const MessageInfo& info = Meta<M>::info;
+      for (const Direction direction : {Direction::to_board, Direction::from_board}) {
+        if (travels(info, direction)) place(info.id, direction) = info.command;
+      }
+    });
+    // Otherwise, the name of the id in the other direction.
+    add(EnumMeta<msg::CommandFromBoard>::values);
+    add(EnumMeta<msg::CommandToBoard>::values);
+  }
+
+  const char* of(std::uint8_t id, Direction direction) const {
+    return names_[index(direction)][id];
+  }
+
+ private:
+  using Names = std::array<const char*, 256>;
+
+  static std::size_t index(Direction direction) { return direction == Direction::to_board ? 0 : 1; }
+  static constexpr Names without_names() {
+    Names names{};
+    names.fill("");
+    return names;
+  }
+
+  const char*& place(std::uint8_t id, Direction direction) { return names_[index(direction)][id]; }
+  void add(std::span<const ValueInfo> commands) {
+    for (const ValueInfo& command : commands) {
+      for (Names& names : names_) {
+        const char*& name = names[static_cast<std::uint8_t>(command.value)];
+        if (*name == '\0') name = command.name;
+      }
+    }
+  }
+
+  std::array<Names, 2> names_{without_names(), without_names()};
+};
 
 }  // namespace
 
@@ -36,21 +79,9 @@ bool has_command(Direction direction, std::uint8_t id) {
   return select(direction, id, 0, [](auto) {}) != Code::unknown_command;
 }
 
-std::string command_name(std::uint8_t id, Direction direction) {
-  std::string result;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const MessageInfo& info = Meta<M>::info;
-    if (info.id == id && travels(info, direction)) result = info.command;
-  });
-  // Otherwise, the name of the id in the other direction.
-  const auto look_in = [&](std::span<const ValueInfo> commands) {
-    for (const ValueInfo& command : commands) {
-      if (result.empty() && command.value == id) result = command.name;
-    }
-  };
-  look_in(EnumMeta<msg::CommandFromBoard>::values);
-  look_in(EnumMeta<msg::CommandToBoard>::values);
-  return result;
+const char* command_name(std::uint8_t id, Direction direction) {
+  static const CommandNames names;
+  return names.of(id, direction);
 }
 
 }  // namespace sbgc::tools

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 #include <sbgc/codec.hpp>
 
@@ -11,7 +10,7 @@ namespace sbgc::tools {
 
 /// Returns the name of the command with this id; "" if there is none. Some ids have two names,
 /// distinguished by direction.
-std::string command_name(std::uint8_t id, Direction direction);
+const char* command_name(std::uint8_t id, Direction direction);
 
 /// True if there is a command with this id in this direction.
 bool has_command(Direction direction, std::uint8_t id);

@@ -25,6 +25,7 @@
 #include "input_guess.hpp"
 #include "rejected_candidates.hpp"
 #include "serving/arguments.hpp"
+#include "standard_output.hpp"
 #include "wording.hpp"
 
 namespace sbgc::tools {
@@ -41,9 +42,11 @@ struct DecodeOptions {
 
 /// Returns a decoder for the firmware of the options.
 FrameDecoder decoder_of(const DecodeOptions& options) {
-  if (options.firmware.empty()) return {};
+  const bool is_text = options.format == "text";
+  const FrameDecoder::Wanted wanted{.json = !is_text, .rows = is_text};
+  if (options.firmware.empty()) return FrameDecoder(wanted);
   // Any board: which features it has is not known.
-  return FrameDecoder(Availability{serving::read_firmware(options.firmware).raw(), 0xFF});
+  return FrameDecoder(wanted, Availability{serving::read_firmware(options.firmware).raw(), 0xFF});
 }
 
 std::optional<Direction> direction(const std::string& from) {
@@ -52,18 +55,8 @@ std::optional<Direction> direction(const std::string& from) {
   return std::nullopt;
 }
 
-/// Flushes the output, because a reader may be waiting for it.
-void flush_output() {
-  if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write to the standard output");
-}
-
-void print_line(const Json& line) {
-  fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected) {
-  for (const RejectedCandidate& candidate : rejected)
-    fmt::print(out, "    @{}: {}\n", candidate.offset, candidate.text);
+std::string to_text(const RejectedCandidate& candidate) {
+  return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
 }
 
 /// Reports input without a frame, and guesses what it is.
@@ -72,7 +65,7 @@ void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected)
   fmt::print(stderr, "sbgc: found no frame in {}{}{}\n", counted(size, "byte"),
              guess.empty() ? "" : "; ", guess);
   for (const RejectedCandidate& candidate : rejected) {
-    if (candidate.has_header) print_rejected(stderr, {&candidate, 1});
+    if (candidate.has_header) fmt::print(stderr, "{}", to_text(candidate));
   }
   return failure;
 }
@@ -80,10 +73,10 @@ void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected)
 constexpr const char* line_may_be_wrong =
     "if they come from a serial line, its baud rate or parity may be wrong";
 
-void print_counters(const char* whose, const ParserCounters& counters) {
-  fmt::print("{}{}, {} skipped (bad headers: {}, bad bodies: {})\n", whose,
-             counted(counters.frames, "frame"), counted(counters.skipped_bytes, "byte"),
-             counters.header_errors, counters.body_errors);
+std::string to_text(const ParserCounters& counters) {
+  return fmt::format("{}, {} skipped (bad headers: {}, bad bodies: {})\n",
+                     counted(counters.frames, "frame"), counted(counters.skipped_bytes, "byte"),
+                     counters.header_errors, counters.body_errors);
 }
 
 /// True if bytes without a frame were probably intended as frames: in noise, most start bytes are
@@ -100,8 +93,9 @@ std::uint64_t end_of(const Frame& frame) {
 /// Decodes a raw byte stream.
 class RawDecoder {
  public:
-  explicit RawDecoder(const DecodeOptions& options)
-      : jsonl_(options.format == "jsonl"),
+  RawDecoder(const DecodeOptions& options, StandardOutput& out)
+      : out_(out),
+        jsonl_(options.format == "jsonl"),
         is_hex_(options.hex),
         direction_(direction(options.from)),
         decoder_(decoder_of(options)),
@@ -125,9 +119,9 @@ class RawDecoder {
     if (explains_gaps()) rejected = explainer_.end_gap(size_, size_);
     if (!jsonl_) {
       print_gap(size_, rejected);
-      print_counters("", parser_.counters());
+      out_.put(to_text(parser_.counters()));
     }
-    flush_output();
+    out_.flush();
     return rejected;
   }
 
@@ -144,27 +138,36 @@ class RawDecoder {
   }
 
  private:
-  static std::string place(std::uint64_t offset) { return fmt::format("@{}", offset); }
+  void put_place(std::uint64_t offset) {
+    out_.put('@');
+    out_.put(offset);
+  }
 
   /// JSON lines contain only frames, so gaps matter only until the first frame.
   bool explains_gaps() const { return !jsonl_ || parser_.counters().frames == 0; }
 
   void print(const Frame& frame) {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
-    if (jsonl_) return print_line(decoded.to_json());
+    if (jsonl_) {
+      put_json(out_, decoded);
+      return out_.put('\n');
+    }
     const std::uint64_t end = end_of(frame);
     print_gap(frame.offset, explainer_.end_gap(frame.offset, end));
-    fmt::print("{}", to_text(decoded, place(frame.offset)));
+    put_place(frame.offset);
+    put_text(out_, decoded);
     end_ = end;
   }
 
   /// Prints "no frame: 5 bytes" and the reasons, if there are bytes since the last frame.
-  void print_gap(std::uint64_t end, std::span<const RejectedCandidate> rejected) const {
+  void print_gap(std::uint64_t end, std::span<const RejectedCandidate> rejected) {
     if (end == end_) return;
-    fmt::print("{}  no frame: {}\n", place(end_), counted(end - end_, "byte"));
-    print_rejected(stdout, rejected);
+    put_place(end_);
+    out_.put(fmt::format("  no frame: {}\n", counted(end - end_, "byte")));
+    for (const RejectedCandidate& candidate : rejected) out_.put(to_text(candidate));
   }
 
+  StandardOutput& out_;
   bool jsonl_;
   bool is_hex_;
   std::optional<Direction> direction_;
@@ -179,8 +182,9 @@ class RawDecoder {
 /// Decodes a capture file, which records direction and time.
 class CaptureDecoder final : private CaptureListener {
  public:
-  explicit CaptureDecoder(const DecodeOptions& options)
-      : jsonl_(options.format == "jsonl"),
+  CaptureDecoder(const DecodeOptions& options, StandardOutput& out)
+      : out_(out),
+        jsonl_(options.format == "jsonl"),
         only_(direction(options.from)),
         frames_(*this),
         new_decoder_(decoder_of(options)) {}
@@ -193,12 +197,12 @@ class CaptureDecoder final : private CaptureListener {
     if (!jsonl_) {
       for (const Direction side : {Direction::to_board, Direction::from_board}) {
         const bool board = side == Direction::from_board;
-        if (wanted(side)) {
-          print_counters(board ? "from the board: " : "to the board: ", frames_.counters(side));
-        }
+        if (!wanted(side)) continue;
+        out_.put(board ? "from the board: " : "to the board: ");
+        out_.put(to_text(frames_.counters(side)));
       }
     }
-    flush_output();
+    out_.flush();
     if (!problems_.empty()) throw InputError(problems_);
     if (found_ != 0 || skipped_ == 0) return success;
     const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
@@ -222,8 +226,8 @@ class CaptureDecoder final : private CaptureListener {
     if (jsonl_) return;
     // Use seconds, because a conversion to nanoseconds overflows for dates far in the future.
     const auto start = std::chrono::floor<std::chrono::seconds>(session.start).time_since_epoch();
-    fmt::print("session {}, started {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
-               fmt::gmtime(static_cast<std::time_t>(start.count())));
+    out_.put(fmt::format("session {}, started {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
+                         fmt::gmtime(static_cast<std::time_t>(start.count()))));
   }
 
   void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {
@@ -231,13 +235,12 @@ class CaptureDecoder final : private CaptureListener {
     if (!wanted(side)) return;
     const DecodedFrame decoded = decoder_.decode(frame, side);
     if (!jsonl_) {
-      fmt::print("{}", to_text(decoded, place(time)));
-      return;
+      out_.put(place(time));
+      return put_text(out_, decoded);
     }
-    Json line = decoded.to_json();
-    line["time"] = std::chrono::duration<double>(time).count();
-    line["session"] = session_;
-    print_line(line);
+    const CapturePlace place{std::chrono::duration<double>(time).count(), session_};
+    put_json(out_, decoded, &place);
+    out_.put('\n');
   }
 
   void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size,
@@ -245,20 +248,21 @@ class CaptureDecoder final : private CaptureListener {
     skipped_ += size;
     if (rejected_.empty()) rejected_.assign(rejected.begin(), rejected.end());
     if (!jsonl_ && wanted(side)) {
-      fmt::print("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
-                 side == Direction::from_board ? "from" : "to");
-      print_rejected(stdout, rejected);
+      out_.put(fmt::format("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
+                           side == Direction::from_board ? "from" : "to"));
+      for (const RejectedCandidate& candidate : rejected) out_.put(to_text(candidate));
     }
   }
 
   void on_note(io::CaptureTime time, std::string_view text) override {
-    if (!jsonl_) fmt::print("{}  note: {}\n", place(time), detail::quoted(text));
+    if (!jsonl_) out_.put(fmt::format("{}  note: {}\n", place(time), detail::quoted(text)));
   }
 
   void on_damage(const io::CaptureDamage& damage) override {
     problems_ += (problems_.empty() ? "" : " ") + to_string(damage);
   }
 
+  StandardOutput& out_;
   bool jsonl_;
   std::optional<Direction> only_;
   CaptureFrames frames_;
@@ -289,17 +293,16 @@ std::vector<std::uint8_t> read_begin(Input& input) {
 }
 
 template <class Decoder>
-int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder decoder) {
+int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder decoder,
+                 StandardOutput& out) {
   for (auto block = begin; !block.empty(); block = input.read()) {
     decoder.feed(block);
-    flush_output();
+    out.flush();
   }
-  const int status = decoder.finish();
-  flush_output();
-  return status;
+  return decoder.finish();
 }
 
-int decode_hex(Input& input, RawDecoder decoder) {
+int decode_hex(Input& input, RawDecoder decoder, StandardOutput& out) {
   HexDecoder hex;
   std::vector<std::uint8_t> bytes;
   bool is_text = true;
@@ -308,7 +311,7 @@ int decode_hex(Input& input, RawDecoder decoder) {
     std::optional<HexError> error = hex.feed(block, bytes);
     decoder.feed(bytes);
     bytes.clear();
-    flush_output();
+    out.flush();
     if (error) fail_at(*error, decoder, is_text);
   }
   if (const auto error = hex.finish()) fail_at(*error, decoder, is_text);
@@ -317,10 +320,11 @@ int decode_hex(Input& input, RawDecoder decoder) {
 
 int decode_file(const DecodeOptions& options) {
   Input input(options.file);
-  if (options.hex) return decode_hex(input, RawDecoder(options));
+  StandardOutput out;
+  if (options.hex) return decode_hex(input, RawDecoder(options, out), out);
   const std::vector<std::uint8_t> begin = read_begin(input);
-  if (io::is_capture(begin)) return decode_bytes(input, begin, CaptureDecoder(options));
-  return decode_bytes(input, begin, RawDecoder(options));
+  if (io::is_capture(begin)) return decode_bytes(input, begin, CaptureDecoder(options, out), out);
+  return decode_bytes(input, begin, RawDecoder(options, out), out);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/to_json.hpp>
 
 #include "command_lookup.hpp"
 
@@ -45,30 +46,6 @@ std::string field_at(std::size_t offset) {
   return result;
 }
 
-/// Creates a row for each value, and adds violations of the specification to the rows.
-struct RowCollector {
-  std::vector<Row>& rows;
-
-  void operator()(const Leaf& leaf) const {
-    if (is_unused(leaf)) return;
-    rows.push_back({.path = to_string(leaf.path),
-                    .raw = raw_text(leaf),
-                    .meaning = meaning_text(leaf),
-                    .objection = {},
-                    .offset = leaf.offset,
-                    .size = leaf.size});
-  }
-  void operator()(const Violation& violation) const {
-    const std::string path = to_string(violation.path);
-    for (Row& row : rows) {
-      if (row.path != path) continue;
-      if (!row.objection.empty()) row.objection += ", ";
-      if (violation.named != nullptr) row.objection += violation.named->name + std::string(" ");
-      row.objection += violation_text(violation);
-    }
-  }
-};
-
 /// Returns why a board with these versions does not know the message, or "".
 std::string objection_to(const MessageInfo& info, const Availability& versions) {
   const auto firmware = [](std::uint16_t version) {
@@ -81,14 +58,29 @@ std::string objection_to(const MessageInfo& info, const Availability& versions) 
                                                  : std::string();
 }
 
-/// Returns objections by path; that to the whole message has the path "".
-Json objections_of(const DecodedFrame& decoded) {
-  Json result = Json::object();
-  if (!decoded.objection.empty()) result[""] = decoded.objection;
+/// Writes objections by path; that to the whole message has the path "".
+void put_objections(TextOutput& out, const DecodedFrame& decoded) {
+  char separator = '{';
+  const auto add = [&](std::string_view path, std::string_view objection) {
+    out.put(separator);
+    separator = ',';
+    put_json_string(out, path);
+    out.put(':');
+    put_json_string(out, objection);
+  };
+  if (!decoded.objection.empty()) add("", decoded.objection);
   for (const Row& row : decoded.rows) {
-    if (!row.objection.empty()) result[row.path] = row.objection;
+    if (!row.objection.empty()) add(row.path, row.objection);
   }
-  return result;
+  out.put(separator == '{' ? "{}" : "}");
+}
+
+/// Writes a name, which needs no escapes, or null.
+void put_name(TextOutput& out, const char* name) {
+  if (*name == '\0') return out.put("null");
+  out.put('"');
+  out.put(name);
+  out.put('"');
 }
 
 }  // namespace
@@ -108,9 +100,17 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   result.command = command_name(frame.id, result.direction);
   const auto take = [&]<class M>(const M& message) {
     contexts_.learn(message);
-    result.fields = sbgc::to_json(message);
-    for_each_leaf(message, RowCollector{result.rows});
-    validate(message, versions_.value_or(newest), RowCollector{result.rows});
+    if (wanted_.json) {
+      json_.clear();
+      StringOutput out(json_);
+      write_json(message, static_cast<TextOutput&>(out));
+      out.finish();
+      result.fields = json_;
+    }
+    if (wanted_.rows || versions_) {
+      rows_.assign(message, versions_.value_or(newest));
+      result.rows = rows_.rows();
+    }
   };
   result.status = visit(frame, result.direction, take, contexts_);
   // The context may belong to another stream, so retry without context: no data is better than
@@ -131,23 +131,55 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   return result;
 }
 
-Json DecodedFrame::to_json() const {
-  Json result;
-  result["offset"] = frame.offset;
-  result["command"] = command.empty() ? Json() : Json(command);
-  result["id"] = frame.id;
-  result["message"] = message == nullptr ? Json() : Json(message->name);
-  result["direction"] = direction == Direction::from_board ? "from_board" : "to_board";
-  result["framing"] = to_string(frame.framing);
-  if (status) {
-    result["fields"] = fields;
-    if (is_for_firmware) result["objections"] = objections_of(*this);
-  } else {
-    result["error"] = {
-        {"code", name(status.code)}, {"field", error_field}, {"offset", status.offset}};
-    result["body"] = detail::to_hex(frame.body);
+void put_json_string(TextOutput& out, std::string_view text) {
+  out.put('"');
+  while (!text.empty()) {
+    const std::size_t size = detail::utf8_length(text);
+    detail::put_escaped(out, size == 0 ? "\xEF\xBF\xBD" : text.substr(0, size));
+    text.remove_prefix(size == 0 ? 1 : size);
   }
-  return result;
+  out.put('"');
+}
+
+void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place) {
+  const Frame& frame = decoded.frame;
+  out.put("{\"offset\":");
+  out.put(frame.offset);
+  out.put(",\"command\":");
+  put_name(out, decoded.command);
+  out.put(",\"id\":");
+  out.put(frame.id);
+  out.put(",\"message\":");
+  put_name(out, decoded.message == nullptr ? "" : decoded.message->name);
+  out.put(",\"direction\":");
+  put_name(out, decoded.direction == Direction::from_board ? "from_board" : "to_board");
+  out.put(",\"framing\":");
+  put_name(out, to_string(frame.framing));
+  if (decoded.status) {
+    out.put(",\"fields\":");
+    out.put(decoded.fields);
+    if (decoded.is_for_firmware) {
+      out.put(",\"objections\":");
+      put_objections(out, decoded);
+    }
+  } else {
+    out.put(",\"error\":{\"code\":");
+    put_name(out, name(decoded.status.code));
+    out.put(",\"field\":");
+    put_json_string(out, decoded.error_field);
+    out.put(",\"offset\":");
+    out.put(decoded.status.offset);
+    out.put("},\"body\":\"");
+    out.put_hex(frame.body);
+    out.put('"');
+  }
+  if (place != nullptr) {
+    out.put(",\"time\":");
+    detail::put_real(out, place->time);
+    out.put(",\"session\":");
+    out.put(place->session);
+  }
+  out.put('}');
 }
 
 }  // namespace sbgc::tools

@@ -2,49 +2,56 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include <sbgc/frame.hpp>
-#include <sbgc/to_json.hpp>
+#include <sbgc/text_output.hpp>
 #include <sbgc/visit.hpp>
+
+#include "value_rows.hpp"
 
 namespace sbgc::tools {
 
-/// One value of a message in readable form.
-struct Row {
-  std::string path;
-  std::string raw;
-  std::string meaning;    ///< the value in its unit, or its name
-  std::string objection;  ///< violation of the specification, such as "is below 1 Hz", or with its
-                          ///< own subject, "MODE_RC needs firmware 2.66"
-  std::size_t offset{};   ///< offset of the value in the body
-  std::size_t size{};     ///< size of the value in bytes
-};
-
-/// The result of decoding one frame.
+/// The result of decoding one frame. The views are valid until the decoder decodes the next one.
 struct DecodedFrame {
   Frame frame{};
   Direction direction{};
-  std::string command{};                 ///< "" if the id is unknown
+  const char* command = "";              ///< "" if the id is unknown
   const MessageInfo* message = nullptr;  ///< null if no message fits
   Status status{};
   std::string error_field{};  ///< the field of the error, if known
-  Json fields{};
-  std::vector<Row> rows{};
+  std::string_view fields{};  ///< the JSON of the message, if wanted
+  std::span<const Row> rows{};
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
-
-  /// Returns the object that `sbgc decode --format jsonl` prints.
-  Json to_json() const;
 };
+
+/// The place of a frame in a capture file.
+struct CapturePlace {
+  double time{};  ///< in seconds since the start of the session
+  int session{};
+};
+
+/// Writes the object that `sbgc decode --format jsonl` prints.
+void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place = nullptr);
+
+/// Writes a string of JSON. Bytes that are not UTF-8 become replacement characters.
+void put_json_string(TextOutput& out, std::string_view text);
 
 /// Decodes frames in sequence and stores the context for later ones.
 class FrameDecoder {
  public:
-  FrameDecoder() = default;
-  /// Objects to what a board with these versions does not know.
-  explicit FrameDecoder(const Availability& versions) : versions_(versions) {}
+  /// The forms of a message that are wanted.
+  struct Wanted {
+    bool json{};
+    bool rows{};
+  };
+
+  /// With `versions`, objects to what a board with these versions does not know.
+  explicit FrameDecoder(Wanted wanted, std::optional<Availability> versions = std::nullopt)
+      : wanted_(wanted), versions_(versions) {}
 
   /// `direction` is the direction of the frame; if it is missing, the frame size decides, unless
   /// the body can only be decoded in the other direction.
@@ -53,8 +60,11 @@ class FrameDecoder {
  private:
   DecodedFrame decode_from(const Frame& frame, Direction direction);
 
+  Wanted wanted_;
   std::optional<Availability> versions_;
-  Contexts contexts_;
+  Contexts contexts_{};
+  std::string json_{};
+  ValueRows rows_{};
 };
 
 }  // namespace sbgc::tools

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/dispatch.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parse_json.hpp>
@@ -40,7 +40,7 @@ struct Problems {
 template <class M>
 std::vector<std::uint8_t> encode_fields(const Json& fields, Framing framing, bool check) {
   M message{};
-  from_json(fields, message);
+  from_dom(fields, message);
   if (check) {
     std::string problems;
     validate(message, Problems{problems});

@@ -1,63 +1,112 @@
 #include "frame_text.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
-
-#include "wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-std::string heading(const DecodedFrame& decoded, const std::string& place) {
+void put_heading(TextOutput& out, const DecodedFrame& decoded) {
   const bool is_from_board = decoded.direction == Direction::from_board;
-  return fmt::format("{}  {} ({})  {}, {}{}{}{}{}\n", place,
-                     decoded.command.empty() ? "unknown command" : decoded.command,
-                     decoded.frame.id, is_from_board ? "board to host" : "host to board",
-                     counted(decoded.frame.body.size(), "byte"),
-                     decoded.message == nullptr ? "" : "  ",
-                     decoded.message == nullptr ? "" : decoded.message->name,
-                     decoded.objection.empty() ? "" : "  ", decoded.objection);
+  const std::size_t size = decoded.frame.body.size();
+  out.put("  ");
+  out.put(*decoded.command == '\0' ? "unknown command" : decoded.command);
+  out.put(" (");
+  out.put(decoded.frame.id);
+  out.put(is_from_board ? ")  board to host, " : ")  host to board, ");
+  out.put(size);
+  out.put(size == 1 ? " byte" : " bytes");
+  if (decoded.message != nullptr) {
+    out.put("  ");
+    out.put(decoded.message->name);
+  }
+  if (!decoded.objection.empty()) {
+    out.put("  ");
+    out.put(decoded.objection);
+  }
+  out.put('\n');
 }
 
-std::string error_lines(const DecodedFrame& decoded) {
+void put_error(TextOutput& out, const DecodedFrame& decoded) {
   const Status& status = decoded.status;
-  return fmt::format("    error: {} ({}{}{}, offset {})\n    body: {}\n", text(status.code),
-                     name(status.code), decoded.error_field.empty() ? "" : ", field ",
-                     decoded.error_field, status.offset, detail::to_hex(decoded.frame.body));
+  out.put("    error: ");
+  out.put(text(status.code));
+  out.put(" (");
+  out.put(name(status.code));
+  if (!decoded.error_field.empty()) {
+    out.put(", field ");
+    out.put(decoded.error_field);
+  }
+  out.put(", offset ");
+  out.put(status.offset);
+  out.put(")\n    body: ");
+  out.put_hex(decoded.frame.body);
+  out.put('\n');
 }
 
-/// Joins meaning and objection: "1 Hz is below 554 Hz", "MODE_RC needs firmware 2.66".
-std::string remark(const Row& row) {
-  if (row.meaning.empty() || row.objection.empty()) return row.meaning + row.objection;
-  if (row.objection.starts_with(row.meaning + " ")) return row.objection;
-  const bool has_subject = row.objection.front() >= 'A' && row.objection.front() <= 'Z';
-  return row.meaning + (has_subject ? "; " : " ") + row.objection;
+/// Writes meaning and objection: "1 Hz is below 554 Hz", "MODE_RC needs firmware 2.66".
+void put_remark(TextOutput& out, const Row& row) {
+  const std::string_view objection = row.objection;
+  if (objection.empty()) return out.put(row.meaning);
+  const bool has_meaning =
+      objection.starts_with(row.meaning) && objection.substr(row.meaning.size()).starts_with(' ');
+  if (!row.meaning.empty() && !has_meaning) {
+    const bool has_subject = objection.front() >= 'A' && objection.front() <= 'Z';
+    out.put(row.meaning);
+    out.put(has_subject ? "; " : " ");
+  }
+  out.put(objection);
 }
 
-std::string value_lines(const std::vector<Row>& rows) {
+bool has_remark(const Row& row) { return !row.meaning.empty() || !row.objection.empty(); }
+
+/// Writes a raw value in a column of `width` bytes.
+void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(raw.begin(), raw.end(), is_ascii)) {
+    out.put(raw);
+    out.put(' ', width - raw.size());
+  } else {
+    out.put(fmt::format("{:<{}}", raw, width));  // it knows how wide characters are
+  }
+}
+
+void put_values(TextOutput& out, std::span<const Row> rows) {
   std::size_t path_width = 0;
   std::size_t raw_width = 0;
   for (const Row& row : rows) {
     path_width = std::max(path_width, row.path.size());
-    if (!remark(row).empty()) raw_width = std::max(raw_width, row.raw.size());
+    if (has_remark(row)) raw_width = std::max(raw_width, row.raw.size());
   }
-  std::string result;
   for (const Row& row : rows) {
-    std::string line = fmt::format("    {:<{}}  {:<{}}  {}", row.path, path_width, row.raw,
-                                   raw_width, remark(row));
-    line.erase(line.find_last_not_of(' ') + 1);
-    result += line + '\n';
+    out.put("    ");
+    out.put(row.path);
+    if (!row.raw.empty() || has_remark(row)) {
+      out.put(' ', path_width - row.path.size() + 2);
+      if (has_remark(row)) {
+        put_raw(out, row.raw, raw_width);
+        out.put("  ");
+        put_remark(out, row);
+      } else {
+        out.put(row.raw);
+      }
+    }
+    out.put('\n');
   }
-  return result;
 }
 
 }  // namespace
 
-std::string to_text(const DecodedFrame& decoded, const std::string& place) {
-  return heading(decoded, place) +
-         (decoded.status ? value_lines(decoded.rows) : error_lines(decoded));
+void put_text(TextOutput& out, const DecodedFrame& decoded) {
+  put_heading(out, decoded);
+  if (decoded.status) {
+    put_values(out, decoded.rows);
+  } else {
+    put_error(out, decoded);
+  }
 }
 
 }  // namespace sbgc::tools

@@ -1,13 +1,14 @@
 /// The text format of `sbgc decode`.
 #pragma once
 
-#include <string>
+#include <sbgc/text_output.hpp>
 
 #include "decoded_frame.hpp"
 
 namespace sbgc::tools {
 
-/// Returns a heading that begins with `place`, then a line per value: path, raw value, meaning.
-std::string to_text(const DecodedFrame& decoded, const std::string& place);
+/// Writes the rest of a heading that begins with the place of the frame, then a line per value:
+/// path, raw value, meaning.
+void put_text(TextOutput& out, const DecodedFrame& decoded);
 
 }  // namespace sbgc::tools

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/io/ports.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/text/values.hpp>
 
 #include "commands.hpp"

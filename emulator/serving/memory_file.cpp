@@ -14,10 +14,10 @@
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/detail/crc32.hpp>
-#include <sbgc/json_text.hpp>
+#include <sbgc/json/hex.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/parse_json.hpp>
-#include <sbgc/to_json.hpp>
 
 namespace sbgc::serving {
 namespace {

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include <sbgc/client/backup.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 
 #include "task_test.hpp"
 #include "temporary_folder.hpp"

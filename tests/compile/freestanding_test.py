@@ -14,7 +14,7 @@ import pytest
 
 from compiler import COMPILERS, INCLUDES
 
-HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|text|fmt|ostream|io/|client/)")
+HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|from_json|text|fmt|ostream|io/|client/)")
 FLAGS = [
     "-std=c++20",
     "-ffreestanding",

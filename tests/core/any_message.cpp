@@ -113,8 +113,10 @@ class Holder final : public AnyMessage {
     collector.members(message_);
     return collector.take();
   }
-  Json to_json() const override { return sbgc::to_json(message_); }
-  void from_json(const Json& json) override { sbgc::from_json(json, message_); }
+  Json to_dom() const override { return sbgc::to_dom(message_); }
+  void from_dom(const Json& json) override { sbgc::from_dom(json, message_); }
+  std::string to_json() const override { return sbgc::to_json(message_); }
+  JsonResult from_json(std::string_view text) override { return sbgc::from_json(text, message_); }
 
  private:
   M message_{};
@@ -166,7 +168,7 @@ Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction d
   const auto visitor = [&]<class M>(const M& message) {
     ++result.calls;
     result.info = &Meta<M>::info;
-    result.fields = to_json(message);
+    result.fields = to_dom(message);
   };
   result.status = visit(id, body, direction, visitor, contexts);
   return result;

@@ -9,10 +9,12 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/validate.hpp>
 
 #include "support.hpp"
@@ -75,8 +77,10 @@ class AnyMessage {
   /// The result of the quick check alone.
   virtual bool is_plainly_valid(const Availability& versions) const = 0;
   virtual FieldValues spec_fields() const = 0;
-  virtual Json to_json() const = 0;
-  virtual void from_json(const Json& json) = 0;
+  virtual Json to_dom() const = 0;
+  virtual void from_dom(const Json& json) = 0;
+  virtual std::string to_json() const = 0;
+  virtual JsonResult from_json(std::string_view text) = 0;
 
   Status decode(std::span<const std::uint8_t> body) { return decode(body, Contexts{}); }
   /// Returns the body, or an empty vector if the message does not encode.

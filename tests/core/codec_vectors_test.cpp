@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/visit.hpp>
 
 #include "any_message.hpp"
@@ -97,14 +97,14 @@ class Vector {
       return;
     }
     ASSERT_TRUE(status) << error_of(status);
-    EXPECT_EQ(message->to_json(), json_["fields"])
-        << "differences: " << Json::diff(json_["fields"], message->to_json());
+    EXPECT_EQ(message->to_dom(), json_["fields"])
+        << "differences: " << Json::diff(json_["fields"], message->to_dom());
     EXPECT_EQ(message->body(), bytes);
   }
 
   void check_encode(const MessageType& type) const {
     const auto message = type.make();
-    message->from_json(json_["fields"]);
+    message->from_dom(json_["fields"]);
     ByteVector body(max_body_size);
     const WriteResult written = message->encode(body);
     body.resize(written.size);

@@ -1,4 +1,5 @@
-// Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected.
+// Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected. The same
+// with text and with values of nlohmann_json.
 
 #include <bit>
 #include <cmath>
@@ -27,35 +28,38 @@ TEST_P(JsonOfMessage, ComesBackAsTheSameBytes) {
     const auto message = GetParam().make();
     if (!message->decode(body, random_contexts(bodies))) continue;
     ++checked;
-    // Through text, as it is stored.
-    const std::string text = message->to_json().dump();
+    const std::string text = message->to_json();
+    ASSERT_EQ(Json::parse(text), message->to_dom()) << text;
     const auto copy = GetParam().make();
-    copy->from_json(Json::parse(text));
+    copy->from_dom(Json::parse(text));
     ASSERT_EQ(copy->body(), body) << text;
+    const auto by_text = GetParam().make();
+    ASSERT_TRUE(by_text->from_json(text)) << text;
+    ASSERT_EQ(by_text->body(), body) << text;
   }
   EXPECT_GE(checked, 8);
 }
 
 TEST_P(JsonOfMessage, HasEveryMemberOrIsRefused) {
   const auto message = GetParam().make();
-  const Json full = message->to_json();
+  const Json full = message->to_dom();
   ASSERT_TRUE(full.is_object());
-  message->from_json(full);
+  message->from_dom(full);
 
   Json extra = full;
   extra["nonsense"] = 1;
-  EXPECT_THROW(message->from_json(extra), JsonError);
-  EXPECT_THROW(message->from_json(Json::array()), JsonError);
-  EXPECT_THROW(message->from_json(Json()), JsonError);
+  EXPECT_THROW(message->from_dom(extra), JsonError);
+  EXPECT_THROW(message->from_dom(Json::array()), JsonError);
+  EXPECT_THROW(message->from_dom(Json()), JsonError);
 
   for (const auto& item : full.items()) {
     Json missing = full;
     missing.erase(item.key());
     Json wrong = full;
     wrong[item.key()] = true;
-    EXPECT_THROW(message->from_json(wrong), JsonError) << item.key();
+    EXPECT_THROW(message->from_dom(wrong), JsonError) << item.key();
     try {
-      message->from_json(missing);
+      message->from_dom(missing);
       // Only a counter can be derived from another field.
       EXPECT_TRUE(item.value().is_number_unsigned()) << item.key();
     } catch (const JsonError& error) {
@@ -78,13 +82,19 @@ template <class M>
 std::string refusal(const Json& json) {
   M message{};
   const M before = message;
+  const JsonResult by_text = from_json(json.dump(), message);
   try {
-    from_json(json, message);
+    from_dom(json, message);
   } catch (const JsonError& error) {
     EXPECT_EQ(message, before) << "the message was modified";
+    EXPECT_TRUE(by_text.problem);
+    EXPECT_EQ(by_text.problem.value_or(JsonProblem{}).field, error.field());
+    EXPECT_TRUE(
+        std::string(error.what()).ends_with(by_text.problem.value_or(JsonProblem{}).reason));
     EXPECT_EQ(std::string(error.what()).find(error.field()), 0U);
     return error.field() + "|" + error.what();
   }
+  EXPECT_TRUE(by_text);
   return "accepted";
 }
 
@@ -100,11 +110,11 @@ bool is_about(const std::string& refusal, const std::string& field, const std::s
 
 TEST(Json, NestsAsTheStructDoes) {
   msg::Control message;
-  from_json(control_json(), message);
+  from_dom(control_json(), message);
   EXPECT_EQ(message.control_mode.raw(), 2);
   EXPECT_EQ(message.axes.roll.speed.raw(), 1);
   EXPECT_EQ(message.axes.yaw.angle.raw(), -6);
-  EXPECT_EQ(to_json(message), control_json());
+  EXPECT_EQ(to_dom(message), control_json());
 }
 
 TEST(Json, NamesTheFieldAndTheReason) {
@@ -126,34 +136,34 @@ TEST(Json, NamesTheFieldAndTheReason) {
 }
 
 TEST(Json, Bytes) {
-  Json json = to_json(msg::BeepSound{});
+  Json json = to_dom(msg::BeepSound{});
   EXPECT_EQ(json["reserved"], "0000000000000000");
   json["reserved"] = "0123456789ABCDEF";
   msg::BeepSound message;
-  from_json(json, message);
+  from_dom(json, message);
   EXPECT_EQ(message.reserved[7], 0xEF);
-  EXPECT_EQ(to_json(message)["reserved"], "0123456789abcdef");
+  EXPECT_EQ(to_dom(message)["reserved"], "0123456789abcdef");
   for (const char* const wrong :
        {"", "0", "00", "0123456789abcde", "0123456789abcdefab", "0123456789abcdeg",
         " 123456789abcdef", "-123456789abcdef", "0x23456789abcdef"}) {
     json["reserved"] = wrong;
     EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "reserved", "hex") << wrong;
   }
-  Json tail = to_json(msg::BoardInfo{});
+  Json tail = to_dom(msg::BoardInfo{});
   EXPECT_FALSE(tail.contains("tail"));
   tail["tail"] = std::string(474, 'f');
   msg::BoardInfo info;
-  from_json(tail, info);
+  from_dom(tail, info);
   EXPECT_EQ(info.tail.size(), 237U);
   tail["tail"] = std::string(476, 'f');
   EXPECT_PRED3(is_about, refusal<msg::BoardInfo>(tail), "tail", "at most 237");
 }
 
 TEST(Json, Lists) {
-  Json json = to_json(msg::BeepSound{});
+  Json json = to_dom(msg::BeepSound{});
   json["note_freq_hz"] = std::vector<int>(121, 1000);
   msg::BeepSound message;
-  from_json(json, message);
+  from_dom(json, message);
   EXPECT_EQ(message.note_freq_hz.size(), 121U);
   json["note_freq_hz"] = std::vector<int>(122, 1000);
   EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "note_freq_hz", "at most 121");
@@ -166,10 +176,10 @@ TEST(Json, Lists) {
 TEST(Json, CountersAgreeWithTheirLists) {
   const Json params = Json::parse(R"([{"param_id": 1, "param_value": -5}])");
   msg::SetAdjVarsVal message;
-  from_json(Json{{"num_vars", 1}, {"params", params}}, message);
+  from_dom(Json{{"num_vars", 1}, {"params", params}}, message);
   EXPECT_EQ(message.params.size(), 1U);
-  EXPECT_EQ(to_json(message), (Json{{"num_vars", 1}, {"params", params}}));
-  from_json(Json{{"params", params}}, message);
+  EXPECT_EQ(to_dom(message), (Json{{"num_vars", 1}, {"params", params}}));
+  from_dom(Json{{"params", params}}, message);
   const Json wrong{{"num_vars", 2}, {"params", params}};
   EXPECT_PRED3(is_about, refusal<msg::SetAdjVarsVal>(wrong), "num_vars", "2 is announced");
 }
@@ -177,11 +187,11 @@ TEST(Json, CountersAgreeWithTheirLists) {
 TEST(Json, OptionalMembersAreLeftOut) {
   msg::Confirm message;
   message.cmd = msg::CommandToBoard::eeprom_write;
-  EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"data":""})");
+  EXPECT_EQ(to_dom(message).dump(), R"({"cmd":47,"data":""})");
   message.addr = 64;
-  EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"addr":64,"data":""})");
+  EXPECT_EQ(to_dom(message).dump(), R"({"cmd":47,"addr":64,"data":""})");
   msg::Confirm copy;
-  from_json(to_json(message), copy);
+  from_dom(to_dom(message), copy);
   EXPECT_EQ(copy, message);
 }
 
@@ -193,9 +203,12 @@ TEST(Json, FloatsKeepEveryBit) {
     message.z1_vector = Xyz<float>{std::bit_cast<float>(bits), 0, 0};
     message.h1_vector = Xyz<float>{};
     msg::RealtimeDataCustom copy;
-    from_json(Json::parse(to_json(message).dump()), copy);
+    from_dom(Json::parse(to_dom(message).dump()), copy);
     ASSERT_TRUE(copy.z1_vector);
-    EXPECT_EQ(std::bit_cast<std::uint32_t>(copy.z1_vector->x), bits) << to_json(message).dump();
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(copy.z1_vector->x), bits) << to_dom(message).dump();
+    msg::RealtimeDataCustom by_text;
+    ASSERT_TRUE(from_json(to_json(message), by_text));
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(by_text.z1_vector->x), bits) << to_json(message);
   }
 }
 
@@ -214,9 +227,13 @@ TEST(Json, FloatsThatAreNone) {
 std::string text_after_round_trip(const std::string& bytes) {
   msg::ReadProfileNames message;
   EXPECT_TRUE(message.profile_name[0].assign(bytes));
-  const std::string printed = to_json(message).dump();  // throws if it is not UTF-8
+  const std::string printed = to_dom(message).dump();  // throws if it is not UTF-8
   msg::ReadProfileNames copy;
-  from_json(Json::parse(printed), copy);
+  from_dom(Json::parse(printed), copy);
+  msg::ReadProfileNames by_text;
+  EXPECT_TRUE(from_json(printed, by_text));
+  EXPECT_EQ(by_text, copy);
+  EXPECT_EQ(to_json(message), printed);
   return {copy.profile_name[0].data(), copy.profile_name[0].size()};
 }
 
@@ -237,13 +254,14 @@ TEST(Json, TextsKeepEveryByte) {
 }
 
 TEST(Json, TextsThatDoNotFit) {
-  Json json = to_json(msg::ReadProfileNames{});
+  Json json = to_dom(msg::ReadProfileNames{});
   json["profile_name"][2] = std::string(48, 'x');
   EXPECT_EQ(refusal<msg::ReadProfileNames>(json), "accepted");
   json["profile_name"][2] = std::string(49, 'x');
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "at most 48");
   json["profile_name"][2] = 7;
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "string");
+  json["profile_name"][2] = "x";
   json["profile_name"].erase(4);
   EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name", "list of 5");
 }

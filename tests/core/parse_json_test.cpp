@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/parse_json.hpp>
 
 namespace {

@@ -1,6 +1,7 @@
 // Tests that the quick check of validate() never disagrees with the walk that reports violations,
 // and that both find each value outside the limits of the exported model.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -104,13 +105,10 @@ const std::map<std::string, IntegerType> integer_types = {
 };
 
 bool reports(const AnyMessage& message, std::int64_t value, std::int64_t limit) {
-  for (const ViolationCopy& violation : message.violations()) {
-    if (violation.value == static_cast<double>(value) &&
-        violation.limit == static_cast<double>(limit)) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(message.violations(), [&](const ViolationCopy& violation) {
+    return violation.value == static_cast<double>(value) &&
+           violation.limit == static_cast<double>(limit);
+  });
 }
 
 // The limits come from the model, not from the tables in C++.

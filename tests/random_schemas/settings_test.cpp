@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parameters.hpp>
 
@@ -28,14 +28,14 @@ void check(const Json& line) {
   EXPECT_EQ(names(typename Settings::Readers{}), line["readers"]);
   EXPECT_EQ(names(typename Settings::Writers{}), line["writers"]);
   M from{}, to{};
-  from_json(line["from"], from);
-  from_json(line["to"], to);
+  from_dom(line["from"], from);
+  from_dom(line["to"], to);
   if constexpr (Settings::copies > 1) {
     EXPECT_EQ(Settings::copy(to), line["copy"]);
     Settings::share(from, to);
   }
-  EXPECT_EQ(to_json(to), line["shared"])
-      << "differences: " << Json::diff(line["shared"], to_json(to));
+  EXPECT_EQ(to_dom(to), line["shared"])
+      << "differences: " << Json::diff(line["shared"], to_dom(to));
   EXPECT_EQ(detail::to_hex(body_of(to)), line["hex"].get<std::string>());
 }
 

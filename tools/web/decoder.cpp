@@ -19,7 +19,7 @@
 #include <vector>
 
 #include <sbgc/parser.hpp>
-#include <sbgc/to_json.hpp>
+#include <sbgc/text_output.hpp>
 
 #include "../decoded_frame.hpp"
 #include "../hex_text.hpp"
@@ -29,18 +29,26 @@ namespace sbgc::tools {
 
 namespace {
 
-void add_line(std::string& out, const Json& json) {
-  out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  out += '\n';
-}
-
-Json rows_of(const DecodedFrame& decoded) {
-  Json result = Json::array();
-  for (const Row& row : decoded.rows) {
-    result.push_back(
-        {row.path, row.raw, row.meaning, row.objection, frame_header_size + row.offset, row.size});
+/// Writes ["axes.roll.angle", ...] for each row.
+void put_rows(TextOutput& out, std::span<const Row> rows) {
+  char separator = '[';
+  for (const Row& row : rows) {
+    out.put(separator);
+    separator = ',';
+    char start = '[';
+    for (const std::string_view text :
+         {row.path, row.raw, row.meaning, std::string_view(row.objection)}) {
+      out.put(start);
+      start = ',';
+      put_json_string(out, text);
+    }
+    out.put(',');
+    out.put(frame_header_size + row.offset);
+    out.put(',');
+    out.put(row.size);
+    out.put(']');
   }
-  return result;
+  out.put(rows.empty() ? "[]" : "]");
 }
 
 /// Decodes one input, from its first byte to its end.
@@ -69,14 +77,21 @@ class Decoding {
     }
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
-    Json line;
-    line["end"] = {{"bytes", size_},
-                   {"frames", counters.frames},
-                   {"skipped_bytes", counters.skipped_bytes},
-                   {"header_errors", counters.header_errors},
-                   {"body_errors", counters.body_errors},
-                   {"incomplete", counters.incomplete}};
-    add_line(out, line);
+    StringOutput line(out);
+    line.put("{\"end\":{\"bytes\":");
+    line.put(size_);
+    line.put(",\"frames\":");
+    line.put(counters.frames);
+    line.put(",\"skipped_bytes\":");
+    line.put(counters.skipped_bytes);
+    line.put(",\"header_errors\":");
+    line.put(counters.header_errors);
+    line.put(",\"body_errors\":");
+    line.put(counters.body_errors);
+    line.put(",\"incomplete\":");
+    line.put(counters.incomplete);
+    line.put("}}\n");
+    line.finish();
   }
 
   std::optional<Direction> direction() const { return direction_; }
@@ -93,25 +108,40 @@ class Decoding {
 
   void take(const Frame& frame, std::string& out) {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
-    Json line;
-    line["frame"] = decoded.to_json();
-    line["size"] = frame_size(frame.framing, frame.body.size());
-    line["body"] = frame_header_size;
-    line["checksum"] = frame_header_size + frame.body.size();
-    line["rows"] = rows_of(decoded);
-    if (!decoded.status) line["reason"] = text(decoded.status.code);
-    add_line(out, line);
+    StringOutput line(out);
+    line.put("{\"frame\":");
+    put_json(line, decoded);
+    line.put(",\"size\":");
+    line.put(frame_size(frame.framing, frame.body.size()));
+    line.put(",\"body\":");
+    line.put(frame_header_size);
+    line.put(",\"checksum\":");
+    line.put(frame_header_size + frame.body.size());
+    line.put(",\"rows\":");
+    put_rows(line, decoded.rows);
+    if (!decoded.status) {
+      line.put(",\"reason\":");
+      put_json_string(line, text(decoded.status.code));
+    }
+    line.put("}\n");
+    line.finish();
   }
 
   void fail(const HexError& error, std::string& out) {
     failed_ = true;
-    Json line;
-    line["hex_error"] = {{"line", error.line}, {"column", error.column}, {"reason", error.reason}};
-    add_line(out, line);
+    StringOutput line(out);
+    line.put("{\"hex_error\":{\"line\":");
+    line.put(error.line);
+    line.put(",\"column\":");
+    line.put(error.column);
+    line.put(",\"reason\":");
+    put_json_string(line, error.reason);
+    line.put("}}\n");
+    line.finish();
   }
 
   std::optional<Direction> direction_;
-  FrameDecoder decoder_;
+  FrameDecoder decoder_{{.json = true, .rows = true}};
   ParserOfAll parser_;
   HexDecoder hex_;
   std::vector<std::uint8_t> bytes_;
@@ -173,12 +203,21 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 /// [offset, reason] for at most `limit` start bytes among the first `gap` bytes.
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(state().input);
-  sbgc::Json list = sbgc::Json::array();
+  state().output.clear();
+  sbgc::StringOutput list(state().output);
+  char separator = '[';
   for (const auto& candidate :
        sbgc::tools::rejected_candidates(input, gap, limit, state().decoding.direction())) {
-    list.push_back({candidate.offset, candidate.text});
+    list.put(separator);
+    separator = ',';
+    list.put('[');
+    list.put(candidate.offset);
+    list.put(',');
+    sbgc::tools::put_json_string(list, candidate.text);
+    list.put(']');
   }
-  state().output = list.dump();
+  list.put(separator == '[' ? "[]" : "]");
+  list.finish();
 }
 
 /// The largest size of a frame in bytes.

@@ -6,7 +6,7 @@
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/meta/system.hpp>
 #include <sbgc/parse_json.hpp>
 
@@ -33,7 +33,7 @@ template <class M>
 Json message_json(const M& message) {
   return {{"message", Meta<M>::info.name},
           {"body", detail::to_hex(bytes_of(message))},
-          {"fields", to_json(message)}};
+          {"fields", to_dom(message)}};
 }
 
 /// Reads a document and remembers its first error.
@@ -87,7 +87,7 @@ class Reader {
     if (const Status status = decode(std::span(body), out); !status) {
       return fail(path + ".body", sbgc::text(status.code));
     }
-    check_fields(json, path, to_json(out));
+    check_fields(json, path, to_dom(out));
   }
 
   void read_one(const Json& json, const std::string& path, ParameterSet& out) {

@@ -145,7 +145,7 @@ ParametersKind kind_of() {
       .write = write_parameters_of<M>,
       .problem = problem<M>,
       .leaves = [](Body body) { return leaf_texts(message_of<M>(body)); },
-      .to_json = [](Body body) { return to_json(message_of<M>(body)); },
+      .to_json = [](Body body) { return to_dom(message_of<M>(body)); },
       .violations = violations<M>,
   };
 }

@@ -11,7 +11,7 @@
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/task.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
 
 #include "leaves.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/profiles.hpp>
-#include <sbgc/json_text.hpp>
+#include <sbgc/json/values.hpp>
 
 namespace sbgc {
 Result<void> check_profile_name(std::string_view name) {

@@ -296,10 +296,9 @@ class SelectedFrameFormats {
   }
 
   constexpr bool is_start(std::uint8_t byte) const noexcept {
-    for (const std::uint8_t start : starts_) {
-      if (byte == start) return true;
-    }
-    return false;
+    bool result = false;
+    for (const std::uint8_t start : starts_) result |= byte == start;
+    return result;
   }
 
   constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {

@@ -15,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/to_json.hpp>
+#include <sbgc/json/problem.hpp>
+#include <sbgc/json_dom.hpp>
 
 namespace sbgc {
 
@@ -24,19 +25,6 @@ struct JsonLimits {
   std::size_t size = std::size_t{16} << 20U;  ///< in bytes: 16 MiB
   std::size_t depth = 64;                     ///< nested objects and lists
 };
-
-/// The reason why text is rejected.
-struct JsonProblem {
-  std::size_t line{};    ///< from 1
-  std::size_t column{};  ///< in bytes, from 1
-  std::string reason{};  ///< such as "the key 'id' occurs twice"
-};
-
-/// Formats a problem: "the key 'id' occurs twice (line 3, column 7)".
-inline std::string to_string(const JsonProblem& problem) {
-  return problem.reason + " (line " + std::to_string(problem.line) + ", column " +
-         std::to_string(problem.column) + ")";
-}
 
 /// A value, or the problem that prevented parsing one.
 struct ParsedJson {
@@ -85,7 +73,7 @@ class JsonBuilder {
 
   ParsedJson run() {
     if (text_.size() > limits_.size) {
-      return {{}, {{1, 1, "longer than " + std::to_string(limits_.size) + " bytes"}}};
+      return {{}, {{1, 1, "longer than " + std::to_string(limits_.size) + " bytes", {}}}};
     }
     const char* const end = text_.data() + text_.size();
     const bool complete =
@@ -209,25 +197,11 @@ class JsonBuilder {
     }
   }
 
-  /// Returns a key as shown in a message: on one line, truncated if long.
-  static std::string shortened(const std::string& key) {
-    constexpr std::size_t longest = 40;
-    std::size_t size = std::min(key.size(), longest);
-    const auto inside_character = [&] {
-      return size < key.size() && (static_cast<unsigned char>(key[size]) & 0xC0U) == 0x80U;
-    };
-    while (inside_character()) --size;
-    std::string result = key.substr(0, size) + (size < key.size() ? "..." : "");
-    const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
-    std::replace_if(result.begin(), result.end(), is_control, '?');
-    return result;
-  }
-
   bool fail(std::size_t at, std::string reason) {
     const std::string_view before = text_.substr(0, at);
     const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    problem_ = {lines + 1, at - line_start + 1, std::move(reason)};
+    problem_ = {lines + 1, at - line_start + 1, std::move(reason), {}};
     return false;
   }
 

@@ -22,7 +22,8 @@ inline bool has_carryless_multiplication() noexcept {
 #if defined(__PCLMUL__) && defined(__SSSE3__)
   return true;
 #else
-  return __builtin_cpu_supports("pclmul") != 0 && __builtin_cpu_supports("ssse3") != 0;
+  return static_cast<bool>(__builtin_cpu_supports("pclmul")) &&
+         static_cast<bool>(__builtin_cpu_supports("ssse3"));
 #endif
 }
 
@@ -73,7 +74,7 @@ template <std::uint16_t polynomial>
              reinterpret_cast<Words2>(load16(bytes));
     next = Words2{};
   }
-  std::array<std::uint8_t, 16> result;
+  std::array<std::uint8_t, 16> result{};
   __builtin_memcpy(result.data(), &folded, sizeof folded);
   return result;
 }

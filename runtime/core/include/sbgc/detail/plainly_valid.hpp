@@ -149,10 +149,11 @@ class PlainCheck {
 
   template <class T>
   static constexpr bool is_special(T raw, const FieldInfo& field) noexcept {
+    bool result = false;
     for (const Special& special : field.special) {
-      if (static_cast<double>(raw) == static_cast<double>(special.value)) return true;
+      result |= static_cast<double>(raw) == static_cast<double>(special.value);
     }
-    return false;
+    return result;
   }
 
   template <class T>

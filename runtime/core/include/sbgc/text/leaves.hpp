@@ -50,18 +50,20 @@ inline bool is_unused(const Leaf& leaf) {
   return leaf.integer == 0;
 }
 
-/// Returns the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
-inline std::string raw_text(const Leaf& leaf) {
+/// Writes the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
+inline void put_raw(TextOutput& out, const Leaf& leaf) {
   switch (leaf.kind) {
     case LeafKind::integer:
     case LeafKind::counter:
-      return leaf.is_u64 ? std::to_string(static_cast<std::uint64_t>(leaf.integer))
-                         : std::to_string(leaf.integer);
-    case LeafKind::real: return detail::real_text(leaf.real, leaf.size);
-    case LeafKind::bytes: return detail::to_hex(leaf.bytes);
-    case LeafKind::text: return detail::quoted(leaf.text);
+      return leaf.is_u64 ? out.put(static_cast<std::uint64_t>(leaf.integer))
+                         : out.put(leaf.integer);
+    case LeafKind::real: return out.put(detail::real_text(leaf.real, leaf.size));
+    case LeafKind::bytes: return out.put_hex(leaf.bytes);
+    case LeafKind::text: return detail::put_quoted(out, leaf.text);
   }
-  return "";
+}
+inline std::string raw_text(const Leaf& leaf) {
+  return detail::text_of([&](TextOutput& out) { put_raw(out, leaf); });
 }
 
 /// Returns the meaning of a sentinel; null for any other value.
@@ -73,25 +75,26 @@ inline const char* special_meaning(const Leaf& leaf) {
   return nullptr;
 }
 
-/// Returns the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
-/// profile"; "" if the number itself is the meaning.
-inline std::string meaning_text(const Leaf& leaf) {
-  if (const char* const special = special_meaning(leaf)) return special;
+/// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
+/// profile"; nothing if the number itself is the meaning.
+inline void put_meaning(TextOutput& out, const Leaf& leaf) {
+  if (const char* const special = special_meaning(leaf)) return out.put(special);
   if (leaf.unit != nullptr) {
-    if (leaf.unit->is_plain()) return "";
+    if (leaf.unit->is_plain()) return;
     const double raw = leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
-    return detail::unit_text(leaf.unit->real(raw), *leaf.unit);
+    detail::put_in_unit(out, leaf.unit->real(raw), *leaf.unit);
+  } else if (leaf.names != nullptr) {
+    if (!leaf.names->is_flags) return out.put(detail::value_name(*leaf.names, leaf.integer));
+    detail::put_flags(out, *leaf.names, static_cast<std::uint32_t>(leaf.integer));
+  } else if (leaf.packed != nullptr) {
+    out.put(detail::packed_text(
+        *leaf.packed, detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size)));
+  } else if (leaf.announced != NumberType::none) {
+    out.put(name(leaf.announced));
   }
-  if (leaf.names != nullptr) {
-    return leaf.names->is_flags
-               ? detail::flag_names(*leaf.names, static_cast<std::uint32_t>(leaf.integer))
-               : std::string(detail::value_name(*leaf.names, leaf.integer));
-  }
-  if (leaf.packed != nullptr) {
-    return detail::packed_text(
-        *leaf.packed, detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size));
-  }
-  return leaf.announced == NumberType::none ? "" : name(leaf.announced);
+}
+inline std::string meaning_text(const Leaf& leaf) {
+  return detail::text_of([&](TextOutput& out) { put_meaning(out, leaf); });
 }
 
 /// Returns the meaning of the value if it has one, else the raw value. A sentinel is followed by
@@ -103,10 +106,20 @@ inline std::string value_text(const Leaf& leaf) {
   return meaning.find(", ") == std::string::npos ? meaning : '(' + meaning + ')';
 }
 
-/// Returns the path of a value, such as "params[3].param_id".
+/// Writes the path of a value, such as "params[3].param_id".
+inline void put_path(TextOutput& out, const FieldPath& path) {
+  if (path.parent != nullptr) put_path(out, *path.parent);
+  if (*path.name == '\0') {
+    out.put('[');
+    out.put(path.index);
+    out.put(']');
+  } else {
+    if (path.parent != nullptr) out.put('.');
+    out.put(path.name);
+  }
+}
 inline std::string to_string(const FieldPath& path) {
-  char buffer[128];
-  return {buffer, path.write(buffer, sizeof buffer)};
+  return detail::text_of([&](TextOutput& out) { put_path(out, path); });
 }
 
 namespace detail {
@@ -253,7 +266,8 @@ class LeafWalk {
 
   void integer(std::int64_t raw, const FieldInfo& field, const FieldPath& path, std::size_t size,
                const Meaning& meaning) {
-    remember(raw, path);
+    // Only a flag set or a packed value can select the unit of a later value.
+    if (meaning.names != nullptr || meaning.packed != nullptr) remember(raw, path);
     add({.path = path,
          .field = field,
          .kind = LeafKind::integer,

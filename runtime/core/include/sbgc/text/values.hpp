@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
 #include <clocale>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -11,32 +14,93 @@
 #include <string_view>
 
 #include <sbgc/detail/part.hpp>
-#include <sbgc/json_text.hpp>
+#include <sbgc/json/hex.hpp>
+#include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/text_output.hpp>
 
 namespace sbgc::detail {
 
-/// Formats as printf("%.*g"), but with a decimal point in any locale. (std::to_chars would enlarge
-/// the WebAssembly decoder by a third.)
-inline std::string general_text(double value, int digits) {
+/// Formats as printf("%.*g"), but with a decimal point in any locale.
+inline std::string printed(double value, int digits) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
   std::string result = buffer;
   const char* const point = std::localeconv()->decimal_point;
   const std::size_t at = result.find(point);
-  if (at != std::string::npos) result.replace(at, std::strlen(point), ".");
+  if (at == std::string::npos) return result;
+  result.erase(at + 1, std::strlen(point) - 1);
+  result[at] = '.';
   return result;
+}
+
+/// Calls `use` with an output, and returns the text written to it.
+template <class Use>
+std::string text_of(Use&& use) {
+  std::string result;
+  StringOutput out(result);
+  use(out);
+  out.finish();
+  return result;
+}
+
+/// Formats as printf("%.6g"): a number with six significant digits. (std::to_chars would enlarge
+/// the WebAssembly decoder by a third.)
+inline void put_general(TextOutput& out, double value) {
+  constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+  constexpr int one = 4;  // the index of 1e0
+  const double size = value < 0 ? -value : value;
+  if (std::bit_cast<std::uint64_t>(value) == 0) return out.put('0');
+  if (!(size >= powers[0] && size < powers[one + 6])) return out.put(printed(value, 6));
+  int exponent = 0;  // of the first digit
+  while (size < powers[one + exponent]) --exponent;
+  while (size >= powers[one + exponent + 1]) ++exponent;
+  constexpr double scales[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+  const double scale = scales[5 - exponent];
+  const double scaled = size * scale;
+  auto digits = static_cast<std::uint32_t>(scaled);
+  const double rest = scaled - digits;
+  // The product is exact to 1e-10. Where that does not decide, a half that is exact is rounded to
+  // an even digit, and the exact value decides the rest.
+  if (rest > 0.5 - 1e-9 && rest < 0.5 + 1e-9) {
+    if (rest != 0.5 || std::fma(size, scale, -scaled) != 0) return out.put(printed(value, 6));
+    digits += digits & 1U;
+  } else if (rest > 0.5) {
+    ++digits;
+  }
+  if (digits == 1'000'000) {
+    if (exponent == 5) return out.put(printed(value, 6));
+    digits /= 10;
+    ++exponent;
+  }
+  char text[6];
+  for (int i = 5; i >= 0; --i, digits /= 10) text[i] = static_cast<char>('0' + digits % 10);
+  int last = 5;
+  while (text[last] == '0') --last;
+  char* at = out.room(16);
+  if (value < 0) *at++ = '-';
+  if (exponent < 0) {
+    *at++ = '0';
+    *at++ = '.';
+    for (int i = exponent + 1; i < 0; ++i) *at++ = '0';
+    for (int i = 0; i <= last; ++i) *at++ = text[i];
+  } else {
+    for (int i = 0; i <= exponent; ++i) *at++ = text[i];
+    if (last > exponent) *at++ = '.';
+    for (int i = exponent + 1; i <= last; ++i) *at++ = text[i];
+  }
+  out.advance(at);
 }
 
 /// Formats a number: integers in full, others with six significant digits.
 inline std::string number_text(double value) {
   const bool is_integer = value > -1e15 && value < 1e15 &&
                           value == static_cast<double>(static_cast<std::int64_t>(value));
-  return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : general_text(value, 6);
+  return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : printed(value, 6);
 }
 
 /// Formats a float (`size` 4) or double with as many digits as needed to distinguish it from its
-/// neighbors.
+/// neighbors, and six if fewer suffice.
 inline std::string real_text(double value, std::size_t size) {
   const int most = size == sizeof(float) ? 9 : 17;
   for (int digits = 6; digits < most; ++digits) {
@@ -44,9 +108,9 @@ inline std::string real_text(double value, std::size_t size) {
     std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
     const double again = size == sizeof(float) ? static_cast<double>(std::strtof(buffer, nullptr))
                                                : std::strtod(buffer, nullptr);
-    if (again == value) return general_text(value, digits);
+    if (again == value) return printed(value, digits);
   }
-  return general_text(value, most);
+  return printed(value, most);
 }
 
 /// Returns the bits of a number of `size` bytes, without the extension of its sign.
@@ -55,16 +119,14 @@ constexpr std::uint64_t low_bits(std::uint64_t bits, std::size_t size) noexcept 
 }
 
 /// Formats a value in its unit with six significant digits: "-30 deg".
-inline std::string unit_text(double value, const UnitInfo& unit) {
-  const std::string number = general_text(value, 6);
-  return *unit.name == '\0' ? number : number + ' ' + unit.name;
+inline void put_in_unit(TextOutput& out, double value, const UnitInfo& unit) {
+  put_general(out, value);
+  if (*unit.name == '\0') return;
+  out.put(' ');
+  out.put(unit.name);
 }
-
-/// Formats an integer: "0x1f".
-inline std::string hex_text(std::uint32_t value) {
-  char buffer[16];
-  std::snprintf(buffer, sizeof buffer, "0x%lx", static_cast<unsigned long>(value));
-  return buffer;
+inline std::string unit_text(double value, const UnitInfo& unit) {
+  return text_of([&](TextOutput& out) { put_in_unit(out, value, unit); });
 }
 
 /// Returns the name of a value, or "" if it has none.
@@ -75,21 +137,28 @@ inline std::string_view value_name(const EnumInfo& info, std::int64_t value) {
   return "";
 }
 
-/// Formats a flag set: "NAME | NAME | 0x40"; "" if no bit is set.
-inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
-  std::string result;
-  const auto add = [&](std::string_view name) {
-    if (!result.empty()) result += " | ";
-    result += name;
+/// Formats a flag set: "NAME | NAME | 0x40"; nothing if no bit is set.
+inline void put_flags(TextOutput& out, const EnumInfo& info, std::uint32_t bits) {
+  bool is_first = true;
+  const auto separate = [&] {
+    if (!is_first) out.put(" | ");
+    is_first = false;
   };
   for (const ValueInfo& flag : info.values) {
     const auto mask = static_cast<std::uint32_t>(flag.value);
     if (mask == 0 || (bits & mask) != mask) continue;
-    add(flag.name);
+    separate();
+    out.put(flag.name);
     bits &= ~mask;
   }
-  if (bits != 0) add(hex_text(bits));
-  return result;
+  if (bits == 0) return;
+  separate();
+  out.put("0x");
+  char* const start = out.room(TextOutput::longest_number);
+  out.advance(std::to_chars(start, start + TextOutput::longest_number, bits, 16).ptr);
+}
+inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
+  return text_of([&](TextOutput& out) { put_flags(out, info, bits); });
 }
 
 inline std::int64_t part_value(const PartInfo& part, std::uint64_t raw) {
@@ -180,33 +249,35 @@ inline std::string packed_text(const PackedInfo& info, std::uint64_t raw) {
   return result;
 }
 
-/// Returns text in quotes, with control characters escaped so that no terminal interprets them.
-inline std::string quoted(std::string_view bytes) {
-  const std::string text = to_utf8(bytes);
-  std::string result = "\"";
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<std::uint8_t>(text[i]);
-    const auto next = static_cast<std::uint8_t>(i + 1 < text.size() ? text[i + 1] : '\0');
-    const bool is_c1 = c == 0xC2 && next < 0xA0;  // a two-byte control character
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += text[i];
-    } else if (c == '\n') {
-      result += "\\n";
-    } else if (c == '\t') {
-      result += "\\t";
-    } else if (c == '\r') {
-      result += "\\r";
-    } else if (c < 0x20 || c == 0x7F || is_c1) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", unsigned{is_c1 ? next : c});
-      result += escape;
-      if (is_c1) ++i;
-    } else {
-      result += text[i];
+/// Writes text in quotes, with control characters escaped so that no terminal interprets them.
+inline void put_quoted(TextOutput& out, std::string_view bytes) {
+  out.put('"');
+  for_each_character(bytes, [&](std::string_view text) {
+    const auto c = static_cast<std::uint8_t>(text[0]);
+    const bool is_c1 = c == 0xC2 && static_cast<std::uint8_t>(text[1]) < 0xA0;  // of two bytes
+    const auto control = is_c1 ? static_cast<std::uint8_t>(text[1]) : c;
+    switch (c) {
+      case '"':
+      case '\\':
+        out.put('\\');
+        out.put(text);
+        break;
+      case '\n': out.put("\\n"); break;
+      case '\t': out.put("\\t"); break;
+      case '\r': out.put("\\r"); break;
+      default:
+        if (c < 0x20 || c == 0x7F || is_c1) {
+          out.put("\\u00");
+          out.put_hex({&control, 1});
+        } else {
+          out.put(text);
+        }
     }
-  }
-  return result + '"';
+  });
+  out.put('"');
+}
+inline std::string quoted(std::string_view bytes) {
+  return text_of([&](TextOutput& out) { put_quoted(out, bytes); });
 }
 
 }  // namespace sbgc::detail

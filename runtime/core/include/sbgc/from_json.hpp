@@ -1,0 +1,42 @@
+/// Messages from JSON text: from_json(text, message). Include the tables of the messages:
+/// <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <sbgc/json/problem.hpp>
+#include <sbgc/json/reader.hpp>
+#include <sbgc/json/text_source.hpp>
+
+namespace sbgc {
+
+/// The result of reading a message from JSON; true in a condition if it succeeded.
+struct [[nodiscard]] JsonResult {
+  std::optional<JsonProblem> problem{};
+
+  explicit operator bool() const noexcept { return !problem; }
+};
+
+/// Reads `message` from `text`, which must be all of its JSON; it may come from anywhere. A problem
+/// leaves the message unchanged. Uses no heap unless there is one, and throws nothing.
+///
+/// Every field is required, except optional ones, counters of lists and the tail. A counter that is
+/// present must match its list.
+template <class M>
+JsonResult from_json(std::string_view text, M& message) {
+  detail::JsonTextSource source(text);
+  detail::JsonReader<detail::JsonTextSource> reader(source);
+  M result{};
+  if (reader.message(result) && source.finish()) {
+    message = result;
+    return {};
+  }
+  // Text that is not JSON at all is the first problem.
+  const char* const no_json = source.problem();
+  return {JsonProblem{source.line(), source.column(),
+                      no_json != nullptr ? no_json : reader.reason(),
+                      no_json != nullptr ? "" : reader.field()}};
+}
+
+}  // namespace sbgc

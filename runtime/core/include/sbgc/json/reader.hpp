@@ -1,0 +1,420 @@
+/// Reads a message from a source of JSON: text, or values of a library.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include <sbgc/field_path.hpp>
+#include <sbgc/json/problem.hpp>
+#include <sbgc/json/tokens.hpp>
+#include <sbgc/json/values.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/text_output.hpp>
+
+namespace sbgc::detail {
+
+/// Reads a message value by value from a source, such as JsonTextSource, in the order of the
+/// source. Stops at the first error.
+///
+/// Every field is required, except optional ones, counters of lists and the tail. A counter that is
+/// present must match its list.
+template <class Source>
+class JsonReader {
+ public:
+  explicit JsonReader(Source& source) : source_(source) {}
+
+  /// Returns false if the source does not describe an M.
+  template <class M>
+  bool message(M& out) {
+    members(out, nullptr);
+    if (ok() && counters_ != 0) Meta<M>::visit(std::as_const(out), CounterCheck{*this});
+    return ok();
+  }
+
+  const std::string& field() const { return field_; }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  using Scope = typename Source::Scope;
+
+  /// Reads the members of an object. Each pass over them reads those that follow each other in the
+  /// source. Text in wire order needs one.
+  ///
+  /// What depends on the type of a member is as little as possible, because it is compiled for each
+  /// of them.
+  struct Members {
+    JsonReader& reader;
+    const FieldPath* parent;
+    Scope scope;
+    JsonString key{};
+    bool has_key = false;     // of a member that is not read yet
+    bool has_read = false;    // a member in this pass
+    bool has_unread = false;  // a member without a value, passed while there was a key
+    std::size_t index = 0;
+    std::array<std::uint64_t, 4> read{};  // a bit for each member
+
+    void start_pass() {
+      index = 0;
+      has_read = false;
+      has_unread = false;
+    }
+    void take_key() { has_key = reader.source_.next(scope, key); }
+
+    template <class Member>
+    [[gnu::noinline]] void operator()(const FieldInfo& field, Member&& member) {
+      const FieldPath path{parent, field.name};
+      if (!is_next(path, may_be_missing(field, member))) return;
+      reader.value(member, path);
+      if constexpr (std::is_same_v<std::remove_cvref_t<Member>, Counter>) {
+        if (parent == nullptr) reader.announce(field.name);
+      }
+      if (reader.ok()) take_key();
+    }
+
+    /// Returns true if the value of this member is next in the source.
+    [[gnu::noinline]] bool is_next(const FieldPath& path, bool may_be_missing) {
+      std::uint64_t& word = read[index / 64];
+      const std::uint64_t bit = std::uint64_t{1} << index % 64;
+      const bool is_known = (word & bit) != 0;
+      ++index;
+      if (!reader.ok()) return false;
+      if (has_key && key == path.name) {
+        if (is_known) reader.fail(path, "occurs twice");
+        word |= bit;
+        has_read = true;
+        return !is_known;
+      }
+      if (is_known) return false;
+      has_unread = has_unread || has_key;
+      if (!has_key && !may_be_missing) reader.fail(path, "it is missing");
+      return false;
+    }
+  };
+
+  template <class T>
+  void members(T& out, const FieldPath* path) {
+    if constexpr (requires { Meta<T>::fields; }) {
+      static_assert(std::size(Meta<T>::fields) < 8 * sizeof Members::read, "and a tail");
+    }
+    object(path, &out, [](void* object, Members& members) {
+      Meta<T>::visit(*static_cast<T*>(object), members);
+    });
+  }
+  [[gnu::noinline]] void object(const FieldPath* path, void* out,
+                                void (*visit)(void* object, Members& members)) {
+    constexpr const char* needed = "an object is needed";
+    if (!source_.is_object()) return path != nullptr ? fail(*path, needed) : fail_at_all(needed);
+    Members members{*this, path, source_.enter()};
+    members.take_key();
+    do {
+      members.start_pass();
+      visit(out, members);
+      if (!ok()) return;
+      if (members.has_key && !members.has_read) {
+        const std::string key = shortened(to_string(members.key));
+        return fail(FieldPath{path, key.empty() ? "''" : key.c_str()}, "unknown");
+      }
+    } while (members.has_key || members.has_unread);
+  }
+
+  // Counters are implied by their lists, and tails are rare. Everything else is required: a
+  // parameter omitted by mistake would be overwritten with 0.
+  template <class T>
+  static bool may_be_missing(const FieldInfo&, const Optional<T>&) {
+    return true;
+  }
+  static bool may_be_missing(const FieldInfo&, const Counter&) { return true; }
+  template <class T>
+  static bool may_be_missing(const FieldInfo& field, const T&) {
+    return field.optional;
+  }
+
+  template <class T>
+  void value(T& out, const FieldPath& path) {
+    if constexpr (std::is_floating_point_v<T>) {
+      real(out, path);
+    } else if constexpr (std::is_enum_v<T>) {
+      std::underlying_type_t<T> raw{};
+      integer(raw, path);
+      out = static_cast<T>(raw);
+    } else if constexpr (std::is_arithmetic_v<T> && sizeof(T) == 8) {
+      decimal(out, path);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      integer(out, path);
+    } else if constexpr (RawValue<T>) {
+      typename T::raw_type raw{};
+      if constexpr (requires { T::highest; }) {
+        raw = static_cast<typename T::raw_type>(integer(T::lowest, T::highest, path));
+      } else {
+        value(raw, path);
+      }
+      out = T(raw);
+    } else {
+      members(out, &path);
+    }
+  }
+  void value(Counter&, const FieldPath& path) {
+    // A list comes after its counter, so they are compared once the whole message has been read.
+    announced_ = integer(0, std::numeric_limits<std::uint8_t>::max(), path);
+  }
+  void value(Number& out, const FieldPath& path) {
+    constexpr const char* needed = "an object with the type, such as {\"i16\": -5}, is needed";
+    if (!source_.is_object()) return fail(path, needed);
+    Scope scope = source_.enter();
+    JsonString key;
+    if (!source_.next(scope, key)) return fail(path, needed);
+    const auto as = [&]<class T>(NumberType type, T number) {
+      if (!(key == name(type))) return false;
+      value(number, FieldPath{&path, name(type)});
+      out = {type, 0};
+      if constexpr (std::is_same_v<T, float>) {
+        out.bits = std::bit_cast<std::uint32_t>(number);
+      } else {
+        out.bits = static_cast<std::make_unsigned_t<T>>(number);
+      }
+      return true;
+    };
+    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
+                       as(NumberType::u16, std::uint16_t{}) ||
+                       as(NumberType::i16, std::int16_t{}) ||
+                       as(NumberType::u32, std::uint32_t{}) ||
+                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
+    if (ok() && (!known || source_.next(scope, key))) fail(path, needed);
+  }
+  template <class T>
+  void value(Optional<T>& out, const FieldPath& path) {
+    value(out.emplace(), path);
+  }
+  template <std::size_t n>
+  void value(Bytes<n>& out, const FieldPath& path) {
+    if (hex(out, path) != n) fail(path, n, " bytes of hex are needed");
+  }
+  template <std::size_t n>
+  void value(BoundedBytes<n>& out, const FieldPath& path) {
+    out.resize(n);
+    const std::size_t size = hex({out.data(), n}, path);
+    if (!out.resize(size)) fail_size(path, size, " bytes", n);
+  }
+  template <std::size_t n>
+  void value(Text<n>& out, const FieldPath& path) {
+    text(out, path);
+  }
+  template <std::size_t n>
+  void value(BoundedText<n>& out, const FieldPath& path) {
+    text(out, path);
+  }
+  template <class T, std::size_t n>
+  void value(std::array<T, n>& out, const FieldPath& path) {
+    const auto put = [&](std::size_t index) -> T* { return index < n ? &out[index] : nullptr; };
+    if (elements<T>(put, path) != n) fail(path, "a list of ", n, " is needed");
+  }
+  template <class T, std::size_t n>
+  void value(BoundedArray<T, n>& out, const FieldPath& path) {
+    const auto put = [&](std::size_t index) -> T* {
+      return out.resize(index + 1) ? &out[index] : nullptr;
+    };
+    const std::size_t size = elements<T>(put, path);
+    if (size > n) fail_size(path, size, " elements", n);
+  }
+
+  /// Reads elements to where `put(index)` says, and checks those for which there is no place.
+  /// Returns their number.
+  template <class T, class Put>
+  std::size_t elements(const Put& put, const FieldPath& path) {
+    std::size_t size = 0;
+    if (!source_.is_list()) {
+      fail(path, "a list is needed");
+      return size;
+    }
+    Scope scope = source_.enter();
+    for (; ok() && source_.next(scope); ++size) {
+      T extra{};
+      T* const place = put(size);
+      value(place != nullptr ? *place : extra, FieldPath{&path, "", size});
+    }
+    return size;
+  }
+
+  template <class T>
+  void integer(T& out, const FieldPath& path) {
+    using Limits = std::numeric_limits<T>;
+    out = static_cast<T>(integer(Limits::min(), Limits::max(), path));
+  }
+  /// Returns an integer in a range; 0 after an error.
+  [[gnu::noinline]] std::int64_t integer(std::int64_t lowest, std::int64_t highest,
+                                         const FieldPath& path) {
+    JsonInteger number;
+    if (!source_.integer(number)) {
+      fail(path, "an integer is needed");
+    } else if (number.value < lowest || number.value > highest) {
+      fail(path, number.text, " does not fit: ", lowest, " to ", highest);
+    } else {
+      return number.value;
+    }
+    return 0;
+  }
+  /// Reads an integer of 64 bits, which is text.
+  template <class T>
+  void decimal(T& out, const FieldPath& path) {
+    const ShortText text = short_text();
+    const auto [end, error] = std::from_chars(text.begin(), text.end(), out);
+    if (!text.is_text || error != std::errc{} || end != text.end()) {
+      fail(path, "a string with an integer of 64 bits is needed");
+    }
+  }
+  template <class Float>
+  void real(Float& out, const FieldPath& path) {
+    double number = 0;
+    if (source_.real(number)) {
+      out = static_cast<Float>(number);
+      if (is_finite(out)) return;
+    } else if (const auto named = float_of_name<Float>(short_text().view())) {
+      out = *named;
+      return;
+    }
+    fail(path, "a number is needed");
+  }
+
+  /// A string; "" if the value is another one, or is too long for a number.
+  struct ShortText {
+    std::array<char, 24> chars{};
+    std::size_t size = 0;
+    bool is_text = false;
+
+    const char* begin() const { return chars.data(); }
+    const char* end() const { return chars.data() + size; }
+    std::string_view view() const { return {chars.data(), size}; }
+  };
+  ShortText short_text() {
+    ShortText result;
+    JsonString string;
+    if (!source_.string(string)) return result;
+    result.is_text = true;
+    JsonBytes bytes(string);
+    for (int byte = bytes.next(); byte != JsonBytes::end; byte = bytes.next()) {
+      if (result.size == result.chars.size()) return {};
+      result.chars[result.size++] = static_cast<char>(byte);
+    }
+    return result;
+  }
+
+  /// Reads hex as far as it fits into `out`. Returns the number of bytes of all of it; after an
+  /// error, out.size().
+  std::size_t hex(std::span<std::uint8_t> out, const FieldPath& path) {
+    JsonString string;
+    bool is_hex = source_.string(string);
+    std::size_t size = 0;
+    for (JsonBytes bytes(string); is_hex; ++size) {
+      const int high = bytes.next();
+      if (high == JsonBytes::end) return size;
+      const int value = hex_digit(high) << 4 | hex_digit(bytes.next());
+      is_hex = value >= 0;
+      if (size < out.size()) out[size] = static_cast<std::uint8_t>(value);
+    }
+    fail(path, "a string of hex digits, two a byte, is needed");
+    return out.size();
+  }
+  /// Returns the value of a digit in upper or lower case; negative for anything else.
+  static int hex_digit(int byte) {
+    if (byte >= '0' && byte <= '9') return byte - '0';
+    if (byte >= 'a' && byte <= 'f') return byte - 'a' + 10;
+    if (byte >= 'A' && byte <= 'F') return byte - 'A' + 10;
+    return -1;
+  }
+
+  template <class T>
+  void text(T& out, const FieldPath& path) {
+    std::array<char, T::capacity()> bytes{};
+    const std::size_t size = characters(bytes, path);
+    if (size > bytes.size()) return fail_size(path, size, " bytes", bytes.size());
+    out.assign(std::string_view(bytes.data(), size));
+  }
+  /// Reads a string as far as it fits into `bytes`. Returns the size of all of it.
+  std::size_t characters(std::span<char> bytes, const FieldPath& path) {
+    JsonString string;
+    if (!source_.string(string)) fail(path, "a string is needed");
+    std::size_t size = 0;
+    JsonBytes utf8(string);
+    std::array<int, 2> before{};
+    for (int byte = utf8.next(); byte != JsonBytes::end; byte = utf8.next()) {
+      if (before[0] == 0xEF && (before[1] == 0x9E || before[1] == 0x9F)) {  // see is_escape()
+        size -= 2;
+        byte = (before[1] & 0x03) << 6 | (byte & 0x3F);
+        before = {};
+      } else {
+        before = {before[1], byte};
+      }
+      if (size < bytes.size()) bytes[size] = static_cast<char>(byte);
+      ++size;
+    }
+    return size;
+  }
+
+  /// Remembers the value just read of a counter of the message.
+  void announce(const char* name) {
+    if (counters_ < counted_.size()) counted_[counters_++] = {name, announced_};
+  }
+
+  /// Compares the announced counters with the sizes of their lists.
+  struct CounterCheck {
+    JsonReader& reader;
+
+    template <class Member>
+    void operator()(const FieldInfo&, const Member&) const {}
+    void operator()(const FieldInfo& field, const Counter& counter) const {
+      for (const Announced& announced : reader.counted_) {
+        if (announced.name != field.name) continue;
+        if (announced.count == static_cast<std::int64_t>(counter.count)) continue;
+        const FieldPath path{nullptr, field.name};
+        reader.fail(path, announced.count, " is announced, but there are ", counter.count);
+      }
+    }
+  };
+
+  bool ok() const { return !has_failed_ && source_.problem() == nullptr; }
+
+  void fail_size(const FieldPath& path, std::size_t size, const char* what, std::size_t limit) {
+    fail(path, size, what, " do not fit: at most ", limit);
+  }
+  template <class... Part>
+  [[gnu::noinline]] void fail(const FieldPath& path, Part... reason) {
+    if (!ok()) return;
+    std::array<char, 256> text{};
+    field_.assign(text.data(), path.write(text.data(), text.size()));
+    fail_at_all(reason...);
+  }
+  /// The problem is the whole message.
+  template <class... Part>
+  void fail_at_all(Part... reason) {
+    has_failed_ = true;
+    StringOutput out(reason_);
+    (out.put(reason), ...);
+    out.finish();
+  }
+
+  struct Announced {
+    const char* name = nullptr;
+    std::int64_t count{};
+  };
+
+  Source& source_;
+  std::int64_t announced_ = 0;
+  std::array<Announced, 4> counted_{};  // more than any message has
+  std::size_t counters_ = 0;
+  bool has_failed_ = false;
+  std::string field_{};
+  std::string reason_{};
+};
+
+}  // namespace sbgc::detail

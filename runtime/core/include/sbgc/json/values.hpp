@@ -1,0 +1,125 @@
+/// Lossless JSON representations of texts and non-finite floats.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace sbgc::detail {
+
+/// Returns the length of the well-formed UTF-8 sequence at the start of `text`; 0 if there is none.
+inline std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
+  };
+  const auto follows = [&](std::size_t i, std::uint8_t low = 0x80, std::uint8_t high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const std::uint8_t first = byte(0);
+  if (text.empty()) return 0;
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const std::uint8_t low = first == 0xE0 ? 0xA0 : 0x80;
+    const std::uint8_t high = first == 0xED ? 0x9F : 0xBF;
+    return follows(1, low, high) && follows(2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const std::uint8_t low = first == 0xF0 ? 0x90 : 0x80;
+    const std::uint8_t high = first == 0xF4 ? 0x8F : 0xBF;
+    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+// Bytes that are not UTF-8 are escaped as U+F780 to U+F7FF, in a private use area. If a text from a
+// board contains these characters itself, their bytes are escaped one by one, to avoid ambiguity.
+
+/// Returns true if `sequence` is one of the escape characters.
+inline bool is_escape(std::string_view sequence) {
+  return sequence.size() == 3 && sequence[0] == '\xEF' &&
+         (sequence[1] == '\x9E' || sequence[1] == '\x9F');
+}
+
+/// Converts any bytes to well-formed UTF-8, and calls `use(std::string_view)` for each character.
+template <class Use>
+void for_each_character(std::string_view bytes, Use&& use) {
+  while (!bytes.empty()) {
+    const std::size_t length = utf8_length(bytes);
+    if (length != 0 && !is_escape(bytes.substr(0, length))) {
+      use(bytes.substr(0, length));
+      bytes.remove_prefix(length);
+      continue;
+    }
+    const auto byte = static_cast<std::uint8_t>(bytes[0]);
+    const char escape[] = {'\xEF', static_cast<char>(0x9C | byte >> 6),
+                           static_cast<char>(0x80 | (byte & 0x3F))};
+    use(std::string_view(escape, sizeof escape));
+    bytes.remove_prefix(1);
+  }
+}
+
+/// Converts any bytes to well-formed UTF-8.
+inline std::string to_utf8(std::string_view bytes) {
+  std::string result;
+  for_each_character(bytes, [&](std::string_view character) { result += character; });
+  return result;
+}
+
+/// The unsigned integer with the bits of a float or double.
+template <class Float>
+using FloatBits = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+
+template <class Float>
+bool is_finite(Float value) {
+  using Limits = std::numeric_limits<Float>;
+  return value >= Limits::lowest() && value <= Limits::max();
+}
+
+/// The name of an infinity or a NaN, which JSON has no numbers for: "inf", "-inf" or
+/// "nan:<hex bits>".
+class FloatName {
+ public:
+  template <class Float>
+  explicit FloatName(Float value) {
+    add(value > 0 ? "inf" : value < 0 ? "-inf" : "nan:");
+    if (value == value) return;
+    const auto bits = std::bit_cast<FloatBits<Float>>(value);
+    for (std::size_t shift = 8 * sizeof value; shift != 0; shift -= 4) {
+      name_[size_++] = "0123456789abcdef"[bits >> (shift - 4) & 15U];
+    }
+  }
+  std::string_view text() const { return {name_.data(), size_}; }
+
+ private:
+  void add(std::string_view text) {
+    for (const char c : text) name_[size_++] = c;
+  }
+
+  std::array<char, 20> name_{};
+  std::size_t size_ = 0;
+};
+
+/// The inverse of FloatName. Returns nullopt for any other text.
+template <class Float>
+std::optional<Float> float_of_name(std::string_view text) {
+  if (text == "inf") return std::numeric_limits<Float>::infinity();
+  if (text == "-inf") return -std::numeric_limits<Float>::infinity();
+  if (!text.starts_with("nan:") || text.size() != 4 + 2 * sizeof(Float)) return std::nullopt;
+  FloatBits<Float> bits = 0;
+  const char* const all = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
+  const auto value = std::bit_cast<Float>(bits);
+  if (error != std::errc{} || end != all || value == value) return std::nullopt;
+  return value;
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,153 @@
+/// Text output to a string, to a function, or to any other place.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace sbgc {
+
+/// Where text is written. A derived class provides memory for it.
+class TextOutput {
+ public:
+  TextOutput(const TextOutput&) = delete;
+  TextOutput& operator=(const TextOutput&) = delete;
+
+  void put(char c) {
+    if (at_ == end_) make_room();
+    *at_++ = c;
+  }
+  void put(std::string_view text) {
+    if (text.size() > free()) return put_in_parts(text);
+    std::memcpy(at_, text.data(), text.size());
+    at_ += text.size();
+  }
+  void put(const char* text) { put(std::string_view(text)); }
+  void put(char c, std::size_t count) {
+    while (count > free()) {
+      count -= free();
+      std::memset(at_, c, free());
+      at_ = end_;
+      make_room();
+    }
+    std::memset(at_, c, count);
+    at_ += count;
+  }
+
+  /// Writes an integer in decimal.
+  template <class T>
+    requires(std::is_integral_v<T> && !std::is_same_v<T, char> && !std::is_same_v<T, bool>)
+  void put(T number) {
+    if (std::is_signed_v<T> && number < 0) {
+      put('-');
+      put_digits(0 - static_cast<std::uint64_t>(number));
+    } else {
+      put_digits(static_cast<std::uint64_t>(number));
+    }
+  }
+
+  /// Writes bytes as lowercase hex, two digits per byte.
+  void put_hex(std::span<const std::uint8_t> bytes) {
+    constexpr const char* digits = "0123456789abcdef";
+    for (const std::uint8_t byte : bytes) {
+      char* const start = room(2);
+      start[0] = digits[byte >> 4];
+      start[1] = digits[byte & 15];
+      advance(start + 2);
+    }
+  }
+
+  /// Returns memory for `size` characters, at most longest_number; then tell advance() the end of
+  /// what was written.
+  char* room(std::size_t size) {
+    if (free() < size) make_room();
+    return at_;
+  }
+  void advance(char* end) { at_ = end; }
+
+  /// The most characters that room() can provide.
+  static constexpr std::size_t longest_number = 32;
+
+ protected:
+  TextOutput() = default;
+  ~TextOutput() = default;
+
+  /// Takes the text up to `at_`, and sets `at_` and `end_` to free memory of at least
+  /// longest_number characters.
+  virtual void make_room() = 0;
+
+  char* at_ = nullptr;
+  char* end_ = nullptr;
+
+ private:
+  // Not inlined, to reduce compile time.
+  [[gnu::noinline]] void put_digits(std::uint64_t number) {
+    char* const start = room(longest_number);
+    advance(std::to_chars(start, start + longest_number, number).ptr);
+  }
+  [[gnu::noinline]] void put_in_parts(std::string_view text) {
+    while (text.size() > free()) {
+      const std::size_t some = free();
+      put(text.substr(0, some));
+      text.remove_prefix(some);
+      make_room();
+    }
+    put(text);
+  }
+
+  std::size_t free() const { return static_cast<std::size_t>(end_ - at_); }
+};
+
+/// Calls `take(std::string_view)` with pieces of the text.
+template <class Take>
+class PiecewiseOutput final : public TextOutput {
+ public:
+  explicit PiecewiseOutput(Take& take) : take_(take) {
+    at_ = buffer_.data();
+    end_ = at_ + buffer_.size();
+  }
+
+  /// Passes the rest on. Must be called at the end.
+  void finish() {
+    if (at_ != buffer_.data()) {
+      take_(std::string_view(buffer_.data(), static_cast<std::size_t>(at_ - buffer_.data())));
+    }
+    at_ = buffer_.data();
+  }
+
+ private:
+  void make_room() override { finish(); }
+
+  Take& take_;
+  std::array<char, 512> buffer_;  // NOLINT(*-member-init): only what is written is read
+};
+
+/// Appends the text to a string.
+class StringOutput final : public TextOutput {
+ public:
+  explicit StringOutput(std::string& text) : text_(text) { grow(text.size()); }
+
+  /// Must be called at the end, before the string is used.
+  void finish() { text_.resize(size()); }
+
+  /// Returns the size of the string so far.
+  std::size_t size() const { return static_cast<std::size_t>(at_ - text_.data()); }
+
+ private:
+  void make_room() override { grow(size()); }
+  void grow(std::size_t size) {
+    text_.resize(2 * size + 1024);
+    at_ = text_.data() + size;
+    end_ = text_.data() + text_.size();
+  }
+
+  std::string& text_;
+};
+
+}  // namespace sbgc

@@ -1,0 +1,416 @@
+// Tests of JSON text without a DOM: the reader accepts the same text as parse_json() and
+// from_dom(), and names the place of what is wrong; the writer writes what nlohmann_json reads.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/json.hpp>
+#include <sbgc/json_dom.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/parse_json.hpp>
+
+#include "any_message.hpp"
+
+namespace sbgc::test {
+namespace {
+
+bool read_by_dom(AnyMessage& message, std::string_view text) {
+  const ParsedJson parsed = parse_json(text);
+  if (!parsed) return false;
+  try {
+    message.from_dom(parsed.value);
+  } catch (const JsonError&) {
+    return false;
+  }
+  return true;
+}
+
+/// Reads text in both ways, which must agree. Returns true if it is accepted.
+bool read_in_both_ways(const MessageType& type, std::string_view text) {
+  const auto message = type.make();
+  const auto by_dom = type.make();
+  const bool accepted = read_by_dom(*by_dom, text);
+  const JsonResult result = message->from_json(text);
+  EXPECT_EQ(static_cast<bool>(result), accepted)
+      << text << '\n'
+      << (result.problem ? to_string(*result.problem) : "");
+  EXPECT_EQ(message->body(), by_dom->body()) << text;
+  return accepted;
+}
+
+class Mutations {
+ public:
+  explicit Mutations(unsigned seed) : random_(seed) {}
+
+  std::string of(std::string text) {
+    constexpr std::string_view characters =
+        "{}[]\",:\\/u0123456789abcdefE+-. \n\t\x01\x7F\xC3\xEF\x9E";
+    const std::size_t at = below(text.size());
+    switch (below(7)) {
+      case 0: return text.erase(at, 1 + below(3));
+      case 1: return text.insert(at, 1, characters[below(characters.size())]);
+      case 2: text[at] = characters[below(characters.size())]; return text;
+      case 3: return text.substr(0, at);
+      case 4: return text.insert(at, text.substr(below(text.size()), below(40)));
+      case 5: return text.replace(at, below(20), text.substr(below(text.size()), below(20)));
+      default: return text.insert(at, values[below(values.size())]);
+    }
+  }
+
+ private:
+  static constexpr std::array<const char*, 14> values{"null",
+                                                      "-1",
+                                                      "1e3",
+                                                      "99999999999999999999",
+                                                      "\"\\u0061\"",
+                                                      "[]",
+                                                      "{}",
+                                                      "0.5",
+                                                      "-0",
+                                                      "1e999",
+                                                      "\"\\ud83d\\ude00\"",
+                                                      "\"\xEF\x9E\x80\"",
+                                                      " \r\n\t",
+                                                      "\"nan:7fc00000\""};
+
+  std::size_t below(std::size_t limit) {
+    return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random_);
+  }
+
+  std::mt19937 random_;
+};
+
+class JsonText : public testing::TestWithParam<MessageType> {};
+
+TEST_P(JsonText, AcceptsWhatTheDomAccepts) {
+  RandomBodies bodies(23);
+  Mutations mutations(5);
+  const std::size_t min_size = GetParam().info->min_size;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const auto message = GetParam().make();
+    const std::size_t more = GetParam().fixed_size() ? 0 : 5 * i;
+    if (!message->decode(bodies.next(std::min(min_size + more, max_body_size)),
+                         random_contexts(bodies))) {
+      continue;
+    }
+    const std::string text = message->to_json();
+    EXPECT_TRUE(read_in_both_ways(GetParam(), text)) << text;
+    for (int k = 0; k < 12; ++k) read_in_both_ways(GetParam(), mutations.of(text));
+  }
+}
+
+TEST_P(JsonText, MembersMayHaveAnyOrder) {
+  const auto message = GetParam().make();
+  Json reversed = Json::object();
+  const Json json = message->to_dom();
+  for (auto item = json.rbegin(); item != json.rend(); ++item) reversed[item.key()] = item.value();
+  const auto copy = GetParam().make();
+  EXPECT_TRUE(copy->from_json(reversed.dump(3))) << reversed.dump();
+  EXPECT_TRUE(copy->equals(*message));
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, JsonText, testing::ValuesIn(message_types()),
+                         [](const auto& test) { return test.param.info->name; });
+
+const MessageType& sounds() { return message_type("BeepSound"); }
+
+TEST(JsonTextValues, AreReadAsTheDomReadsThem) {
+  int accepted = 0;
+  for (const std::string value : {"0",
+                                  "-0",
+                                  "00",
+                                  "01",
+                                  "-01",
+                                  "+1",
+                                  "1.",
+                                  ".5",
+                                  "1.0",
+                                  "1e0",
+                                  "1E+0",
+                                  "1e",
+                                  "1e+",
+                                  "0x1",
+                                  "255",
+                                  "256",
+                                  "-1",
+                                  "- 1",
+                                  "4294967296",
+                                  "9223372036854775807",
+                                  "9223372036854775808",
+                                  "18446744073709551615",
+                                  "18446744073709551616",
+                                  "-9223372036854775808",
+                                  "-9223372036854775809",
+                                  "1e5",
+                                  "true",
+                                  "false",
+                                  "null",
+                                  "nul",
+                                  "NaN",
+                                  "Infinity",
+                                  "\"1\"",
+                                  "'1'",
+                                  "[1]",
+                                  "{}",
+                                  "",
+                                  "1 2",
+                                  "1,",
+                                  "/**/1",
+                                  "1//"}) {
+    const std::string text = R"({"mode":)" + value +
+                             R"(,"note_length":1,"decay_factor":0,"reserved":"0000000000000000",)" +
+                             R"("note_freq_hz":[]})";
+    accepted += read_in_both_ways(sounds(), text) ? 1 : 0;
+  }
+  EXPECT_EQ(accepted, 4);
+}
+
+TEST(JsonTextValues, StringsAreReadAsTheDomReadsThem) {
+  int accepted = 0;
+  using namespace std::string_literals;
+  for (const std::string& name : {""s,
+                                  "a"s,
+                                  "\\n\\t\\r\\b\\f\\/\\\\\\\""s,
+                                  "\\u00e4"s,
+                                  "\\u00E4"s,
+                                  "\\u20ac"s,
+                                  "\\ud83d\\ude00"s,
+                                  "\\u0000"s,
+                                  "\\uf780"s,
+                                  "\xEF\x9E\x80"s,
+                                  "\xEF\x9F\xBF"s,
+                                  "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80"s,
+                                  "\\ud83d"s,
+                                  "\\ude00"s,
+                                  "\\ud83d\\u0041"s,
+                                  "\\ud83dx"s,
+                                  "\\u12"s,
+                                  "\\u123g"s,
+                                  "\\x41"s,
+                                  "\\"s,
+                                  "\\a"s,
+                                  "\n"s,
+                                  "\x7F"s,
+                                  "\x1F"s,
+                                  "\0"s,
+                                  "\xFF"s,
+                                  "\xC3"s,
+                                  "\xC0\x80"s,
+                                  "\xED\xA0\x80"s,
+                                  "\xF4\x90\x80\x80"s,
+                                  "\xE2\x82"s,
+                                  std::string(48, 'x'),
+                                  std::string(49, 'x'),
+                                  std::string(3 * 48, '\xEF')}) {
+    const std::string text = R"({"profile_name":[")" + name + R"(","\u0062","c","d","e"]})";
+    accepted += read_in_both_ways(message_type("ReadProfileNames"), text) ? 1 : 0;
+  }
+  EXPECT_EQ(accepted, 14);
+}
+
+TEST(JsonTextValues, FloatsAreReadAsTheDomReadsThem) {
+  const std::string zeros(400, '0');
+  int accepted = 0;
+  for (const std::string& value : {std::string("0"),
+                                   std::string("-0.0"),
+                                   std::string("1e38"),
+                                   std::string("1e39"),
+                                   std::string("-1e39"),
+                                   std::string("1e308"),
+                                   std::string("1e309"),
+                                   std::string("-1e309"),
+                                   std::string("1e-45"),
+                                   std::string("1e-400"),
+                                   std::string("-1e-400"),
+                                   std::string("0e999"),
+                                   std::string("1e99999999999999999999"),
+                                   std::string("1e-99999999999999999999"),
+                                   "0." + zeros + "1e401",
+                                   "0." + zeros + "1e10",
+                                   "1" + zeros + "e-400",
+                                   "1" + zeros,
+                                   "1" + zeros + "e-10",
+                                   std::string("16777217"),
+                                   std::string("3.4028235677973366e38"),
+                                   std::string("123456789012345678901234567890"),
+                                   std::string("\"inf\""),
+                                   std::string("\"-inf\""),
+                                   std::string("\"+inf\""),
+                                   std::string("\"nan:7fc00000\""),
+                                   std::string("\"nan:7FC00001\""),
+                                   std::string("\"nan:7f800000\""),
+                                   std::string("\"nan:7fc000000\""),
+                                   std::string("\"\\u0069nf\"")}) {
+    const std::string text =
+        R"({"timestamp_ms":0,"z1_vector":{"x":)" + value + R"(,"y":0,"z":-1.5e0}})";
+    accepted += read_in_both_ways(message_type("RealtimeDataCustom"), text) ? 1 : 0;
+  }
+  EXPECT_EQ(accepted, 18);
+}
+
+TEST(JsonTextValues, NumbersOfAnnouncedTypesAreReadAsTheDomReadsThem) {
+  int accepted = 0;
+  for (const char* const value :
+       {R"({"i16":-5})", R"({"f32":1e5})", R"({"f32":"inf"})", R"({"u8":256})", R"({"u8":-1})",
+        R"({})", R"([])", R"(5)", R"({"i16":1,"i16":1})", R"({"i16":1,"u8":1})", R"({"x":1})",
+        R"({"i16":})", R"({"i16":1)", R"({"\u0069\u00316":1})"}) {
+    const auto& type = message_type("DebugVars3");
+    const std::string key = type.make()->to_dom().begin().key();
+    accepted += read_in_both_ways(type, R"({")" + key + R"(":[)" + value + "]}") ? 1 : 0;
+  }
+  EXPECT_EQ(accepted, 4);
+}
+
+TEST(JsonTextValues, TextAroundTheObject) {
+  int accepted = 0;
+  using namespace std::string_literals;
+  for (const std::string& text : {"{}"s,
+                                  " \n\t\r{ } \n"s,
+                                  "\xEF\xBB\xBF{}"s,
+                                  "\xEF\xBB{}"s,
+                                  "{}\0"s,
+                                  "{}{}"s,
+                                  "{},"s,
+                                  "["s,
+                                  "{"s,
+                                  "}"s,
+                                  ""s,
+                                  " "s,
+                                  "{}\f"s,
+                                  "{,}"s,
+                                  "null"s,
+                                  "[]"s,
+                                  R"({"a":1})"s,
+                                  R"({"":1})"s,
+                                  R"({1:1})"s,
+                                  R"({"a" 1})"s,
+                                  R"({"a":)"s}) {
+    accepted += read_in_both_ways(message_type("MotorsOn"), text) ? 1 : 0;
+  }
+  EXPECT_EQ(accepted, 3);
+}
+
+template <class M>
+std::string problem_of(std::string_view text) {
+  M message{};
+  const JsonResult result = from_json(text, message);
+  EXPECT_EQ(message, M{});
+  return result.problem ? to_string(*result.problem) : "";
+}
+
+TEST(JsonTextProblems, NameFieldReasonAndPlace) {
+  EXPECT_EQ(problem_of<msg::Control>(""), "an object is needed (line 1, column 1)");
+  EXPECT_EQ(problem_of<msg::Control>("{"),
+            "this is not JSON, or only its beginning (line 1, column 2)");
+  EXPECT_EQ(problem_of<msg::Control>("{\n \"control_mode\" 2}"),
+            "this is not JSON (line 2, column 17)");
+  EXPECT_EQ(problem_of<msg::Control>("{\"control_mode\": 256}"),
+            "control_mode: 256 does not fit: 0 to 255 (line 1, column 21)");
+  EXPECT_EQ(problem_of<msg::Control>(R"({"axes":{"roll":{"speed":1,"angle":2,"speed":1}}})"),
+            "axes.roll.speed: occurs twice (line 1, column 46)");
+  EXPECT_EQ(problem_of<msg::Control>(R"({"axes":{"roll":{"speed":1}}})"),
+            "axes.roll.angle: it is missing (line 1, column 28)");
+  EXPECT_EQ(problem_of<msg::Control>(R"({"axis":1})"), "axis: unknown (line 1, column 9)");
+  EXPECT_EQ(problem_of<msg::Control>("{\"" + std::string(50, 'x') + "\":1}"),
+            std::string(40, 'x') + "...: unknown (line 1, column 55)");
+  EXPECT_EQ(problem_of<msg::MotorsOn>("{}x"), "this is not JSON (line 1, column 3)");
+}
+
+TEST(JsonTextProblems, NoDepthIsTooDeep) {
+  for (const char* const open : {"[", R"({"axes":)", R"({"x":)"}) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += open;
+    EXPECT_NE(problem_of<msg::Control>(text), "");
+  }
+}
+
+TEST(JsonTextOutput, GoesAnywhere) {
+  const msg::Control message;
+  const std::string expected = to_dom(message).dump();
+  EXPECT_EQ(to_json(message), expected);
+
+  std::string text = "before ";
+  write_json(message, [&](std::string_view piece) { text += piece; });
+  EXPECT_EQ(text, "before " + expected);
+
+  std::array<char, 300> buffer{};
+  EXPECT_EQ(to_json(message, buffer), expected.size());
+  EXPECT_EQ(std::string_view(buffer.data(), expected.size()), expected);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, expected.size() - 1}) {
+    std::array<char, 300> small{};
+    EXPECT_EQ(to_json(message, std::span(small).first(size)), expected.size());
+    EXPECT_EQ(std::string_view(small.data(), size), expected.substr(0, size));
+    EXPECT_EQ(small[size], '\0') << "nothing is written behind the buffer";
+  }
+}
+
+TEST(JsonTextOutput, LongTextArrivesInPieces) {
+  msg::BeepSound message;
+  using Note = decltype(message.note_freq_hz)::value_type;
+  for (int i = 0; i < 121; ++i) message.note_freq_hz.push_back(Note(60000));
+  std::string text;
+  std::size_t pieces = 0;
+  write_json(message, [&](std::string_view piece) {
+    text += piece;
+    ++pieces;
+  });
+  EXPECT_EQ(text, to_dom(message).dump());
+  EXPECT_GT(pieces, 1U);
+}
+
+std::string real(double value) {
+  std::string result;
+  StringOutput out(result);
+  detail::put_real(out, value);
+  out.finish();
+  return result;
+}
+
+TEST(JsonTextOutput, RealNumbersLookLikeThoseOfNlohmann) {
+  for (const double value : {0.0,
+                             -0.0,
+                             1.0,
+                             -1.5,
+                             0.1,
+                             1e-4,
+                             1e-5,
+                             12345.678,
+                             1e14,
+                             123456789012345.0,
+                             1e15,
+                             1e16,
+                             1.5e16,
+                             1e22,
+                             1e-30,
+                             5e-324,
+                             2.2250738585072014e-308,
+                             1.7976931348623157e308,
+                             100.0,
+                             static_cast<double>(0.1F),
+                             static_cast<double>(3.4028235e38F)}) {
+    EXPECT_EQ(real(value), Json(value).dump());
+  }
+  std::mt19937 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto value =
+        static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(random())));
+    if (!detail::is_finite(value)) continue;
+    const std::string text = real(value);
+    EXPECT_EQ(Json::parse(text).get<double>(), value) << text;
+    EXPECT_TRUE(Json::parse(text).is_number_float()) << text;
+    // nlohmann_json rarely prints one digit more than necessary.
+    EXPECT_LE(text.size(), Json(value).dump().size());
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::test
