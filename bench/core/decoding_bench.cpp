@@ -12,10 +12,10 @@
 
 #include "data.hpp"
 
+namespace sbgc::bench {
 namespace {
 
 using sbgc::Framing;
-using namespace sbgc::bench;
 
 constexpr std::size_t whole = stream_size * 2;
 
@@ -91,3 +91,4 @@ BENCHMARK(visit_stream<realtime>)->Name("visit/realtime");
 BENCHMARK(visit_stream<mixed>)->Name("visit/mixed");
 
 }  // namespace
+}  // namespace sbgc::bench

@@ -13,11 +13,11 @@
 
 #include "data.hpp"
 
+namespace sbgc::bench {
 namespace {
 
 using sbgc::CrcTable;
 using sbgc::Framing;
-using namespace sbgc::bench;
 
 template <CrcTable table>
 using ParserV2 = sbgc::BasicParser<sbgc::FrameFormats<table, Framing::v2>>;
@@ -93,3 +93,4 @@ BENCHMARK(parse<noise_stream, whole, sbgc::ParserOfAll>)->Name("frames_all/noise
 BENCHMARK(parse<noise_stream, 1, sbgc::ParserOfAll>)->Name("frames_all/noise_byte");
 
 }  // namespace
+}  // namespace sbgc::bench

@@ -13,9 +13,9 @@
 
 #include "data.hpp"
 
+namespace sbgc::bench {
 namespace {
 
-using namespace sbgc::bench;
 using Message = sbgc::msg::RealtimeData4;
 
 void copy_text(benchmark::State& state) {
@@ -98,3 +98,4 @@ BENCHMARK(to_dom)->Name("json/to_dom");
 BENCHMARK(from_dom)->Name("json/from_dom");
 
 }  // namespace
+}  // namespace sbgc::bench

@@ -19,9 +19,8 @@
 
 #include "data.hpp"
 
+namespace sbgc::bench {
 namespace {
-
-using namespace sbgc::bench;
 
 constexpr std::size_t overhead = sbgc::frame_size(0);
 
@@ -183,3 +182,4 @@ BENCHMARK(validate_typical<sbgc::msg::ReadParams3>)->Name("params/validate");
 BENCHMARK(validate_random<sbgc::msg::ReadParams3>)->Name("params/validate_random");
 
 }  // namespace
+}  // namespace sbgc::bench

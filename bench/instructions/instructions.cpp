@@ -20,18 +20,18 @@
 
 #include "data.hpp"
 
+namespace sbgc::bench {
 namespace {
 
 using sbgc::CrcTable;
 using sbgc::Framing;
-using namespace sbgc::bench;
 
 constexpr std::size_t size = std::size_t{256} << 10;
 constexpr std::size_t whole = size * 2;
 constexpr std::size_t repetitions = 1000;
 
 // The results of all work go here, so that the compiler keeps it.
-volatile std::uint64_t seen = 0;
+volatile std::uint64_t seen = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 template <class T>
 void keep(T& value) {
@@ -150,9 +150,7 @@ void count_requests(const char* name) {
 template <CrcTable table>
 using ParserV2 = sbgc::BasicParser<sbgc::FrameFormats<table, Framing::v2>>;
 
-}  // namespace
-
-int main() {
+void count_all() {
   const Bytes clean = realtime_stream(size);
   const Bytes noisy = noise(size);
   const Bytes worst = worst_stream(size);
@@ -182,3 +180,8 @@ int main() {
   count_json();
   count_requests("session/request_and_answer");
 }
+
+}  // namespace
+}  // namespace sbgc::bench
+
+int main() { sbgc::bench::count_all(); }

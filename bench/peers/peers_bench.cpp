@@ -30,9 +30,9 @@
 #include "nanopb/telemetry.pb.h"
 #include "protobuf/telemetry.pb.h"
 
+namespace sbgc::bench {
 namespace {
 
-using namespace sbgc::bench;
 namespace pb = google::protobuf;
 
 constexpr int messages = 10'000;
@@ -381,3 +381,4 @@ BENCHMARK(protobuf_write)->Name("peers/protobuf_write");
 BENCHMARK(nanopb_write)->Name("peers/nanopb_write");
 
 }  // namespace
+}  // namespace sbgc::bench
