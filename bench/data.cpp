@@ -1,6 +1,7 @@
 #include "data.hpp"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -29,12 +30,12 @@ Bytes from_hex(const std::string& text) {
   return bytes;
 }
 
-/// Reads the bodies with typical values that the board sends, from these files of vectors.
+/// Reads the bodies with typical values that the board sends, from the test vectors.
 std::vector<TypicalBody> read_typical_bodies() {
   std::vector<TypicalBody> bodies;
-  for (const char* family : {"realtime", "parameters", "system", "imu", "control", "storage"}) {
-    std::ifstream file(std::string(SBGC_VECTORS "/") + family + ".jsonl");
-    if (!file) fail("the test vectors are missing");
+  for (const auto& entry : std::filesystem::directory_iterator(SBGC_VECTORS)) {
+    std::ifstream file(entry.path());
+    if (!file) fail("a file of test vectors cannot be read");
     for (std::string line; std::getline(file, line);) {
       if (line.find("typical values") == std::string::npos) continue;  // parsing takes long
       const auto vector = nlohmann::json::parse(line);
@@ -72,14 +73,26 @@ Bytes realtime_stream(std::size_t size, Framing framing) {
 }
 
 Bytes mixed_stream(std::size_t size) {
-  constexpr std::size_t kinds = 20;
-  if (typical_bodies().size() < kinds) fail("there are too few typical bodies");
+  using Command = msg::CommandFromBoard;
+  constexpr std::array commands{
+      Command::realtime_data_3,  Command::realtime_data_4,    Command::get_angles,
+      Command::get_angles_ext,   Command::board_info,         Command::board_info_3,
+      Command::read_params_3,    Command::read_params_ext,    Command::read_params_ext2,
+      Command::read_params_ext3, Command::read_profile_names, Command::read_adj_vars_cfg,
+      Command::set_adj_vars_val, Command::calib_info,         Command::module_list,
+      Command::confirm,          Command::ahrs_helper,        Command::event,
+      Command::read_rc_inputs,   Command::read_state_vars};
+  std::vector<TypicalBody> kinds;
+  for (const Command command : commands) {
+    const auto id = static_cast<std::uint8_t>(command);
+    kinds.push_back({id, typical_body(id, 0)});
+  }
   std::mt19937 random(5);
   Bytes bytes;
   bytes.reserve(size + max_frame_size);
   std::array<std::uint8_t, max_frame_size> frame{};
   while (bytes.size() < size) {
-    const TypicalBody& one = typical_bodies()[random() % kinds];
+    const TypicalBody& one = kinds[random() % kinds.size()];
     const std::size_t length = write_frame(one.id, one.body, frame).size;
     bytes.insert(bytes.end(), frame.data(), frame.data() + length);
   }

@@ -8,6 +8,7 @@
 
 #include <valgrind/callgrind.h>
 
+#include <sbgc/json.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/parameters.hpp>
 #include <sbgc/meta/realtime.hpp>
@@ -108,6 +109,25 @@ void count_encoding(const char* name, M message) {
   });
 }
 
+void count_json() {
+  auto message = typical<sbgc::msg::RealtimeData4>();
+  std::array<char, 4096> text{};
+  std::size_t length = 0;
+  count("json/to_json", repetitions, [&] {
+    for (std::size_t i = 0; i < repetitions; ++i) {
+      keep(message);
+      length = sbgc::to_json(message, text);
+      keep(text);
+    }
+  });
+  count("json/from_json", repetitions, [&] {
+    for (std::size_t i = 0; i < repetitions; ++i) {
+      if (!sbgc::from_json({text.data(), length}, message)) fail("JSON");
+      keep(message);
+    }
+  });
+}
+
 void count_requests(const char* name) {
   static sbgc::Session session;
   std::array<std::uint8_t, sbgc::max_frame_size> answer{};
@@ -159,5 +179,6 @@ int main() {
   count_validating<sbgc::msg::ReadParams3>("params/validate");
   count_encoding("realtime/encode_frame", typical<sbgc::msg::RealtimeData4>());
   count_encoding("control/encode_frame", sbgc::msg::ControlExt{});
+  count_json();
   count_requests("session/request_and_answer");
 }

@@ -83,6 +83,11 @@ class Struct:
             return ()
         return tuple(takewhile(lambda f: f.offset is not None and not f.is_variable, self.fields))
 
+    @cached_property
+    def fixed_size(self) -> int:
+        """The size of the fixed part."""
+        return sum(f.size or 0 for f in self.fixed_part)
+
 
 @dataclass(frozen=True)
 class Announced:
@@ -203,7 +208,7 @@ class Condition:
             return (
                 value & self.mask == self.mask
                 and (not self.any_flags or any(value & f.value == f.value for f in self.any_flags))
-                and not any(value & f.value == f.value for f in self.no_flags)
+                and not (self.no_flags and any(value & f.value == f.value for f in self.no_flags))
             )
         return (value in self.numbers) != self.negated
 
@@ -280,6 +285,11 @@ class Field:
     aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    @cached_property
+    def scalar(self) -> Scalar | None:
+        """The wire type of a number or of the elements of a list; None for bytes and structs."""
+        return scalar_of(self.type)
 
     @cached_property
     def may_be_absent(self) -> bool:

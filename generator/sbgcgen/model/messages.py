@@ -159,14 +159,20 @@ class Family:
         return tuple(sorted(names - {self.name}))
 
     @cached_property
+    def named(self) -> dict[str, list[Message]]:
+        """The messages by name: a message in both directions is two of one name."""
+        found: dict[str, list[Message]] = {}
+        for message in self.messages:
+            found.setdefault(message.name, []).append(message)
+        return found
+
+    @cached_property
     def definitions(self) -> tuple[Message, ...]:
         """Messages that define a type; one in both directions defines it once.
 
         Messages with the body of another come last, after the message that defines the body.
         """
-        seen: dict[str, Message] = {}
-        for message in self.messages:
-            seen.setdefault(message.name, message)
+        seen = {name: messages[0] for name, messages in self.named.items()}
 
         def steps(message: Message) -> int:
             return 1 + steps(seen[message.same_as]) if message.same_as in seen else 0

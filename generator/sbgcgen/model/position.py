@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 
-@dataclass(frozen=True, order=True)
+@dataclass(unsafe_hash=True, order=True)
 class Position:
-    """A place in a spec file; line and column count from 1."""
+    """A place in a spec file; line and column count from 1.
+
+    Nothing changes it. It is not `frozen`, because it takes twice as long to make one then, and every
+    node of the spec has one.
+    """
 
     file: str
     line: int = 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from sbgcgen.model import (
@@ -38,18 +38,21 @@ class Places:
     """The places of a message that hold a value, numbered on first use, with their edge values."""
 
     numbers: dict[str, int] = field(default_factory=dict)
-    edges: dict[str, list[Edge]] = field(default_factory=dict)
+    known: dict[str, tuple[int, list[Edge]]] = field(default_factory=dict)
 
     def number(self, path: str) -> int:
         """The number of a place."""
         return self.numbers.setdefault(path, len(self.numbers))
 
-    def edges_at(self, path: str, member: Field, type_: Type) -> list[Edge]:
-        """The edge values of a place."""
-        found = self.edges.get(path)
+    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
+        """The number of a place, and its edge values."""
+        found = self.known.get(path)
         if found is None:
-            found = self.edges[path] = edges(member, type_)
+            found = self.known[path] = (self.number(path), edges(member, type_))
         return found
+
+
+_MOST_CHOSEN = 15  # the text of more is always too long
 
 
 @dataclass
@@ -78,8 +81,7 @@ class Choice:
 
     def why(self) -> str:
         """A description of the chosen values, or only of the round if it would be too long."""
-        some = self.chosen[:30]  # the text of more is always too long
-        text = ", ".join(f"{path} = {name}" for path, name in some)
+        text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
         if not text:
             return "no variable values"
         return text if len(text) <= 100 else f"round {self.round} of edge values of all fields"
@@ -176,17 +178,19 @@ class _Composer:
 
     def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
         values: Fields = {}
+        outside, ends_before = self.conditional, self.choice.ends_before
         for member in fields:
-            if path + member.name == self.choice.ends_before:
+            name = member.name
+            if ends_before and path + name == ends_before:
                 break
-            if member.when and not self._is_present(member.when, {**around, **values}):
-                continue
-            outside, self.conditional = self.conditional, self.conditional or bool(member.when)
-            values[member.name] = self._member(member, fields, path, values)
+            if member.when:
+                if not self._is_present(member.when, {**around, **values}):
+                    continue
+                self.conditional = True
+            values[name] = self._member(member, fields, path, values)
             self.conditional = outside
-        for member in fields:
-            if member.has_hidden_counter and member.name in values:
-                values[member.counter] = max(0, counter_of(member, values[member.name]))
+            if member.has_hidden_counter:
+                values[member.counter] = max(0, counter_of(member, values[name]))
         return values
 
     def _is_present(self, when: Condition, values: Fields) -> bool:
@@ -197,15 +201,19 @@ class _Composer:
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
-        if name in self.choice.example:
-            return self._given(member, self.choice.example[name], f"{name}[]")
-        if self.choice.typical and self._is_typical(member, name):
-            return member.typical
-        if name in self.choice.forced:
-            return self.choice.forced[name]
+        choice = self.choice
+        if choice.typical:
+            if name in choice.example:
+                return self._given(member, choice.example[name], f"{name}[]")
+            if self._is_typical(member, name):
+                return member.typical
+        if name in choice.forced:
+            return choice.forced[name]
         if member.is_counter:
             return 0  # set after its list
         if member.dim == "one":
+            if member.scalar:
+                return self._value(member, name)
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
             return self._value(member, name, around)
         if member.dim not in LISTS:
@@ -239,7 +247,7 @@ class _Composer:
         outside, self.conditional = self.conditional, True
         types = self.choice.context.get(type_.context, [])[: member.capacity]
         numbers = [
-            {name: self._value(replace(member, type=SCALARS[name]), f"{path}[{i}].{name}")}
+            {name: self._value(member, f"{path}[{i}].{name}", type_=SCALARS[name])}
             for i, name in enumerate(types)
         ]
         self.conditional = outside
@@ -268,30 +276,40 @@ class _Composer:
         elif is_bytes(member) or isinstance(member.type, Struct):
             typical = 2
         else:
-            choice.places.number(f"{name}[]")
-            typical = len(choice.places.edges_at(f"{name}[]", member, member.type))
+            typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
         return min(max(typical, member.min_count), documented_length(fields, member))
 
-    def _value(self, member: Field, path: str, around: Any = None) -> Any:
-        type_, choice = member.type, self.choice
-        if isinstance(type_, Struct):
-            return self.fields(type_.fields, f"{path}.", around or {})
-        if isinstance(type_, Blob) and type_.kind == "string":
-            length = choice.lengths.get(path, 0 if choice.short else None)
-            if length is not None:
-                return "".join(chr(65 + i % 26) for i in range(length))
+    def _value(
+        self, member: Field, path: str, around: Any = None, type_: Type | None = None
+    ) -> Any:
+        type_, choice = type_ or member.type, self.choice
+        if not member.scalar:
+            if isinstance(type_, Struct):
+                return self.fields(type_.fields, f"{path}.", around or {})
+            if isinstance(type_, Blob) and type_.kind == "string":
+                length = choice.lengths.get(path, 0 if choice.short else None)
+                if length is not None:
+                    return "".join(chr(65 + i % 26) for i in range(length))
+        if choice.typical:
+            return self._typical(member, type_, path)
+        number, found = choice.places.at(path, member, type_)
+        rounds = len(found)
+        if self.conditional:
+            if rounds > choice.rounds_of_conditional:
+                choice.rounds_of_conditional = rounds
+        elif rounds > choice.rounds_of_free:
+            choice.rounds_of_free = rounds
+        name, value = found[(choice.round + number + self.element) % rounds]
+        if len(choice.chosen) < _MOST_CHOSEN:
+            choice.chosen.append((path, name))
+        return value
+
+    def _typical(self, member: Field, type_: Type, path: str) -> Any:
+        """An ordinary value, or that of the example."""
+        choice = self.choice
         number = choice.places.number(path)
         if path in choice.example:
             return choice.example[path]
-        if choice.typical and member.typical is not None:
+        if member.typical is not None:
             return element_of(member.typical, path)
-        if choice.typical:
-            return typical(member, type_, number + self.element)
-        found = choice.places.edges_at(path, member, type_)
-        if self.conditional:
-            choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
-        else:
-            choice.rounds_of_free = max(choice.rounds_of_free, len(found))
-        name, value = found[(choice.round + number + self.element) % len(found)]
-        choice.chosen.append((path, name))
-        return value
+        return typical(member, type_, number + self.element)

@@ -41,7 +41,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     `context` has the facts from earlier messages: raw values, and lists of type names.
     """
     fixed = message.body.fixed_part
-    size = sum(f.size or 0 for f in fixed)
+    size = message.body.fixed_size
     exact = len(fixed) == len(message.fields) and not message.keeps_tail
     if len(body) < size or (exact and len(body) != size):
         raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))
@@ -87,11 +87,11 @@ def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fie
 
 def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
     if field.dim == "one":
-        if isinstance(field.type, Struct) and field.type.is_region:
+        if not field.scalar and isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
-        return _read_value(field.type, reader, field.name)
+        return _read_one(field, reader)
     if field.dim not in LISTS:
-        return {key: _read_value(field.type, reader, field.name) for key in keys_of(field)}
+        return {key: _read_one(field, reader) for key in keys_of(field)}
     if isinstance(field.type, Announced):
         return _read_announced(context.get(field.type.context, []), reader, field)
     count = _count(field, reader, values)
@@ -99,11 +99,11 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
         return reader.take(count, field.name).hex()
     if count < 0:
         return _read_to_the_end(field, reader)
-    if isinstance(field.type, (Blob, Struct)):
-        return [_read_value(field.type, reader, field.name) for _ in range(count)]
-    scalar = scalar_of(field.type)
-    data = reader.take(count * scalar.size, field.name)
-    return [_number(scalar, data[at : at + scalar.size]) for at in range(0, len(data), scalar.size)]
+    if field.scalar is None:
+        return [_read_one(field, reader) for _ in range(count)]
+    size = field.scalar.size
+    data = reader.take(count * size, field.name)
+    return [_number(field.scalar, data[at : at + size]) for at in range(0, len(data), size)]
 
 
 def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
@@ -111,7 +111,7 @@ def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
     while reader.left():
         if len(elements) == field.capacity:
             raise CodecError("too_long", field.name, reader.at)
-        elements.append(_read_value(field.type, reader, field.name))
+        elements.append(_read_one(field, reader))
     if len(elements) < field.min_count:
         raise CodecError("too_short", field.name, reader.at)
     return elements
@@ -153,6 +153,14 @@ def _size_of(type_: Type) -> int:
     return size
 
 
+def _read_one(field: Field, reader: _Reader) -> Any:
+    """The value of a field, or an element of it."""
+    scalar = field.scalar
+    if scalar:
+        return _number(scalar, reader.take(scalar.size, field.name))
+    return _read_value(field.type, reader, field.name)
+
+
 def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     if isinstance(type_, Struct):
         if type_.size is not None:  # must be complete
@@ -168,7 +176,7 @@ def _number(scalar: Scalar, data: bytes) -> Any:
     number = int.from_bytes(data, "little", signed=scalar.is_signed)
     if scalar.is_float:
         return float_from_bits(number, scalar.size)
-    return integer_of(number, scalar.size)
+    return integer_of(number, scalar.size) if scalar.size == 8 else number
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

@@ -28,6 +28,17 @@ class _Writer:
             raise CodecError("buffer_too_small", field, self.at)
         self.data += data
 
+    def put_number(self, scalar: Scalar, value: Any, field: str) -> None:
+        size = scalar.size
+        try:
+            number = float_to_bits(value, size) if scalar.is_float else int(value)
+            data = number.to_bytes(size, "little", signed=scalar.is_signed)
+        except (OverflowError, ValueError):
+            raise CodecError("value_out_of_range", field, self.at) from None
+        if len(self.data) + size > self.limit:
+            raise CodecError("buffer_too_small", field, self.at)
+        self.data += data
+
 
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     """Encode fields to a body of at most `limit` bytes.
@@ -102,6 +113,9 @@ def counter_of(counted: Field, value: Any) -> int:
 
 
 def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
+    if field.dim == "one" and field.scalar:
+        writer.put_number(field.scalar, value, name)
+        return
     if field.counting == "bits":
         count = len(value) // 2 if is_bytes(field) else len(value)
         if count != bin(int(around[field.counter])).count("1"):
@@ -126,7 +140,10 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
         writer.put(data, name)
     elif field.type == SCALARS["u8"]:  # written at once, so all of them fit or none
         _check_count(field, len(value), name, writer)
-        writer.put(b"".join(_number(SCALARS["u8"], v, writer, name) for v in value), name)
+        try:
+            writer.put(bytes(map(int, value)), name)
+        except (OverflowError, ValueError):
+            raise CodecError("value_out_of_range", name, writer.at) from None
     else:
         _check_count(field, len(value), name, writer)
         _write_all(field, value, writer, name)
@@ -135,13 +152,11 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
     """Write elements; of a member of fixed size, all elements fit or none."""
     inner = writer if field.size is None else _Writer(field.size, writer.at)
-    if isinstance(field.type, (Blob, Struct)):
-        for element in elements:
+    for element in elements:
+        if field.scalar:
+            inner.put_number(field.scalar, element, name)
+        else:
             _write_value(field.type, element, inner, name)
-    else:
-        scalar = scalar_of(field.type)
-        for element in elements:
-            inner.put(_number(scalar, element, inner, name), name)
     if inner is not writer:
         writer.put(bytes(inner.data), name)
 
@@ -170,16 +185,7 @@ def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
     elif isinstance(type_, Blob):
         _write_blob(type_, value, writer, name)
     else:
-        writer.put(_number(scalar_of(type_), value, writer, name), name)
-
-
-def _number(scalar: Scalar, value: Any, writer: _Writer, name: str) -> bytes:
-    try:
-        if scalar.is_float:
-            return float_to_bits(value, scalar.size).to_bytes(scalar.size, "little")
-        return int(value).to_bytes(scalar.size, "little", signed=scalar.is_signed)
-    except (OverflowError, ValueError):
-        raise CodecError("value_out_of_range", name, writer.at) from None
+        writer.put_number(scalar_of(type_), value, name)
 
 
 def _write_blob(type_: Blob, value: str, writer: _Writer, name: str) -> None:

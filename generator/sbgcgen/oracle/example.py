@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from sbgcgen.model import (
@@ -85,7 +86,7 @@ class Example:
     trailer: bytes
     read: Example | None = None
 
-    @property
+    @cached_property
     def changed(self) -> frozenset[str]:
         """The paths of the values that differ from those in `read`."""
         before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}
@@ -245,8 +246,10 @@ class _ValueReader:
     def _name(self, enum: Enum, value: int) -> str:
         """The name of a value; for two commands with the same id, that of the request."""
         names = [v.name for v in enum.values if v.value == value]
+        if len(names) < 2:
+            return "".join(names)
         to_board = {m.command for m in self.layout.messages if m.direction == "to_board"}
-        return next((name for name in names if name in to_board), names[0] if names else "")
+        return next((name for name in names if name in to_board), names[0])
 
     def _variable(self, value: int, number: Any) -> str:
         known = next((v for v in self.layout.variables if v.id == number), None)

@@ -69,10 +69,15 @@ def integer_of(value: int, size: int) -> int:
 def plain(value: Any) -> Any:
     """Fields for json.dumps."""
     if isinstance(value, dict):
-        return {key: plain(inner) for key, inner in value.items()}
+        return {
+            key: inner if type(inner) in _PLAIN else plain(inner) for key, inner in value.items()
+        }
     if isinstance(value, list):
-        return [plain(inner) for inner in value]
+        return [inner if type(inner) in _PLAIN else plain(inner) for inner in value]
     return str(value) if isinstance(value, Wide) else value
+
+
+_PLAIN = {int, float, str}
 
 
 def to_json(value: Any) -> str:
@@ -80,4 +85,4 @@ def to_json(value: Any) -> str:
     return _ENCODER.encode(value) + "\n"
 
 
-_ENCODER = json.JSONEncoder(separators=(",", ":"))
+_ENCODER = json.JSONEncoder(check_circular=False, separators=(",", ":"))

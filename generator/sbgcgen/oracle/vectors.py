@@ -24,6 +24,7 @@ from sbgcgen.oracle.compose import (
 )
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.remember import remember
 from sbgcgen.oracle.room import has_room
 
 
@@ -57,6 +58,7 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
     return maker.vectors
 
 
+@remember
 def typical_vector(message: Message) -> Vector:
     """The first vector that can be decoded, which has typical values."""
     maker = _Maker(message)
@@ -73,7 +75,7 @@ class _Maker:
     def __init__(self, message: Message) -> None:
         self.message = message
         self.vectors: list[Vector] = []
-        self.seen: set[str] = set()
+        self.seen: set[tuple[str, str]] = set()
         self.places = Places()
 
     def readable(self) -> list[Vector]:
@@ -185,7 +187,9 @@ class _Maker:
         """Truncated bodies, one for each distinct error, and one body that is too long."""
         context, whole = self.whole()
         reported: set[tuple[str, str]] = set()
-        for size in (len(whole) + 1, *range(len(whole) - 1, -1, -1)):
+        # All bodies that are shorter than the fixed part have the same error.
+        least = max(0, self.message.body.fixed_size - 1)
+        for size in (len(whole) + 1, *range(len(whole) - 1, least - 1, -1)):
             body = (whole + b"\x5a")[:size]
             try:
                 decode(self.message, body, context)
@@ -271,12 +275,14 @@ class _Maker:
 
     def add_body(self, body: bytes, context: Fields, why: str) -> None:
         """Add a body with its fields or the error of decoding it."""
+        if not self._is_new(body, context):
+            return
         try:
             fields = decode(self.message, body, context)
         except CodecError as error:
-            self._add(Vector(self.message, why, body, None, context, error))
+            self.vectors.append(Vector(self.message, why, body, None, context, error))
         else:
-            self._add(Vector(self.message, why, body, fields, context))
+            self.vectors.append(Vector(self.message, why, body, fields, context))
 
     def add_refused(self, fields: Fields, why: str) -> None:
         """Add fields with the error of encoding them, if there is one and they can be held."""
@@ -285,13 +291,15 @@ class _Maker:
         try:
             encode(self.message, fields)
         except CodecError as error:
-            self._add(Vector(self.message, why, None, fields, {}, error))
+            if self._is_new(fields, {}):
+                self.vectors.append(Vector(self.message, why, None, fields, {}, error))
 
-    def _add(self, vector: Vector) -> None:
-        key = repr((vector.body if vector.body is not None else vector.fields, vector.context))
-        if key not in self.seen:
-            self.seen.add(key)
-            self.vectors.append(vector)
+    def _is_new(self, given: bytes | Fields, context: Fields) -> bool:
+        key = repr(given), repr(context)
+        if key in self.seen:
+            return False
+        self.seen.add(key)
+        return True
 
 
 class _Random:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Iterator
 
@@ -26,6 +27,7 @@ MAIN_FILE = "simplebgc.yaml"
 SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
+_WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
 _HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
 
 
@@ -55,6 +57,11 @@ class Spec:
     families: dict[str, Map] = field(default_factory=dict)
     errata: Map = field(default_factory=lambda: _empty(Position("spec/errata.yaml")))
     files: list[Path] = field(default_factory=list)
+
+    @cached_property
+    def maps(self) -> dict[str, list[Map]]:
+        """The mappings in each family, in file order."""
+        return {family: maps_in(content) for family, content in self.families.items()}
 
     def entries(self, section: str) -> Iterator[tuple[str, str, Any, Position]]:
         """Every (family, name, value, position) of one section, in file order."""
@@ -91,11 +98,15 @@ def _scalar(node: yaml.ScalarNode) -> Any:
     if node.style in ("'", '"', "|", ">"):
         return node.value
     text = str(node.value)
+    if text in _WORDS:
+        return _WORDS[text]
+    if text[0] not in "+-0123456789":
+        return text
     if _INT.match(text):
         return int(text)
     if _HEX.match(text):
         return int(text, 16)
-    return {"true": True, "false": False, "null": None, "~": None, "": None}.get(text, text)
+    return text
 
 
 class _Loader(_SafeLoader):

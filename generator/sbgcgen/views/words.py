@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from sbgcgen.model import (
@@ -28,8 +29,33 @@ from sbgcgen.views.framing import crc_text, frame_parts, sums_in
 
 
 def to_json(value: Any) -> str:
-    """A value as JSON, indented by two spaces, in insertion order."""
-    return json.dumps(value, indent=2, ensure_ascii=False)
+    """A value as JSON, indented by two spaces, in insertion order.
+
+    It is what json.dumps() writes, which takes twice as long for indented text.
+    """
+    return _indented(value, "\n")
+
+
+def _indented(value: Any, line: str) -> str:
+    """A value whose lines begin with `line`."""
+    if isinstance(value, str):
+        return _quoted(value)
+    if value is None or value is True or value is False:
+        return _WORDS[value]
+    if isinstance(value, int):
+        return str(value)
+    inner = line + "  "
+    if isinstance(value, dict) and value:
+        items = [f"{_quoted(name)}: {_indented(item, inner)}" for name, item in value.items()]
+        return f"{{{inner}{f',{inner}'.join(items)}{line}}}"
+    if isinstance(value, (list, tuple)) and value:
+        items = [_indented(item, inner) for item in value]
+        return f"[{inner}{f',{inner}'.join(items)}{line}]"
+    return json.dumps(value)
+
+
+_WORDS = {None: "null", True: "true", False: "false"}
+_quoted = cache(json.JSONEncoder(ensure_ascii=False).encode)
 
 
 def number(value: Fraction) -> str:

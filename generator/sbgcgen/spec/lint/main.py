@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 
 from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
@@ -72,10 +73,9 @@ def _check_lines(spec: Spec, found: Diagnostics) -> None:
 
 
 def _places(spec: Spec) -> Iterator[tuple[str, Position]]:
-    for content in (spec.main, *spec.families.values()):
-        for node in maps_in(content):
-            if isinstance(node.get("source"), str):
-                yield node["source"], node.at("source")
+    for node in (*maps_in(spec.main), *chain(*spec.maps.values())):
+        if isinstance(node.get("source"), str):
+            yield node["source"], node.at("source")
     for node in spec.errata.get("errata", Map()).values():
         lines = node.get("lines", List())
         yield from zip(map(str, lines), lines.items_at if isinstance(lines, List) and lines else ())

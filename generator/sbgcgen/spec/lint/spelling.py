@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from sbgcgen.model import COMMAND_IDS, Position
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.spec.load import Map, Spec, maps_in
+from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.types import VARIABLE_ID
 
 # Types of the spec begin with an upper-case letter, built-in ones do not.
@@ -24,8 +24,8 @@ def lint_spelling(spec: Spec, found: Diagnostics) -> None:
     leaf_types = {*COMMAND_IDS.values(), VARIABLE_ID}
     for section in ("quantities", "enums", "flags", "packed"):
         leaf_types.update(name for _, name, _, _ in spec.entries(section))
-    for content in spec.families.values():
-        for field in _fields(content):
+    for nodes in spec.maps.values():
+        for field in _fields(nodes):
             type_ = str(field.get("type", ""))
             if type_ in leaf_types or _BUILT_IN.match(type_):
                 name = _BRACKETS.sub("", str(field["name"]))
@@ -37,9 +37,9 @@ def lint_spelling(spec: Spec, found: Diagnostics) -> None:
             _check_prefix(name, node, found)
 
 
-def _fields(content: Map) -> Iterator[Map]:
+def _fields(nodes: list[Map]) -> Iterator[Map]:
     """The named fields of all lists of fields."""
-    for node in maps_in(content):
+    for node in nodes:
         fields = node.get("fields")
         for item in fields if isinstance(fields, list) else ():
             if isinstance(item, Map) and "name" in item:

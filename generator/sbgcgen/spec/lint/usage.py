@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import chain
 
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec, maps_in
@@ -32,7 +33,7 @@ def lint_unused(spec: Spec, found: Diagnostics) -> None:
 
 
 def _all_maps(spec: Spec) -> list[Map]:
-    return [node for content in (spec.main, *spec.families.values()) for node in maps_in(content)]
+    return [*maps_in(spec.main), *chain(*spec.maps.values())]
 
 
 def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:

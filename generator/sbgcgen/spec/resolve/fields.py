@@ -26,7 +26,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map, Spec, maps_in
+from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
@@ -469,8 +469,8 @@ class FieldResolver:
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
-    for family, content in spec.families.items():
-        for node in maps_in(content):
+    for family, nodes in spec.maps.items():
+        for node in nodes:
             if "struct" in node and "fields" in node:
                 yield family, node
 

@@ -15,7 +15,10 @@ LINE = 100  # columns
 
 def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -> str:
     """Text as comment lines, wrapped; the first line is not indented."""
-    lines = textwrap.wrap(text.replace("??", "? ?"), width - indent - len(mark)) or [""]
+    text = " ".join(text.replace("??", "? ?").split())
+    room = width - indent - len(mark)
+    # Most texts fit on a line, and wrap() takes long.
+    lines = [text] if len(text) <= room else textwrap.wrap(text, room)
     # A backslash at the end of a line would make the next one part of the comment.
     lines = [f"{line} ." if line.endswith("\\") else line for line in lines]
     return f"\n{' ' * indent}".join((mark + line).rstrip() for line in lines)
@@ -29,8 +32,11 @@ def c_string(text: str) -> str:
 def statement(text: str, indent: int) -> str:
     """A statement on as many lines as it needs, with this indent."""
     first = " " * indent
+    text = " ".join(text.split())
+    if indent + len(text) <= LINE:
+        return first + text
     return textwrap.fill(
-        text.strip(),
+        text,
         LINE,
         initial_indent=first,
         subsequent_indent=first + " " * 4,

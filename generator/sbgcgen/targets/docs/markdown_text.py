@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 from sbgcgen.model import EnumValue, Message, Packed
 
@@ -18,8 +19,12 @@ _WIDEST = 240
 
 def escape(text: str) -> str:
     """Escape text for a paragraph or a table cell."""
-    text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return re.sub(r"([\\`*_{}\[\]|~#])", r"\\\1", text)
+    return " ".join(text.split()).translate(_ESCAPED)
+
+
+_ESCAPED = str.maketrans(
+    {"&": "&amp;", "<": "&lt;", ">": "&gt;", **{mark: f"\\{mark}" for mark in r"\`*_{}[]|~#"}}
+)
 
 
 def code(text: str) -> str:
@@ -28,6 +33,7 @@ def code(text: str) -> str:
     return f"{fence}{text}{fence}".replace("|", "\\|") if text else ""
 
 
+@cache
 def anchor(title: str) -> str:
     """The anchor that GitHub gives a heading."""
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
@@ -98,14 +104,14 @@ def _row(cells: list[_Cell], is_open: bool) -> str:
 
 def _rule(above: list[_Cell], below: list[_Cell]) -> str:
     """The line between two rows of cells, with a corner at each end of a cell."""
-    corners = {at * _CELL for cell in (*above, *below) for at in (cell.start, cell.end)}
-    drawn = {
-        at for cell in (*above, *below) for at in range(cell.start * _CELL, cell.end * _CELL + 1)
-    }
-    line = "".join(
-        "+" if at in corners else "-" if at in drawn else " " for at in range(_ROW * _CELL + 1)
-    )
-    return "     " + line
+    line = [" "] * (_ROW * _CELL + 1)
+    cells = (*above, *below)
+    for cell in cells:
+        begin, end = cell.start * _CELL, cell.end * _CELL
+        line[begin:end] = "-" * (end - begin)
+    for cell in cells:
+        line[cell.start * _CELL] = line[cell.end * _CELL] = "+"
+    return "     " + "".join(line)
 
 
 def bit_map(packed: Packed) -> str:

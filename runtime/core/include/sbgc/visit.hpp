@@ -27,8 +27,10 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
                 "this visitor, or a function of it, accepts no message: let it take one as in "
                 "[](const sbgc::msg::Control& control) { ... }");
   Status status{};
-  const Code code = select(direction, id, body.size(), [&]<class M>(Type<M>) {
+  // By value, as pointer and size: to read a span just written, as one of 16 bytes, would stall.
+  const auto decode_and_call = [&, data = body.data(), size = body.size()]<class M>(Type<M>) {
     if constexpr (Accepted::template has<M>) {
+      const std::span<const std::uint8_t> body(data, size);
       M message;
       if constexpr (requires { contexts.of(message); }) {
         status = decode(body, message, contexts.of(message));
@@ -37,7 +39,8 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
       }
       if (status) visitor(std::as_const(message));
     }
-  });
+  };
+  const Code code = select(direction, id, body.size(), decode_and_call);
   return code == Code::ok ? status : Status{code};
 }
 

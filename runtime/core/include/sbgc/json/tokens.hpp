@@ -99,6 +99,7 @@ class JsonBytes {
 };
 
 inline bool operator==(const JsonString& string, const char* text) {
+  if (!string.has_escapes) return string.raw == text;
   JsonBytes bytes(string);
   for (; *text != '\0'; ++text) {
     if (bytes.next() != static_cast<std::uint8_t>(*text)) return false;
