@@ -65,8 +65,7 @@ bool has_remark(const Row& row) { return !row.meaning.empty() || !row.objection.
 
 /// Writes a raw value in a column of `width` bytes.
 void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
-  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(raw.begin(), raw.end(), is_ascii)) {
+  if (!raw.starts_with('"')) {  // only quoted text has other characters than ASCII
     out.put(raw);
     out.put(' ', width - raw.size());
   } else {

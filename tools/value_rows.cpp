@@ -2,7 +2,32 @@
 
 namespace sbgc::tools {
 
-void ValueRows::begin() {
+bool PathText::is_of(const FieldPath& path) const {
+  const FieldPath* at = &path;
+  for (const Level& level : levels_) {
+    if (at == nullptr) return level.name == nullptr;
+    if (at->name != level.name || at->index != level.index) return false;
+    at = at->parent;
+  }
+  return at == nullptr;
+}
+
+std::string_view PathText::of(const FieldPath& path) {
+  if (is_of(path)) return text_;
+  levels_ = {};
+  const FieldPath* at = &path;
+  for (Level& level : levels_) {
+    if (at == nullptr) break;
+    level = {at->name, at->index};
+    at = at->parent;
+  }
+  if (at != nullptr) levels_ = {};  // too deep to recognize
+  text_ = to_string(path);
+  return text_;
+}
+
+void ValueRows::begin(const MessageInfo& info) {
+  paths_ = &paths_of_messages_[&info];
   text_.clear();
   places_.clear();
   size_ = 0;
@@ -15,9 +40,9 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   row.objection.clear();
   row.offset = leaf.offset;
   row.size = leaf.size;
+  if (paths_->size() < size_) paths_->emplace_back();
+  row.path = (*paths_)[size_ - 1].of(leaf.path);
   Place place{};
-  place.path = out.size();
-  put_path(out, leaf.path);
   place.raw = out.size();
   put_raw(out, leaf);
   place.meaning = out.size();
@@ -27,12 +52,11 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
 }
 
 void ValueRows::end() {
-  const std::string_view text = text_;
+  const char* const text = text_.data();
   for (std::size_t i = 0; i < size_; ++i) {
     const Place& place = places_[i];
-    rows_[i].path = text.substr(place.path, place.raw - place.path);
-    rows_[i].raw = text.substr(place.raw, place.meaning - place.raw);
-    rows_[i].meaning = text.substr(place.meaning, place.end - place.meaning);
+    rows_[i].raw = {text + place.raw, place.meaning - place.raw};
+    rows_[i].meaning = {text + place.meaning, place.end - place.meaning};
   }
 }
 

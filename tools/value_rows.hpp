@@ -1,11 +1,14 @@
 /// The values of a message in readable form.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <sbgc/text.hpp>
@@ -23,13 +26,32 @@ struct Row {
   std::size_t size{};        ///< size of the value in bytes
 };
 
+/// The text of a path, as long as the path stays the same.
+class PathText {
+ public:
+  /// Returns the text of `path`, valid until the path changes.
+  std::string_view of(const FieldPath& path);
+
+ private:
+  /// The path from the innermost name on. Names are literals, so equal pointers are equal names.
+  struct Level {
+    const char* name{};
+    std::size_t index{};
+  };
+
+  bool is_of(const FieldPath& path) const;
+
+  std::array<Level, 6> levels_{};
+  std::string text_{};
+};
+
 /// The values of one message after another. Keeps its memory.
 class ValueRows {
  public:
   /// Replaces the rows by those of a message, without reserved values that are 0.
   template <class M>
   void assign(const M& message, const Availability& versions) {
-    begin();
+    begin(Meta<M>::info);
     {
       StringOutput out(text_);
       for_each_leaf(message, Adder{*this, out});
@@ -45,7 +67,6 @@ class ValueRows {
  private:
   /// Where the texts of a row are, one after another.
   struct Place {
-    std::size_t path;
     std::size_t raw;
     std::size_t meaning;
     std::size_t end;
@@ -63,11 +84,14 @@ class ValueRows {
     void operator()(const Violation& violation) const { rows.object(violation); }
   };
 
-  void begin();
+  void begin(const MessageInfo& info);
   void add(const Leaf& leaf, StringOutput& out);
   void end();
   void object(const Violation& violation);
 
+  // The paths of a message rarely change from one frame to the next.
+  std::unordered_map<const MessageInfo*, std::deque<PathText>> paths_of_messages_;
+  std::deque<PathText>* paths_ = nullptr;  // of the message
   std::string text_;
   std::vector<Place> places_;
   std::vector<Row> rows_;  // the first size_

@@ -108,6 +108,7 @@ class TextOutput {
 template <class Take>
 class PiecewiseOutput final : public TextOutput {
  public:
+  // NOLINTNEXTLINE(*-member-init): only what is written to the buffer is read
   explicit PiecewiseOutput(Take& take) : take_(take) {
     at_ = buffer_.data();
     end_ = at_ + buffer_.size();
@@ -125,7 +126,7 @@ class PiecewiseOutput final : public TextOutput {
   void make_room() override { finish(); }
 
   Take& take_;
-  std::array<char, 512> buffer_;  // NOLINT(*-member-init): only what is written is read
+  std::array<char, 512> buffer_;
 };
 
 /// Appends the text to a string.

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -91,7 +92,7 @@ class FloatName {
   template <class Float>
   explicit FloatName(Float value) {
     add(value > 0 ? "inf" : value < 0 ? "-inf" : "nan:");
-    if (value == value) return;
+    if (!std::isnan(value)) return;
     const auto bits = std::bit_cast<FloatBits<Float>>(value);
     for (std::size_t shift = 8 * sizeof value; shift != 0; shift -= 4) {
       name_[size_++] = "0123456789abcdef"[bits >> (shift - 4) & 15U];
@@ -118,7 +119,7 @@ std::optional<Float> float_of_name(std::string_view text) {
   const char* const all = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
   const auto value = std::bit_cast<Float>(bits);
-  if (error != std::errc{} || end != all || value == value) return std::nullopt;
+  if (error != std::errc{} || end != all || !std::isnan(value)) return std::nullopt;
   return value;
 }
 

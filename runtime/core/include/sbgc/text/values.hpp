@@ -47,15 +47,18 @@ std::string text_of(Use&& use) {
 /// Formats as printf("%.6g"): a number with six significant digits. (std::to_chars would enlarge
 /// the WebAssembly decoder by a third.)
 inline void put_general(TextOutput& out, double value) {
-  constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+  static constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
   constexpr int one = 4;  // the index of 1e0
   const double size = value < 0 ? -value : value;
-  if (std::bit_cast<std::uint64_t>(value) == 0) return out.put('0');
+  if (size < powers[one + 6] && size == static_cast<std::int32_t>(size) &&
+      std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(-0.0)) {
+    return out.put(static_cast<std::int32_t>(value));
+  }
   if (!(size >= powers[0] && size < powers[one + 6])) return out.put(printed(value, 6));
   int exponent = 0;  // of the first digit
   while (size < powers[one + exponent]) --exponent;
   while (size >= powers[one + exponent + 1]) ++exponent;
-  constexpr double scales[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+  static constexpr double scales[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
   const double scale = scales[5 - exponent];
   const double scaled = size * scale;
   auto digits = static_cast<std::uint32_t>(scaled);
@@ -73,23 +76,28 @@ inline void put_general(TextOutput& out, double value) {
     digits /= 10;
     ++exponent;
   }
-  char text[6];
-  for (int i = 5; i >= 0; --i, digits /= 10) text[i] = static_cast<char>('0' + digits % 10);
-  int last = 5;
-  while (text[last] == '0') --last;
-  char* at = out.room(16);
-  if (value < 0) *at++ = '-';
-  if (exponent < 0) {
-    *at++ = '0';
-    *at++ = '.';
-    for (int i = exponent + 1; i < 0; ++i) *at++ = '0';
-    for (int i = 0; i <= last; ++i) *at++ = text[i];
-  } else {
-    for (int i = 0; i <= exponent; ++i) *at++ = text[i];
-    if (last > exponent) *at++ = '.';
-    for (int i = exponent + 1; i <= last; ++i) *at++ = text[i];
+  // Copies 8 characters at a time, and then ends the text where it is to end.
+  constexpr std::size_t chunk = 8;
+  char text[2 * chunk]{};
+  std::uint64_t fixed = (std::uint64_t{digits} << 32) / 100'000 + 1;  // as 2.71828, with 32 bits
+  for (int i = 0; i < 6; ++i, fixed = (fixed & 0xFFFF'FFFF) * 10) {
+    text[i] = static_cast<char>('0' + (fixed >> 32));
   }
-  out.advance(at);
+  int size_of_digits = 6;
+  while (text[size_of_digits - 1] == '0') --size_of_digits;
+  char* at = out.room(TextOutput::longest_number);
+  if (value < 0) *at++ = '-';
+  const int before_point = exponent + 1;
+  if (before_point <= 0) {
+    std::memcpy(at, "0.000000", chunk);
+    std::memcpy(at + 2 - before_point, text, chunk);
+    return out.advance(at + 2 - before_point + size_of_digits);
+  }
+  std::memcpy(at, text, chunk);
+  if (size_of_digits <= before_point) return out.advance(at + before_point);
+  at[before_point] = '.';
+  std::memcpy(at + before_point + 1, text + before_point, chunk);
+  out.advance(at + size_of_digits + 1);
 }
 
 /// Formats a number: integers in full, others with six significant digits.
