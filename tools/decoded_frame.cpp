@@ -163,13 +163,13 @@ void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* 
       put_objections(out, decoded);
     }
   } else {
-    out.put(",\"error\":{\"code\":");
+    out.put(R"(,"error":{"code":)");
     put_name(out, name(decoded.status.code));
     out.put(",\"field\":");
     put_json_string(out, decoded.error_field);
     out.put(",\"offset\":");
     out.put(decoded.status.offset);
-    out.put("},\"body\":\"");
+    out.put(R"(},"body":")");
     out.put_hex(frame.body);
     out.put('"');
   }

@@ -7,13 +7,12 @@
 namespace sbgc::tools {
 
 StandardOutput::StandardOutput() : block_(65536) {
-  at_ = block_.data();
-  end_ = at_ + block_.size();
+  provide(block_.data(), block_.data() + block_.size());
 }
 
 void StandardOutput::flush() {
-  const auto size = static_cast<std::size_t>(at_ - block_.data());
-  at_ = block_.data();
+  const auto size = static_cast<std::size_t>(end_of_text() - block_.data());
+  provide(block_.data(), block_.data() + block_.size());
   const bool is_written = std::fwrite(block_.data(), 1, size, stdout) == size;
   if (!is_written || std::fflush(stdout) != 0) {
     throw std::runtime_error("cannot write to the standard output");

@@ -42,6 +42,11 @@ namespace detail {
 /// A sink of JsonWriter that builds a value.
 class JsonDomSink {
  public:
+  JsonDomSink() noexcept(false) {}  // NOLINT(modernize-use-equals-default): Json() may throw
+  JsonDomSink(const JsonDomSink&) = delete;
+  JsonDomSink& operator=(const JsonDomSink&) = delete;
+  ~JsonDomSink() = default;
+
   void begin_object() { open(Json::object()); }
   void end_object() { parents_.pop_back(); }
   void begin_list() { open(Json::array()); }

@@ -78,12 +78,14 @@ class TextOutput {
   TextOutput() = default;
   ~TextOutput() = default;
 
-  /// Takes the text up to `at_`, and sets `at_` and `end_` to free memory of at least
-  /// longest_number characters.
+  /// Takes the text up to end_of_text(), and provides free memory of at least longest_number
+  /// characters.
   virtual void make_room() = 0;
-
-  char* at_ = nullptr;
-  char* end_ = nullptr;
+  void provide(char* begin, char* end) {
+    at_ = begin;
+    end_ = end;
+  }
+  char* end_of_text() const { return at_; }
 
  private:
   // Not inlined, to reduce compile time.
@@ -102,31 +104,30 @@ class TextOutput {
   }
 
   std::size_t free() const { return static_cast<std::size_t>(end_ - at_); }
+
+  char* at_ = nullptr;
+  char* end_ = nullptr;
 };
 
 /// Calls `take(std::string_view)` with pieces of the text.
 template <class Take>
 class PiecewiseOutput final : public TextOutput {
  public:
-  // NOLINTNEXTLINE(*-member-init): only what is written to the buffer is read
-  explicit PiecewiseOutput(Take& take) : take_(take) {
-    at_ = buffer_.data();
-    end_ = at_ + buffer_.size();
-  }
+  explicit PiecewiseOutput(Take& take) : take_(take) { provide_buffer(); }
 
   /// Passes the rest on. Must be called at the end.
   void finish() {
-    if (at_ != buffer_.data()) {
-      take_(std::string_view(buffer_.data(), static_cast<std::size_t>(at_ - buffer_.data())));
-    }
-    at_ = buffer_.data();
+    const auto size = static_cast<std::size_t>(end_of_text() - buffer_.data());
+    if (size != 0) take_(std::string_view(buffer_.data(), size));
+    provide_buffer();
   }
 
  private:
   void make_room() override { finish(); }
+  void provide_buffer() { provide(buffer_.data(), buffer_.data() + buffer_.size()); }
 
   Take& take_;
-  std::array<char, 512> buffer_;
+  std::array<char, 512> buffer_{};
 };
 
 /// Appends the text to a string.
@@ -138,14 +139,13 @@ class StringOutput final : public TextOutput {
   void finish() { text_.resize(size()); }
 
   /// Returns the size of the string so far.
-  std::size_t size() const { return static_cast<std::size_t>(at_ - text_.data()); }
+  std::size_t size() const { return static_cast<std::size_t>(end_of_text() - text_.data()); }
 
  private:
   void make_room() override { grow(size()); }
   void grow(std::size_t size) {
     text_.resize(2 * size + 1024);
-    at_ = text_.data() + size;
-    end_ = text_.data() + text_.size();
+    provide(text_.data() + size, text_.data() + text_.size());
   }
 
   std::string& text_;

@@ -55,8 +55,8 @@ class JsonReader {
   /// of them.
   struct Members {
     JsonReader& reader;
-    const FieldPath* parent;
-    Scope scope;
+    const FieldPath* parent = nullptr;
+    Scope scope{};
     JsonString key{};
     bool has_key = false;     // of a member that is not read yet
     bool has_read = false;    // a member in this pass

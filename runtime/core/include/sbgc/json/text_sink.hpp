@@ -31,7 +31,7 @@ struct Digits {
     while (size > 1 && digits[size - 1] == '0') --size;
   }
 
-  char digits[17];  // NOLINT(*-member-init): the first `size`
+  char digits[17] = {};
   int size = 0;
   int exponent = 0;
 

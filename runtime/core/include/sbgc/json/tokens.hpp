@@ -72,7 +72,7 @@ class JsonBytes {
   }
 
   int unicode() {
-    std::uint32_t code = static_cast<std::uint32_t>(hex4(rest_));
+    auto code = static_cast<std::uint32_t>(hex4(rest_));
     rest_.remove_prefix(4);
     if (code >= 0xD800 && code < 0xDC00) {
       code = 0x10000 +
