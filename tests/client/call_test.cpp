@@ -144,6 +144,7 @@ TEST_F(Call, SendsTheLengthThatTheFirmwareExpects) {
     EXPECT_EQ(
         refused.error().message,
         "CMD_ENCODERS_CALIB_OFFSET_4: for_motor: needs firmware 2.68b7, the board has 2.68b6");
+    EXPECT_TRUE(board.wait_for<msg::EncodersCalibOffset4>(1)) << "before the line changes";
   }
   Client client = connect_to_firmware(2687);
   board.on<msg::EncodersCalibOffset4>([&](const msg::EncodersCalibOffset4& arrived) {

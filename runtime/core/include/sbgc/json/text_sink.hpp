@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <version>
@@ -41,10 +42,16 @@ struct Digits {
 #if defined(__cpp_lib_to_chars)
     return std::to_chars(begin, end, value, std::chars_format::scientific).ptr;
 #else
-    for (int digits = 14;; ++digits) {
+    // Any 15 digits are distinct, except those of subnormal numbers.
+    for (int digits = value < std::numeric_limits<double>::min() ? 0 : 14;; ++digits) {
       const int size =
           std::snprintf(begin, static_cast<std::size_t>(end - begin), "%.*e", digits, value);
       if (digits == 16 || std::strtod(begin, nullptr) == value) return begin + size;
+      // A power of two is nearer to its neighbor below: only the digits above it may be right.
+      char& last = begin[digits == 0 ? 0 : digits + 1];
+      if (last == '9') continue;
+      ++last;
+      if (std::strtod(begin, nullptr) == value) return begin + size;
     }
 #endif
   }
