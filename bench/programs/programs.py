@@ -90,7 +90,7 @@ def main(arguments: list[str]) -> int:
         print(__doc__, file=sys.stderr)
         return 2
     sbgc, build = arguments[quick:]
-    repetitions = 1 if quick else 5
+    repetitions = 1 if quick else 3
     with tempfile.TemporaryDirectory(dir=build) as name:
         folder = Path(name)
         entries = [
