@@ -205,6 +205,8 @@ def main() -> int:
     for path in arguments.files:
         document = json.loads(path.read_text(encoding="utf-8"))
         figures.update((figure.name, figure) for figure in read_figures(document))
+    order = sorted(figures.values(), key=lambda f: (f.group, f.case != BASELINE, f.case))
+    figures = {figure.name: figure for figure in order}
     print_table(figures, bars)
     print_verdict(figures, bars)
     if arguments.svg:
