@@ -1,7 +1,10 @@
 // Tests of text output: to_string(), {fmt} and streams.
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <limits>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,6 +14,7 @@
 #include <sbgc/fmt.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/ostream.hpp>
+#include <sbgc/text/values.hpp>
 
 #include "any_message.hpp"
 
@@ -107,6 +111,31 @@ TEST(Text, ReservedBytesAreShownIfTheyAreUsed) {
 TEST(Text, TextsAreQuotedAndHarmless) {
   EXPECT_EQ(detail::quoted("Fußgänger \"1\""), "\"Fußgänger \\\"1\\\"\"");
   EXPECT_EQ(detail::quoted("a\x1b[2J\n\x7f\xc2\x9b\\"), "\"a\\u001b[2J\\n\\u007f\\u009b\\\\\"");
+}
+
+/// Compares the text of a number with what printf("%.6g") writes.
+void expect_as_printed(double value) {
+  const std::string text =
+      detail::text_of([&](TextOutput& out) { detail::put_general(out, value); });
+  char printed[32];
+  std::snprintf(printed, sizeof printed, "%.6g", value);
+  ASSERT_EQ(text, printed);
+}
+
+TEST(Text, NumbersAreAsPrintfWritesThem) {
+  std::mt19937 random(1);
+  for (const double scale :
+       {1e-6, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 360.0 / 16384, 4000.0 / 32767}) {
+    for (int i = 0; i < 20'000; ++i) {
+      expect_as_printed((static_cast<double>(random()) - 0x8000'0000) * scale);
+      expect_as_printed(static_cast<std::int16_t>(random()) * scale);
+    }
+  }
+  // Halves between two results, and numbers that round up to another digit.
+  for (int i = 0; i < 100'000; ++i) expect_as_printed(100'000 + i * 0.5);
+  for (const double value : {0.0, -0.0, 999999.5, 99999.95, 9.999995, 0.000099999949, 1e-5, 1e6}) {
+    expect_as_printed(value);
+  }
 }
 
 TEST(Text, FloatsHaveAllTheirDigits) {

@@ -108,15 +108,8 @@ inline std::string value_text(const Leaf& leaf) {
 
 /// Writes the path of a value, such as "params[3].param_id".
 inline void put_path(TextOutput& out, const FieldPath& path) {
-  if (path.parent != nullptr) put_path(out, *path.parent);
-  if (*path.name == '\0') {
-    out.put('[');
-    out.put(path.index);
-    out.put(']');
-  } else {
-    if (path.parent != nullptr) out.put('.');
-    out.put(path.name);
-  }
+  char buffer[128];
+  out.put(std::string_view(buffer, path.write(buffer, sizeof buffer)));
 }
 inline std::string to_string(const FieldPath& path) {
   return detail::text_of([&](TextOutput& out) { put_path(out, path); });
