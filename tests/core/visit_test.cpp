@@ -148,6 +148,20 @@ TEST(Visit, AVisitorMayHaveAStateOfItsOwn) {
   EXPECT_TRUE(visit(*Framed(moved), Direction::to_board, mutable_lambda));
 }
 
+TEST(Visit, AVisitorMayOverwriteTheBody) {
+  std::array<std::uint8_t, max_body_size> body{};
+  const std::size_t size = encode(moved, body).size;
+  msg::Control seen{};
+  const Status status =
+      visit(static_cast<std::uint8_t>(msg::Control::command), std::span(body).first(size),
+            Direction::to_board, [&](const msg::Control& control) {
+              body.fill(0xFF);
+              seen = control;
+            });
+  EXPECT_TRUE(status);
+  EXPECT_EQ(seen, moved);
+}
+
 TEST(Visit, ContextsReachALambda) {
   msg::RealtimeDataCustomRequest request;
   request.flags = msg::RealtimeDataCustomFlag::imu_angles;

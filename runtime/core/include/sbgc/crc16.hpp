@@ -72,12 +72,11 @@ class Crc16 {
   constexpr Crc16& add(const std::uint8_t* bytes, std::size_t size) noexcept {
 #if defined(SBGC_HAS_CRC_FOLD)
     if constexpr (table == CrcTable::slices) {
-      constexpr std::size_t worthwhile = 48;
+      constexpr std::size_t worthwhile = 32;
       if (!std::is_constant_evaluated() && size >= worthwhile &&
           detail::has_carryless_multiplication()) {
-        const auto folded = detail::fold_blocks<polynomial>(register_, bytes, size);
-        register_ = 0;
-        return add_by_table(folded.data(), folded.size());
+        register_ = detail::crc_by_folding<polynomial>(register_, bytes, size);
+        return *this;
       }
     }
 #endif

@@ -11,6 +11,31 @@
 
 namespace sbgc {
 
+namespace detail {
+
+/// The body cannot be part of the message (restrict), so the compiler need not write initial values
+/// that decoding replaces. Body and size are values: to read a span just written would stall.
+template <class M, class Visitor>
+constexpr Status decode_and_call(const std::uint8_t* SBGC_RESTRICT data, std::size_t size,
+                                 Visitor& visitor, const Contexts& contexts) {
+  const std::span<const std::uint8_t> body(data, size);
+  M message;
+  Status status{};
+  if constexpr (requires { contexts.of(message); }) {
+    status = decode(body, message, contexts.of(message));
+  } else {
+    status = decode(body, message);
+  }
+  if (status) {
+    // The visitor may overwrite the body: the compiler must not read it later than here.
+    if (!std::is_constant_evaluated()) __atomic_signal_fence(__ATOMIC_SEQ_CST);
+    visitor(std::as_const(message));
+  }
+  return status;
+}
+
+}  // namespace detail
+
 /// Decodes a body and calls `visitor(message)` with the typed message, if the visitor accepts it:
 ///     visit(id, body, direction, [](const msg::Control& control) { ... });
 ///
@@ -27,20 +52,12 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
                 "this visitor, or a function of it, accepts no message: let it take one as in "
                 "[](const sbgc::msg::Control& control) { ... }");
   Status status{};
-  // By value, as pointer and size: to read a span just written, as one of 16 bytes, would stall.
-  const auto decode_and_call = [&, data = body.data(), size = body.size()]<class M>(Type<M>) {
+  const auto use = [&, data = body.data(), size = body.size()]<class M>(Type<M>) {
     if constexpr (Accepted::template has<M>) {
-      const std::span<const std::uint8_t> body(data, size);
-      M message;
-      if constexpr (requires { contexts.of(message); }) {
-        status = decode(body, message, contexts.of(message));
-      } else {
-        status = decode(body, message);
-      }
-      if (status) visitor(std::as_const(message));
+      status = detail::decode_and_call<M>(data, size, visitor, contexts);
     }
   };
-  const Code code = select(direction, id, body.size(), decode_and_call);
+  const Code code = select(direction, id, body.size(), use);
   return code == Code::ok ? status : Status{code};
 }
 

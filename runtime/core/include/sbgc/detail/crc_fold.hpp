@@ -1,5 +1,6 @@
 /// Cyclic redundancy checks by multiplication without carry, which x86 processors have had as an
-/// instruction since about 2010: blocks of 16 bytes are folded into one with the same remainder.
+/// instruction since about 2010: blocks of 16 bytes are folded into one with the same remainder,
+/// and Barrett reduction computes that.
 #pragma once
 
 #if defined(__x86_64__) && defined(__SSE2__) && \
@@ -11,13 +12,13 @@
 
 #include <sbgc/checksum.hpp>
 
-/// Defined if fold_blocks() can be compiled; has_carryless_multiplication() says if it can run.
+/// Defined if crc_by_folding() can be compiled; has_carryless_multiplication() says if it can run.
 #define SBGC_HAS_CRC_FOLD 1
 
 namespace sbgc::detail {
 
-/// Returns true if the processor has the instructions of fold_blocks(). Freestanding programs have
-/// no library that knows; they use them if the compiler may.
+/// Returns true if the processor has the instructions of crc_by_folding(). Freestanding programs
+/// have no library that knows; they use them if the compiler may.
 inline bool has_carryless_multiplication() noexcept {
 #if defined(__PCLMUL__) && defined(__SSSE3__)
   return true;
@@ -35,12 +36,23 @@ constexpr std::uint16_t power_of_x(unsigned exponent, std::uint16_t polynomial) 
   return static_cast<std::uint16_t>(power);
 }
 
-/// The factors that move the lower and the upper half of a block over the 16 bytes after it. A
-/// product has 127 bits, the highest power in bit 0, so that it is x times too large as a block.
-template <std::uint16_t polynomial>
-inline constexpr std::array<std::uint64_t, 2> fold_factors = {
-    std::uint64_t{power_of_x(128 + 64 - 1, polynomial)} << 48,
-    std::uint64_t{power_of_x(128 - 1, polynomial)} << 48};
+/// Returns the quotient of x^80 by the polynomial, without its highest power x^64.
+constexpr std::uint64_t quotient_of_x80(std::uint16_t polynomial) noexcept {
+  std::uint64_t quotient = 0;
+  unsigned rest = polynomial;
+  for (unsigned bit = 0; bit < 64; ++bit) {
+    const std::uint64_t digit = rest & 1;
+    rest = rest >> 1 ^ (digit != 0 ? polynomial : 0U);
+    quotient |= digit << bit;
+  }
+  return quotient;
+}
+
+/// The factor that moves 64 bits over `distance` bits. A product has 127 bits, the highest power in
+/// bit 0, so that it is x times too large as a block.
+template <std::uint16_t polynomial, unsigned distance>
+inline constexpr auto factor_over =
+    static_cast<long long>(std::uint64_t{power_of_x(distance - 1, polynomial)} << 48);
 
 /// A table of shuffles: the 16 bytes at offset n move the last n bytes of the result to the first n
 /// places of the source, and at offset 16 + n the other way; other bytes become 0.
@@ -49,13 +61,45 @@ inline constexpr std::uint8_t shift_bytes[48] = {
     0,   1,   2,   3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13,  14,  15,
     128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128};
 
-/// Returns 16 bytes that, entering a register of 0, leave it as `size` bytes leave the register
-/// `start`. Precondition: size >= 16.
+/// Returns the product of one half of each: a[half_of_a] * b[half_of_b].
+template <int half_of_a, int half_of_b>
+[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline Words2 product(Words2 a,
+                                                                          Words2 b) noexcept {
+  return __builtin_ia32_pclmulqdq128(a, b, half_of_a + 16 * half_of_b);
+}
+
+/// Returns a block with the same remainder as `block` has `distance` bits further up.
+template <std::uint16_t polynomial, unsigned distance>
+[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline Words2 folded(Words2 block) noexcept {
+  constexpr Words2 by = {factor_over<polynomial, distance + 64>, factor_over<polynomial, distance>};
+  return product<0, 0>(block, by) ^ product<1, 1>(block, by);
+}
+
+/// Returns the register that a block leaves if it enters a register of 0: the remainder of the
+/// block times x^16.
 template <std::uint16_t polynomial>
-[[gnu::target("pclmul,ssse3")]] inline std::array<std::uint8_t, 16> fold_blocks(
-    std::uint16_t start, const std::uint8_t* bytes, std::size_t size) noexcept {
-  constexpr auto& factors = fold_factors<polynomial>;
-  const auto by = Words2{static_cast<long long>(factors[0]), static_cast<long long>(factors[1])};
+[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline std::uint16_t remainder(
+    Words2 block) noexcept {
+  // The upper half over the lower one, then the 16 bits by which their sum is longer.
+  constexpr Words2 over_half = {factor_over<polynomial, 64>, 0};
+  const Words2 sum = product<0, 0>(block, over_half);
+  const Words2 excess = product<0, 0>(sum, over_half);
+  const Words2 value = {block[1] ^ sum[1] ^ excess[1], 0};
+  // value * x^16 = quotient * polynomial + remainder.
+  constexpr Words2 division = {static_cast<long long>(quotient_of_x80(polynomial)),
+                               static_cast<long long>(std::uint64_t{polynomial} << 48)};
+  const Words2 high = product<0, 0>(value, division);
+  const Words2 quotient = {value[0] ^ high[0] << 1, 0};
+  const Words2 low = product<0, 1>(quotient, division);
+  return static_cast<std::uint16_t>(static_cast<std::uint64_t>(low[1]) >> 47);
+}
+
+/// Returns the register `start` after `size` bytes have entered it. Precondition: size >= 16.
+template <std::uint16_t polynomial>
+[[gnu::target("pclmul,ssse3")]] inline std::uint16_t crc_by_folding(std::uint16_t start,
+                                                                    const std::uint8_t* bytes,
+                                                                    std::size_t size) noexcept {
+  const auto load = [](const std::uint8_t* from) { return reinterpret_cast<Words2>(load16(from)); };
   const auto first = reinterpret_cast<Bytes16>(Words2{start, 0});
   const std::size_t rest = size % 16;
   // Leading zeros do not change a register of 0: the first block is filled up with them. The
@@ -63,20 +107,21 @@ template <std::uint16_t polynomial>
   // block.
   const auto to_end = reinterpret_cast<Chars16>(load16(shift_bytes + rest));
   const auto to_begin = reinterpret_cast<Chars16>(load16(shift_bytes + 16 + rest));
-  auto folded = reinterpret_cast<Words2>(
+  auto even = reinterpret_cast<Words2>(
       __builtin_ia32_pshufb128(reinterpret_cast<Chars16>(load16(bytes) ^ first), to_end));
-  auto next = reinterpret_cast<Words2>(
+  auto odd = reinterpret_cast<Words2>(
       __builtin_ia32_pshufb128(reinterpret_cast<Chars16>(first), to_begin));
+  odd ^= load(bytes + rest);
   const std::uint8_t* const end = bytes + size;
-  for (bytes += rest; bytes != end; bytes += 16) {
-    folded = __builtin_ia32_pclmulqdq128(folded, by, 0x00) ^
-             __builtin_ia32_pclmulqdq128(folded, by, 0x11) ^ next ^
-             reinterpret_cast<Words2>(load16(bytes));
-    next = Words2{};
+  bytes += rest + 16;
+  // Two blocks at a time: a multiplication need not wait for the one before.
+  for (; end - bytes >= 32; bytes += 32) {
+    even = folded<polynomial, 256>(even) ^ load(bytes);
+    odd = folded<polynomial, 256>(odd) ^ load(bytes + 16);
   }
-  std::array<std::uint8_t, 16> result{};
-  __builtin_memcpy(result.data(), &folded, sizeof folded);
-  return result;
+  Words2 block = folded<polynomial, 128>(even) ^ odd;
+  if (bytes != end) block = folded<polynomial, 128>(block) ^ load(bytes);
+  return remainder<polynomial>(block);
 }
 
 }  // namespace sbgc::detail
