@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
+from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import (
     LISTS,
     CodecError,
@@ -14,7 +15,6 @@ from sbgcgen.oracle.codec import (
     scalar_of,
 )
 from sbgcgen.oracle.json_values import float_from_bits, integer_of, text_from_bytes
-from sbgcgen.oracle.runs import array_format, runs_of
 from sbgcgen.spec.resolve.sizes import size_of
 
 
@@ -61,7 +61,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
 
 def _read_fields(body: Struct, reader: _Reader, context: Fields) -> Fields:
     values: Fields = {}
-    for run in runs_of(body):
+    for run in body.runs:
         if run.format and run.format.size <= reader.left():
             values.update(zip(run.names, run.format.unpack(reader.take(run.format.size, ""))))
             continue

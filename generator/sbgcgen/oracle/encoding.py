@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
+from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
-from sbgcgen.oracle.runs import array_format, runs_of
 from sbgcgen.spec.resolve.sizes import size_of
 
 
@@ -80,7 +80,7 @@ def _write_fields(
     unknown = values.keys() - body.names
     if unknown:
         raise CodecError("presence_mismatch", path + min(unknown), writer.at)
-    for run in runs_of(body):
+    for run in body.runs:
         if run.format and writer.put_integers(run.format, map(values.get, run.names)):
             continue
         for field in run.fields:

@@ -1,20 +1,16 @@
-"""Consecutive integers of a body, which the codec reads and writes at once.
-
-If one of them is missing, too large or not in the body, the codec takes them one after the other,
-which finds the error.
-"""
+"""Consecutive integers of a body, which Python's module `struct` can read and write at once."""
 
 from __future__ import annotations
 
 import struct
 from functools import cache
 from itertools import groupby
-from typing import Optional
+from typing import TYPE_CHECKING, Optional
 
-from sbgcgen.model import Field, Struct
-from sbgcgen.oracle.remember import remember
+if TYPE_CHECKING:
+    from sbgcgen.model.bodies import Field
 
-# The codes of the module `struct`. It has none for 3 bytes; integers of 8 bytes become `Wide`.
+# The codes of the module `struct`; it has none for 3 bytes. Numbers of 8 bytes are rare.
 _CODES = {"u8": "B", "i8": "b", "u16": "H", "i16": "h", "u32": "I", "i32": "i"}
 
 
@@ -27,13 +23,12 @@ class Run:
         self.format = struct.Struct(f"<{codes}") if codes else None
 
 
-@remember
-def runs_of(body: Struct) -> list[Run]:
-    """The fields of a body or struct."""
+def runs_of(fields: tuple[Field, ...]) -> list[Run]:
+    """The fields of a body or struct, in order."""
     runs = []
-    for is_plain, group in groupby(body.fields, lambda field: bool(_code(field))):
-        fields = tuple(group)
-        runs.append(Run(fields, "".join(map(_code, fields)) if is_plain else ""))
+    for is_plain, group in groupby(fields, lambda field: bool(_code(field))):
+        found = tuple(group)
+        runs.append(Run(found, "".join(map(_code, found)) if is_plain else ""))
     return runs
 
 
@@ -46,5 +41,5 @@ def _code(field: Field) -> str:
 
 @cache
 def array_format(name: str, count: int) -> Optional[struct.Struct]:
-    """The format of integers of a scalar type; None for floats and unusual sizes."""
+    """The format of integers of a scalar type; None for floats and integers without a code."""
     return struct.Struct(f"<{count}{_CODES[name]}") if name in _CODES else None
