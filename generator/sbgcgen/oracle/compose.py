@@ -261,8 +261,8 @@ class _Composer:
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
         element = f"{name}[]"
         if count and member.scalar and not choice.typical:
-            place = choice.places.at(element, member, member.type)
-            return self._numbers(([(element, place[0] + i, place[1]) for i in range(count)], len(place[1])))
+            number, found = choice.places.at(element, member, member.type)
+            return self._numbers(([(element, number + i, found) for i in range(count)], len(found)))
         return [self._element(member, element, i) for i in range(count)]
 
     def _is_typical(self, member: Field, name: str) -> bool:
@@ -328,19 +328,10 @@ class _Composer:
         if choice.typical:
             return self._typical(member, type_, path)
         number, found = choice.places.at(path, member, type_)
-        rounds = len(found)
-        if self.conditional:
-            if rounds > choice.rounds_of_conditional:
-                choice.rounds_of_conditional = rounds
-        elif rounds > choice.rounds_of_free:
-            choice.rounds_of_free = rounds
-        name, value = found[(choice.round + number + self.element) % rounds]
-        if len(choice.chosen) < _MOST_CHOSEN:
-            choice.chosen.append((path, name))
-        return value
+        return self._numbers(([(path, number, found)], len(found)))[0]
 
     def _numbers(self, row: _Row) -> list[Any]:
-        """The edge values of the round."""
+        """The edge values of the round, which differ between neighbors."""
         places, rounds = row
         choice = self.choice
         if self.conditional:
