@@ -1,8 +1,9 @@
 """Compiles attributes, calls and macros in templates to those of Python.
 
-Jinja calls functions of its own for each of them, which take longer than the rest of rendering. They
-would also look for keys of dictionaries, escape HTML and pass Jinja's context. So a key is written
-`x["key"]`, and a function that needs the context is a filter.
+Jinja calls functions of its own for each of them, which take longer than the rest of rendering: they
+also look for keys of dictionaries, pass Jinja's context, and mark text as HTML. So in our templates a
+key is written `x["key"]`, a function that needs the context is a filter, and only macros that return
+HTML or have default arguments are those of Jinja.
 """
 
 from __future__ import annotations
