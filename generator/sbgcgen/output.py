@@ -16,17 +16,18 @@ class Output:
     # A file that every such output contains. A folder without it is not cleaned.
     mark: str = "simplebgc.json"
 
-    def _stale(self) -> list[str]:
+    def _there(self) -> set[str]:
+        """The files in the folder."""
         if not self.folder.is_dir():
-            return []
-        there = (
+            return set()
+        return {
             p.relative_to(self.folder).as_posix() for p in self.folder.rglob("*") if p.is_file()
-        )
-        return sorted(name for name in there if name not in self.files)
+        }
 
     def drift(self) -> list[str]:
         """One line for each missing, differing or unexpected file."""
-        lines = [f"{name}: not generated from the spec" for name in self._stale()]
+        stale = sorted(self._there() - self.files.keys())
+        lines = [f"{name}: not generated from the spec" for name in stale]
         for name, content in sorted(self.files.items()):
             path = self.folder / name
             if not path.is_file():
@@ -41,15 +42,19 @@ class Output:
         Deletes files that are not generated, so the folder must be empty or hold an earlier output.
         Raises OSError, also if the folder holds other files.
         """
-        stale = self._stale()
+        there = self._there()
+        stale = sorted(there - self.files.keys())
         if stale and not (self.folder / self.mark).is_file():
             raise FileExistsError(errno.EEXIST, "it holds other files", str(self.folder))
         changed = 0
+        folders = set()
         for name, content in self.files.items():
             path = self.folder / name
-            if path.is_file() and path.read_bytes() == content:
+            if name in there and path.read_bytes() == content:
                 continue
-            path.parent.mkdir(parents=True, exist_ok=True)
+            if path.parent not in folders:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                folders.add(path.parent)
             path.write_bytes(content)
             changed += 1
         for name in stale:

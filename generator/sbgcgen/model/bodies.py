@@ -10,6 +10,7 @@ from itertools import takewhile
 from typing import Any, Union
 
 from sbgcgen.model.position import NOWHERE, Position
+from sbgcgen.model.runs import Run, runs_of
 from sbgcgen.model.values import (
     SCALARS,
     Alias,
@@ -72,6 +73,11 @@ class Struct:
     def names(self) -> frozenset[str]:
         """The names of the fields."""
         return frozenset(f.name for f in self.fields)
+
+    @cached_property
+    def runs(self) -> list[Run]:
+        """The fields, with integers in every body that follow each other in one run."""
+        return runs_of(self.fields)
 
     @cached_property
     def fixed_part(self) -> tuple[Field, ...]:

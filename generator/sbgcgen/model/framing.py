@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from sbgcgen.model.values import Availability
 
@@ -29,14 +30,24 @@ class Crc:
     check: int | None = None
 
     def value(self, data: bytes) -> int:
-        """The value of `data`, computed bit by bit."""
+        """The value of `data`."""
         register = self.initial
         for byte in data:
-            register ^= (_reversed(byte, 8) if self.reflect_in else byte) << 8
-            for _ in range(8):
-                register = register << 1 ^ (self.polynomial if register >> 15 else 0)
-                register &= 0xFFFF
+            register = register << 8 & 0xFFFF ^ self._of_byte[register >> 8 ^ self._entering[byte]]
         return (_reversed(register, 16) if self.reflect_out else register) ^ self.final_xor
+
+    @cached_property
+    def _entering(self) -> list[int]:
+        """Each byte with its bits in the order in which they enter."""
+        return [_reversed(byte, 8) if self.reflect_in else byte for byte in range(256)]
+
+    @cached_property
+    def _of_byte(self) -> list[int]:
+        """The remainder of each byte, computed bit by bit."""
+        table = [byte << 8 for byte in range(256)]
+        for _ in range(8):
+            table = [(r << 1 ^ (self.polynomial if r >> 15 else 0)) & 0xFFFF for r in table]
+        return table
 
 
 def _reversed(value: int, width: int) -> int:

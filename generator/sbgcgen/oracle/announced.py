@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sbgcgen.oracle.compose import Choice, Places, compose, compose_fields
-from sbgcgen.model import Announcement, Enum, Field, Message, Packed, Struct
+from sbgcgen.model import Announcement, Enum, Message, Packed, Struct
 from sbgcgen.oracle.codec import Fields
 
 
@@ -55,15 +55,15 @@ class _Kind:
         self.shift = shift
 
 
-def _element(announcement: Announcement, message: Message) -> tuple[Field, ...]:
+def _element(announcement: Announcement, message: Message) -> Struct:
     member = next(f for f in message.fields if f.name == announcement.list)
     assert isinstance(member.type, Struct)
-    return member.type.fields
+    return member.type
 
 
 def _kind(announcement: Announcement, message: Message) -> _Kind:
     name, _, part_name = announcement.kind.partition(".")
-    member = next(f for f in _element(announcement, message) if f.name == name)
+    member = next(f for f in _element(announcement, message).fields if f.name == name)
     if isinstance(member.type, Packed):
         part = next(p for p in member.type.parts if p.name == part_name)
         assert part.enum is not None

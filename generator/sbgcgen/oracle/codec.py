@@ -22,10 +22,13 @@ class CodecError(Exception):
     """The same facts as sbgc::Status: the code by its name in JSON, the field, and the offset."""
 
     def __init__(self, code: str, field: str = "", offset: int = 0) -> None:
-        super().__init__(f"{code} at {offset}" + (f" ({field})" if field else ""))
+        super().__init__(code, field, offset)
         self.code = code
         self.field = field
         self.offset = offset
+
+    def __str__(self) -> str:
+        return f"{self.code} at {self.offset}" + (f" ({self.field})" if self.field else "")
 
 
 def scalar_of(type_: Type) -> Scalar:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
+from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import (
     LISTS,
     CodecError,
@@ -46,7 +47,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     if len(body) < size or (exact and len(body) != size):
         raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))
     reader = _Reader(body)
-    values = _read_fields(message.fields, reader, context or {})
+    values = _read_fields(message.body, reader, context or {})
     if message.keeps_tail:
         if reader.left() > message.tail_capacity:
             everything = len(fixed) == len(message.fields)
@@ -58,21 +59,26 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     return values
 
 
-def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) -> Fields:
+def _read_fields(body: Struct, reader: _Reader, context: Fields) -> Fields:
     values: Fields = {}
-    for field in fields:
-        if field.appended and not reader.left():
+    for run in body.runs:
+        if run.format and run.format.size <= reader.left():
+            values.update(zip(run.names, run.format.unpack(reader.take(run.format.size, ""))))
             continue
-        if field.when:
-            known = context if field.when.from_context else values
-            if not field.when.holds(
-                known.get(field.when.source, 0 if field.when.from_context else None)
-            ):
-                continue
-            if field.when.may_be_missing and reader.left() < (field.size or 0):
-                continue
-        values[field.name] = _read_field(field, reader, values, context)
+        for field in run.fields:
+            if not field.may_be_absent or _is_present(field, reader, values, context):
+                values[field.name] = _read_field(field, reader, values, context)
     return values
+
+
+def _is_present(field: Field, reader: _Reader, values: Fields, context: Fields) -> bool:
+    when = field.when
+    if field.appended and not reader.left():
+        return False
+    if when is None:
+        return True
+    value = context.get(when.source, 0) if when.from_context else values.get(when.source)
+    return when.holds(value) and not (when.may_be_missing and reader.left() < (field.size or 0))
 
 
 def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fields]:
@@ -91,7 +97,8 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
             return _read_region(field.type, reader, values)
         return _read_one(field, reader)
     if field.dim not in LISTS:
-        return {key: _read_one(field, reader) for key in keys_of(field)}
+        keys = keys_of(field)
+        return dict(zip(keys, _read_some(field, len(keys), reader)))
     if isinstance(field.type, Announced):
         return _read_announced(context.get(field.type.context, []), reader, field)
     count = _count(field, reader, values)
@@ -99,11 +106,7 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
         return reader.take(count, field.name).hex()
     if count < 0:
         return _read_to_the_end(field, reader)
-    if field.scalar is None:
-        return [_read_one(field, reader) for _ in range(count)]
-    size = field.scalar.size
-    data = reader.take(count * size, field.name)
-    return [_number(field.scalar, data[at : at + size]) for at in range(0, len(data), size)]
+    return _read_some(field, count, reader)
 
 
 def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
@@ -153,6 +156,19 @@ def _size_of(type_: Type) -> int:
     return size
 
 
+def _read_some(field: Field, count: int, reader: _Reader) -> list[Any]:
+    """Elements of a field."""
+    if field.scalar is None:
+        return [_read_value(field.type, reader, field.name) for _ in range(count)]
+    scalar = field.scalar
+    data = reader.take(count * scalar.size, field.name)
+    integers = array_format(scalar.name, count)
+    if integers:
+        return list(integers.unpack(data))
+    starts = range(0, len(data), scalar.size)
+    return [_number(scalar, data[at : at + scalar.size]) for at in starts]
+
+
 def _read_one(field: Field, reader: _Reader) -> Any:
     """The value of a field, or an element of it."""
     scalar = field.scalar
@@ -165,7 +181,7 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     if isinstance(type_, Struct):
         if type_.size is not None:  # must be complete
             reader = _Reader(reader.take(type_.size, name))
-        return _read_fields(type_.fields, reader, {})
+        return _read_fields(type_, reader, {})
     if isinstance(type_, Blob):
         return _read_blob(type_, reader, name)
     scalar = scalar_of(type_)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Iterable
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
+from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
 from sbgcgen.spec.resolve.sizes import size_of
@@ -39,6 +42,17 @@ class _Writer:
             raise CodecError("buffer_too_small", field, self.at)
         self.data += data
 
+    def put_integers(self, format_: struct.Struct, values: Iterable[Any]) -> bool:
+        """Put integers; returns False without an effect if one of them cannot be written."""
+        try:
+            data = format_.pack(*values)
+        except struct.error:
+            return False
+        fits = len(self.data) + len(data) <= self.limit
+        if fits:
+            self.data += data
+        return fits
+
 
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     """Encode fields to a body of at most `limit` bytes.
@@ -66,27 +80,36 @@ def _write_fields(
     unknown = values.keys() - body.names
     if unknown:
         raise CodecError("presence_mismatch", path + min(unknown), writer.at)
-    for field in body.fields:
-        name = path + field.name
-        present = field.name in values
-        if field.is_counter:
-            _write_counter(body.fields, field, values, writer, name)
-        elif field.when:
-            # Encoding has no context, so fields that depend on one are written if present.
-            if not field.when.from_context:
-                wanted = field.when.holds(conditions.get(field.when.source))
-                if present != wanted and (present or not field.when.may_be_missing):
-                    raise CodecError("presence_mismatch", name, writer.at)
-                if wanted and not present:
-                    writer.missing.append((writer.at + (field.size or 0), writer.at, name))
-            if present:
-                _write_field(field, values[field.name], writer, name, values)
-        elif present:
+    for run in body.runs:
+        if run.format and writer.put_integers(run.format, map(values.get, run.names)):
+            continue
+        for field in run.fields:
+            _write_member(body, field, values, writer, path, conditions)
+
+
+def _write_member(
+    body: Struct, field: Field, values: Fields, writer: _Writer, path: str, conditions: Any
+) -> None:
+    name = path + field.name
+    present = field.name in values
+    if field.is_counter:
+        _write_counter(body.fields, field, values, writer, name)
+    elif field.when:
+        # Encoding has no context, so fields that depend on one are written if present.
+        if not field.when.from_context:
+            wanted = field.when.holds(conditions.get(field.when.source))
+            if present != wanted and (present or not field.when.may_be_missing):
+                raise CodecError("presence_mismatch", name, writer.at)
+            if wanted and not present:
+                writer.missing.append((writer.at + (field.size or 0), writer.at, name))
+        if present:
             _write_field(field, values[field.name], writer, name, values)
-        elif field.appended:
-            writer.missing.append((writer.at + 1, writer.at, name))
-        elif not field.optional:
-            raise CodecError("presence_mismatch", name, writer.at)
+    elif present:
+        _write_field(field, values[field.name], writer, name, values)
+    elif field.appended:
+        writer.missing.append((writer.at + 1, writer.at, name))
+    elif not field.optional:
+        raise CodecError("presence_mismatch", name, writer.at)
 
 
 def _write_counter(
@@ -151,6 +174,9 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
     """Write elements; of a member of fixed size, all elements fit or none."""
+    integers = array_format(field.scalar.name, len(elements)) if field.scalar else None
+    if integers and writer.put_integers(integers, elements):
+        return
     inner = writer if field.size is None else _Writer(field.size, writer.at)
     for element in elements:
         if field.scalar:

@@ -69,6 +69,46 @@ def typical_vector(message: Message) -> Vector:
     return maker.readable()[0]
 
 
+@remember
+def _typical_body(message: Message) -> tuple[bytes, Fields] | None:
+    """A body of typical values that satisfies the first condition on a field, and its context."""
+    forced: Fields = next((case["forced"] for case in _cases(message) if "forced" in case), {})
+    context = typical_context(message)
+    for short in (False, True):
+        choice = Choice(
+            Places(),
+            typical=True,
+            context=context,
+            forced=forced,
+            short=short,
+            example=message.example,
+        )
+        try:
+            body = encode(message, compose(message, choice))
+        except CodecError:
+            continue
+        if len(body) <= message.max_size:
+            return body, context
+    return None
+
+
+def _cases(message: Message) -> Iterator[dict[str, Any]]:
+    """For each condition, the options of a choice that satisfies it."""
+    seen = []
+    for when in conditions(message):
+        for value in satisfying(when):
+            key = "context" if when.from_context else "forced"
+            case = {key: {when.source: value}}
+            if case not in seen:
+                seen.append(case)
+                yield case
+    for context in message.contexts:
+        if context.announced:
+            known = all_types(context)
+            for types in (known, known[:1], known[:1] * 254):
+                yield {"context": {context.name: types}}
+
+
 class _Maker:
     """Collects the distinct vectors of one message."""
 
@@ -86,24 +126,9 @@ class _Maker:
 
     def typical(self) -> None:
         """Ordinary values that satisfy the first condition on a field."""
-        forced: Fields = next((case["forced"] for case in self.cases() if "forced" in case), {})
-        context = typical_context(self.message)
-        for short in (False, True):
-            choice = Choice(
-                Places(),
-                typical=True,
-                context=context,
-                forced=forced,
-                short=short,
-                example=self.message.example,
-            )
-            try:
-                body = encode(self.message, compose(self.message, choice))
-            except CodecError:
-                continue
-            if len(body) <= self.message.max_size:
-                self.add(choice, "typical values")
-                return
+        found = _typical_body(self.message)
+        if found:
+            self.add_body(*found, "typical values")
 
     def uniform(self) -> None:
         """All bits zero, and all bits one."""
@@ -248,19 +273,7 @@ class _Maker:
 
     def cases(self) -> Iterator[dict[str, Any]]:
         """For each condition, the options of a choice that satisfies it."""
-        seen = []
-        for when in conditions(self.message):
-            for value in satisfying(when):
-                key = "context" if when.from_context else "forced"
-                case = {key: {when.source: value}}
-                if case not in seen:
-                    seen.append(case)
-                    yield case
-        for context in self.message.contexts:
-            if context.announced:
-                known = all_types(context)
-                for types in (known, known[:1], known[:1] * 254):
-                    yield {"context": {context.name: types}}
+        return _cases(self.message)
 
     # Results
 

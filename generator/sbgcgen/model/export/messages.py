@@ -256,13 +256,11 @@ def _group(path: str, field: Field) -> dict[str, Any]:
     return result
 
 
-def _leaf_of(message: Message, leaf: Leaf) -> dict[str, Any]:
-    """A leaf of a message; leaves of a conditional group may be missing."""
+def _leaf_in(leaf: Leaf, absent: tuple[str, ...]) -> dict[str, Any]:
+    """A leaf of a message; leaves of groups that may be absent, with these prefixes, as well."""
     result = _leaf(leaf)
-    plain = re.sub(r"\[\d*\]", "", leaf.path)
-    for path, field in _groups(message.fields):
-        if field.may_be_absent and plain.startswith(f"{path}."):
-            result["may_be_missing"] = True
+    if absent and re.sub(r"\[\d*\]", "", leaf.path).startswith(absent):
+        result["may_be_missing"] = True
     return result
 
 
@@ -273,6 +271,8 @@ def _form(name: str | None) -> str | None:
 
 def message_json(message: Message) -> dict[str, Any]:
     """A message as plain data."""
+    groups = list(_groups(message.fields))
+    absent = tuple(f"{path}." for path, field in groups if field.may_be_absent)
     result = {
         "name": message.name,
         "command": message.command,
@@ -297,13 +297,12 @@ def message_json(message: Message) -> dict[str, Any]:
         "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
-        "layout": [_leaf_of(message, leaf) for leaf in message.leaves],
+        "layout": [_leaf_in(leaf, absent) for leaf in message.leaves],
     }
     if message.unconfirmed:
         result["unconfirmed"] = True
-    groups = [_group(path, field) for path, field in _groups(message.fields)]
     if groups:
-        result["groups"] = groups
+        result["groups"] = [_group(path, field) for path, field in groups]
     if message.lengths:
         result["sizes"] = [
             {"since": version(since), "size": size} for since, size in message.lengths

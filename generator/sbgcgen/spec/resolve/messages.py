@@ -261,14 +261,13 @@ class MessageResolver:
 
         A message with the body of another has that message's tail setting, unless it has its own.
         """
+        sizes: dict[tuple[str, str], int] = {}
+        for message in messages:
+            key = message.command, message.direction
+            sizes[key] = max(sizes.get(key, 0), message.max_size)
         result = []
         for message in messages:
-            forms = [
-                m.max_size
-                for m in messages
-                if m.command == message.command and m.direction == message.direction
-            ]
-            longest = message.max_size == max(forms)
+            longest = message.max_size == sizes[message.command, message.direction]
             open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
             keeps = message.keeps_tail and longest
             is_open = open_ended and longest

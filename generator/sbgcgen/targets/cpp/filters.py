@@ -26,7 +26,10 @@ def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -
 
 def c_string(text: str) -> str:
     """Text as a C string literal, in which nothing looks like a trigraph."""
-    return json.dumps(text, ensure_ascii=False).replace("??", "?\\?")
+    return _quoted(text).replace("??", "?\\?")
+
+
+_quoted = json.JSONEncoder(ensure_ascii=False).encode
 
 
 def statement(text: str, indent: int) -> str:
