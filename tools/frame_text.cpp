@@ -48,20 +48,17 @@ void put_error(TextOutput& out, const DecodedFrame& decoded) {
 }
 
 /// Writes meaning and objection: "1 Hz is below 554 Hz", "MODE_RC needs firmware 2.66".
-void put_remark(TextOutput& out, const Row& row) {
-  const std::string_view objection = row.objection;
-  if (objection.empty()) return out.put(row.meaning);
+void put_remark(TextOutput& out, std::string_view meaning, std::string_view objection) {
+  if (objection.empty()) return out.put(meaning);
   const bool has_meaning =
-      objection.starts_with(row.meaning) && objection.substr(row.meaning.size()).starts_with(' ');
-  if (!row.meaning.empty() && !has_meaning) {
+      objection.starts_with(meaning) && objection.substr(meaning.size()).starts_with(' ');
+  if (!meaning.empty() && !has_meaning) {
     const bool has_subject = objection.front() >= 'A' && objection.front() <= 'Z';
-    out.put(row.meaning);
+    out.put(meaning);
     out.put(has_subject ? "; " : " ");
   }
   out.put(objection);
 }
-
-bool has_remark(const Row& row) { return !row.meaning.empty() || !row.objection.empty(); }
 
 /// Writes a raw value in a column of `width` bytes.
 void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
@@ -73,25 +70,28 @@ void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
   }
 }
 
-void put_values(TextOutput& out, std::span<const Row> rows) {
+void put_values(TextOutput& out, const Rows& rows) {
   std::size_t path_width = 0;
   std::size_t raw_width = 0;
+  const auto has_remark = [&](const Row& row) {
+    return !rows.meaning(row).empty() || !row.objection.empty();
+  };
   for (const Row& row : rows) {
-    path_width = std::max(path_width, row.path.size());
-    if (has_remark(row)) raw_width = std::max(raw_width, row.raw.size());
+    path_width = std::max(path_width, row.path.text().size());
+    if (has_remark(row)) raw_width = std::max(raw_width, rows.raw(row).size());
   }
   for (const Row& row : rows) {
+    const std::string_view raw = rows.raw(row);
     out.put("    ");
-    out.put(row.path);
-    if (!row.raw.empty() || has_remark(row)) {
-      out.put(' ', path_width - row.path.size() + 2);
-      if (has_remark(row)) {
-        put_raw(out, row.raw, raw_width);
-        out.put("  ");
-        put_remark(out, row);
-      } else {
-        out.put(row.raw);
-      }
+    out.put(row.path.text());
+    if (has_remark(row)) {
+      out.put(' ', path_width - row.path.text().size() + 2);
+      put_raw(out, raw, raw_width);
+      out.put("  ");
+      put_remark(out, rows.meaning(row), row.objection);
+    } else if (!raw.empty()) {
+      out.put(' ', path_width - row.path.text().size() + 2);
+      out.put(raw);
     }
     out.put('\n');
   }

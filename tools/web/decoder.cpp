@@ -30,14 +30,14 @@ namespace sbgc::tools {
 namespace {
 
 /// Writes ["axes.roll.angle", ...] for each row.
-void put_rows(TextOutput& out, std::span<const Row> rows) {
+void put_rows(TextOutput& out, const Rows& rows) {
   char separator = '[';
   for (const Row& row : rows) {
     out.put(separator);
     separator = ',';
     char start = '[';
     for (const std::string_view text :
-         {row.path, row.raw, row.meaning, std::string_view(row.objection)}) {
+         {row.path.text(), rows.raw(row), rows.meaning(row), std::string_view(row.objection)}) {
       out.put(start);
       start = ',';
       put_json_string(out, text);

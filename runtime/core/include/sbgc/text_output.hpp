@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include <sbgc/detail/digits.hpp>
 
 namespace sbgc {
 
@@ -44,12 +45,9 @@ class TextOutput {
   template <class T>
     requires(std::is_integral_v<T> && !std::is_same_v<T, char> && !std::is_same_v<T, bool>)
   void put(T number) {
-    if (std::is_signed_v<T> && number < 0) {
-      put('-');
-      put_digits(0 - static_cast<std::uint64_t>(number));
-    } else {
-      put_digits(static_cast<std::uint64_t>(number));
-    }
+    const bool is_negative = std::is_signed_v<T> && number < 0;
+    const auto bits = static_cast<std::uint64_t>(number);
+    put_integer(is_negative, is_negative ? 0 - bits : bits);
   }
 
   /// Writes bytes as lowercase hex, two digits per byte.
@@ -89,9 +87,10 @@ class TextOutput {
 
  private:
   // Not inlined, to reduce compile time.
-  [[gnu::noinline]] void put_digits(std::uint64_t number) {
+  [[gnu::noinline]] void put_integer(bool is_negative, std::uint64_t size) {
     char* const start = room(longest_number);
-    advance(std::to_chars(start, start + longest_number, number).ptr);
+    *start = '-';
+    advance(detail::write_digits(start + (is_negative ? 1 : 0), size));
   }
   [[gnu::noinline]] void put_in_parts(std::string_view text) {
     while (text.size() > free()) {

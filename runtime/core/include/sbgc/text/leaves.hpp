@@ -305,6 +305,7 @@ class LeafWalk {
   };
 
   void remember(std::int64_t raw, const FieldPath& path) {
+    if (numbers_.empty()) numbers_.reserve(16);
     if (path.parent == nullptr) numbers_.push_back({path.name, "", raw});
     if (path.parent != nullptr && path.parent->parent == nullptr) {
       numbers_.push_back({path.parent->name, path.name, raw});
@@ -313,7 +314,10 @@ class LeafWalk {
 
   const UnitInfo* unit_in_force(const UnitInfo& usual, const FieldInfo& field,
                                 const FieldPath& path) const {
-    if (field.alternative == nullptr) return &usual;
+    return field.alternative == nullptr ? &usual : selected_unit(usual, field, path);
+  }
+  const UnitInfo* selected_unit(const UnitInfo& usual, const FieldInfo& field,
+                                const FieldPath& path) const {
     for (const UnitSource& number : numbers_) {
       if (number.name != std::string_view(field.alternative->of)) continue;
       if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;
