@@ -27,12 +27,11 @@ void put_heading(TextOutput& out, const DecodedFrame& decoded) {
     out.put("  ");
     out.put(decoded.objection);
   }
-  out.put('\n');
 }
 
 void put_error(TextOutput& out, const DecodedFrame& decoded) {
   const Status& status = decoded.status;
-  out.put("    error: ");
+  out.put("\n    error: ");
   out.put(text(status.code));
   out.put(" (");
   out.put(name(status.code));
@@ -62,39 +61,36 @@ void put_remark(TextOutput& out, std::string_view meaning, std::string_view obje
 
 /// Writes a raw value in a column of `width` bytes.
 void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
-  if (!raw.starts_with('"')) {  // only quoted text has other characters than ASCII
-    out.put(raw);
-    out.put(' ', width - raw.size());
-  } else {
-    out.put(fmt::format("{:<{}}", raw, width));  // it knows how wide characters are
-  }
+  // Only quoted text has other characters than ASCII; fmt knows how wide they are.
+  if (raw.starts_with('"')) return out.put(fmt::format("{:<{}}", raw, width));
+  out.put_column(raw, width);
 }
 
 void put_values(TextOutput& out, const Rows& rows) {
   std::size_t path_width = 0;
   std::size_t raw_width = 0;
   const auto has_remark = [&](const Row& row) {
-    return !rows.meaning(row).empty() || !row.objection.empty();
+    return row.meaning != row.end || !row.objection.empty();
   };
   for (const Row& row : rows) {
     path_width = std::max(path_width, row.path.text().size());
     if (has_remark(row)) raw_width = std::max(raw_width, rows.raw(row).size());
   }
   for (const Row& row : rows) {
+    const std::string_view path = row.path.text();
     const std::string_view raw = rows.raw(row);
-    out.put("    ");
-    out.put(row.path.text());
+    out.put("\n    ");
     if (has_remark(row)) {
-      out.put(' ', path_width - row.path.text().size() + 2);
+      out.put_column(path, path_width + 2);
       put_raw(out, raw, raw_width);
       out.put("  ");
       put_remark(out, rows.meaning(row), row.objection);
-    } else if (!raw.empty()) {
-      out.put(' ', path_width - row.path.text().size() + 2);
+    } else {
+      out.put_column(path, raw.empty() ? path.size() : path_width + 2);
       out.put(raw);
     }
-    out.put('\n');
   }
+  out.put('\n');
 }
 
 }  // namespace

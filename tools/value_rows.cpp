@@ -44,10 +44,15 @@ void ValueRows::object(const Violation& violation) {
   for (std::size_t i = 0; i < size_; ++i) {
     Row& row = (*rows_)[objected_];
     if (row.path.text() == path) {
-      if (!row.objection.empty()) row.objection += ", ";
-      if (violation.named != nullptr) (row.objection += violation.named->name) += ' ';
-      row.objection += violation_text(violation);
-      return;
+      const detail::Appender append{row.objection};
+      PiecewiseOutput out(append);
+      if (!row.objection.empty()) out.put(", ");
+      if (violation.named != nullptr) {
+        out.put(violation.named->name);
+        out.put(' ');
+      }
+      put_violation(out, violation);
+      return out.finish();
     }
     if (++objected_ == size_) objected_ = 0;
   }

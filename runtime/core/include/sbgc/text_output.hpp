@@ -41,6 +41,18 @@ class TextOutput {
     at_ += count;
   }
 
+  /// Writes text, and spaces up to `width` characters.
+  void put_column(std::string_view text, std::size_t width) {
+    if (text.size() > width) return put(text);
+    if (width > free()) {
+      put(text);
+      return put(' ', width - text.size());
+    }
+    std::memset(at_, ' ', width);
+    std::memcpy(at_, text.data(), text.size());
+    at_ += width;
+  }
+
   /// Writes an integer in decimal.
   template <class T>
     requires(std::is_integral_v<T> && !std::is_same_v<T, char> && !std::is_same_v<T, bool>)

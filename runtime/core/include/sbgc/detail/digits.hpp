@@ -30,8 +30,8 @@ inline constexpr auto powers_of_ten = [] {
   return powers;
 }();
 
+/// Returns the number of digits of a number that is not 0.
 constexpr std::size_t digit_count(std::uint64_t number) noexcept {
-  number |= 1;  // so that 0 has a digit
   const auto bits = static_cast<std::size_t>(std::bit_width(number));
   const std::size_t least = bits * 1233 / 4096;  // 1233 / 4096 is the logarithm of 2
   return least + static_cast<std::size_t>(number >= powers_of_ten[least]);
@@ -39,6 +39,10 @@ constexpr std::size_t digit_count(std::uint64_t number) noexcept {
 
 /// Writes a number in decimal. Returns the end.
 inline char* write_digits(char* out, std::uint64_t number) noexcept {
+  if (number < 10) {
+    *out = static_cast<char>('0' + number);
+    return out + 1;
+  }
   char* const end = out + digit_count(number);
   char* at = end;
   for (; number >= 100; number /= 100) write_pair(at -= 2, number % 100);

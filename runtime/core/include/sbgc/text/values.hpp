@@ -111,10 +111,11 @@ inline void put_general(TextOutput& out, double value) {
 }
 
 /// Formats a number: integers in full, others with six significant digits.
-inline std::string number_text(double value) {
+inline void put_number(TextOutput& out, double value) {
   const bool is_integer = value > -1e15 && value < 1e15 &&
                           value == static_cast<double>(static_cast<std::int64_t>(value));
-  return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : printed(value, 6);
+  if (is_integer) return out.put(static_cast<std::int64_t>(value));
+  out.put(printed(value, 6));
 }
 
 /// Formats a float (`size` 4) or double with as many digits as needed to distinguish it from its
