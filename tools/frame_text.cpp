@@ -1,6 +1,8 @@
 #include "frame_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -27,11 +29,12 @@ void put_heading(TextOutput& out, const DecodedFrame& decoded) {
     out.put("  ");
     out.put(decoded.objection);
   }
+  out.put('\n');
 }
 
 void put_error(TextOutput& out, const DecodedFrame& decoded) {
   const Status& status = decoded.status;
-  out.put("\n    error: ");
+  out.put("    error: ");
   out.put(text(status.code));
   out.put(" (");
   out.put(name(status.code));
@@ -59,38 +62,60 @@ void put_remark(TextOutput& out, std::string_view meaning, std::string_view obje
   out.put(objection);
 }
 
-/// Writes a raw value in a column of `width` bytes.
-void put_raw(TextOutput& out, std::string_view raw, std::size_t width) {
-  // Only quoted text has other characters than ASCII; fmt knows how wide they are.
-  if (raw.starts_with('"')) return out.put(fmt::format("{:<{}}", raw, width));
-  out.put_column(raw, width);
-}
+/// Where the columns of a message begin: path, raw value, meaning and objection.
+struct Columns {
+  static constexpr std::size_t path = 4;
+  std::size_t raw = 0;
+  std::size_t remark = 0;
+};
 
-void put_values(TextOutput& out, const Rows& rows) {
+bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
+
+Columns columns_of(const Rows& rows) {
   std::size_t path_width = 0;
   std::size_t raw_width = 0;
-  const auto has_remark = [&](const Row& row) {
-    return row.meaning != row.end || !row.objection.empty();
-  };
   for (const Row& row : rows) {
     path_width = std::max(path_width, row.path.text().size());
     if (has_remark(row)) raw_width = std::max(raw_width, rows.raw(row).size());
   }
+  const std::size_t raw = Columns::path + path_width + 2;
+  return {raw, raw + raw_width + 2};
+}
+
+/// Writes path and raw value on spaces. Needs TextOutput::most_room for them.
+void put_begin(TextOutput& out, std::string_view path, std::string_view raw, const Row& row,
+               const Columns& columns) {
+  char* const line = out.room(TextOutput::most_room);
+  std::memset(line, ' ', columns.remark);
+  std::memcpy(line + Columns::path, path.data(), path.size());
+  std::memcpy(line + columns.raw, raw.data(), raw.size());
+  if (has_remark(row)) return out.advance(line + columns.remark);
+  out.advance(raw.empty() ? line + Columns::path + path.size() : line + columns.raw + raw.size());
+}
+
+/// As put_begin(), for text of any length, and for quoted text, which may have other characters
+/// than ASCII.
+void put_any_begin(TextOutput& out, std::string_view path, std::string_view raw, const Row& row,
+                   const Columns& columns) {
+  out.put(' ', Columns::path);
+  out.put(path);
+  if (raw.empty() && !has_remark(row)) return;
+  out.put(' ', columns.raw - Columns::path - path.size());
+  if (!has_remark(row)) return out.put(raw);
+  out.put(fmt::format("{:<{}}  ", raw, columns.remark - columns.raw - 2));
+}
+
+void put_values(TextOutput& out, const Rows& rows) {
+  const Columns columns = columns_of(rows);
   for (const Row& row : rows) {
     const std::string_view path = row.path.text();
     const std::string_view raw = rows.raw(row);
-    out.put("\n    ");
-    if (has_remark(row)) {
-      out.put_column(path, path_width + 2);
-      put_raw(out, raw, raw_width);
-      out.put("  ");
-      put_remark(out, rows.meaning(row), row.objection);
-    } else {
-      out.put_column(path, raw.empty() ? path.size() : path_width + 2);
-      out.put(raw);
-    }
+    const bool fits = std::max(columns.remark, columns.raw + raw.size()) <= TextOutput::most_room;
+    const auto put = fits && !raw.starts_with('"') ? put_begin : put_any_begin;
+    put(out, path, raw, row, columns);
+    put_remark(out, rows.meaning(row), row.objection);
+    out.put('\n');
   }
-  out.put('\n');
 }
 
 }  // namespace

@@ -41,18 +41,6 @@ class TextOutput {
     at_ += count;
   }
 
-  /// Writes text, and spaces up to `width` characters.
-  void put_column(std::string_view text, std::size_t width) {
-    if (text.size() > width) return put(text);
-    if (width > free()) {
-      put(text);
-      return put(' ', width - text.size());
-    }
-    std::memset(at_, ' ', width);
-    std::memcpy(at_, text.data(), text.size());
-    at_ += width;
-  }
-
   /// Writes an integer in decimal.
   template <class T>
     requires(std::is_integral_v<T> && !std::is_same_v<T, char> && !std::is_same_v<T, bool>)
@@ -73,8 +61,8 @@ class TextOutput {
     }
   }
 
-  /// Returns memory for `size` characters, at most longest_number; then tell advance() the end of
-  /// what was written.
+  /// Returns memory for `size` characters, at most most_room; then tell advance() the end of what
+  /// was written.
   char* room(std::size_t size) {
     if (free() < size) make_room();
     return at_;
@@ -82,13 +70,14 @@ class TextOutput {
   void advance(char* end) { at_ = end; }
 
   /// The most characters that room() can provide.
+  static constexpr std::size_t most_room = 512;
   static constexpr std::size_t longest_number = 32;
 
  protected:
   TextOutput() = default;
   ~TextOutput() = default;
 
-  /// Takes the text up to end_of_text(), and provides free memory of at least longest_number
+  /// Takes the text up to end_of_text(), and provides free memory of at least most_room
   /// characters.
   virtual void make_room() = 0;
   void provide(char* begin, char* end) {
@@ -138,7 +127,7 @@ class PiecewiseOutput final : public TextOutput {
   void provide_buffer() { provide(buffer_.data(), buffer_.data() + buffer_.size()); }
 
   Take& take_;
-  std::array<char, 512> buffer_{};
+  std::array<char, most_room> buffer_{};
 };
 
 /// Appends the text to a string.
