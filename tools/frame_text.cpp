@@ -67,52 +67,56 @@ struct Columns {
   static constexpr std::size_t path = 4;
   std::size_t raw = 0;
   std::size_t remark = 0;
+  bool are_short = false;  ///< all paths and raw values fit into TextOutput::most_room
 };
 
 bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
 
 Columns columns_of(const Rows& rows) {
   std::size_t path_width = 0;
-  std::size_t raw_width = 0;
+  std::size_t raw_width = 0;  // of those with a remark
+  std::size_t any_width = 0;
   for (const Row& row : rows) {
+    const std::size_t width = row.meaning - row.raw;
     path_width = std::max(path_width, row.path.text().size());
-    if (has_remark(row)) raw_width = std::max(raw_width, rows.raw(row).size());
+    any_width = std::max(any_width, width);
+    if (has_remark(row)) raw_width = std::max(raw_width, width);
   }
   const std::size_t raw = Columns::path + path_width + 2;
-  return {raw, raw + raw_width + 2};
+  return {raw, raw + raw_width + 2, raw + any_width + 2 <= TextOutput::most_room};
 }
 
-/// Writes path and raw value on spaces. Needs TextOutput::most_room for them.
-void put_begin(TextOutput& out, std::string_view path, std::string_view raw, const Row& row,
+/// Writes path and raw value on spaces.
+void put_short(TextOutput& out, std::string_view path, std::string_view raw, bool has_remark,
                const Columns& columns) {
   char* const line = out.room(TextOutput::most_room);
   std::memset(line, ' ', columns.remark);
   std::memcpy(line + Columns::path, path.data(), path.size());
   std::memcpy(line + columns.raw, raw.data(), raw.size());
-  if (has_remark(row)) return out.advance(line + columns.remark);
+  if (has_remark) return out.advance(line + columns.remark);
   out.advance(raw.empty() ? line + Columns::path + path.size() : line + columns.raw + raw.size());
 }
 
-/// As put_begin(), for text of any length, and for quoted text, which may have other characters
-/// than ASCII.
-void put_any_begin(TextOutput& out, std::string_view path, std::string_view raw, const Row& row,
-                   const Columns& columns) {
+/// As put_short(), for text of any length and with other characters than ASCII.
+void put_any(TextOutput& out, std::string_view path, std::string_view raw, bool has_remark,
+             const Columns& columns) {
   out.put(' ', Columns::path);
   out.put(path);
-  if (raw.empty() && !has_remark(row)) return;
+  if (raw.empty() && !has_remark) return;
   out.put(' ', columns.raw - Columns::path - path.size());
-  if (!has_remark(row)) return out.put(raw);
+  if (!has_remark) return out.put(raw);
   out.put(fmt::format("{:<{}}  ", raw, columns.remark - columns.raw - 2));
 }
 
 void put_values(TextOutput& out, const Rows& rows) {
   const Columns columns = columns_of(rows);
   for (const Row& row : rows) {
-    const std::string_view path = row.path.text();
     const std::string_view raw = rows.raw(row);
-    const bool fits = std::max(columns.remark, columns.raw + raw.size()) <= TextOutput::most_room;
-    const auto put = fits && !raw.starts_with('"') ? put_begin : put_any_begin;
-    put(out, path, raw, row, columns);
+    if (columns.are_short && !raw.starts_with('"')) {  // only quoted text is not ASCII
+      put_short(out, row.path.text(), raw, has_remark(row), columns);
+    } else {
+      put_any(out, row.path.text(), raw, has_remark(row), columns);
+    }
     put_remark(out, rows.meaning(row), row.objection);
     out.put('\n');
   }
