@@ -62,63 +62,81 @@ void put_remark(TextOutput& out, std::string_view meaning, std::string_view obje
   out.put(objection);
 }
 
-/// Where the columns of a message begin: path, raw value, meaning and objection.
+bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
+
+/// The lines of a message: where the columns for path, raw value and remark begin.
 struct Columns {
   static constexpr std::size_t path = 4;
   std::size_t raw = 0;
   std::size_t remark = 0;
-  bool are_short = false;  ///< all paths and raw values fit into TextOutput::most_room
+  bool are_short = false;  ///< lines without an objection fit into TextOutput::most_room
 };
-
-bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
 
 Columns columns_of(const Rows& rows) {
   std::size_t path_width = 0;
-  std::size_t raw_width = 0;  // of those with a remark
-  std::size_t any_width = 0;
+  std::size_t raw_width = 0;  // of values with a remark
+  std::size_t most_text = 0;
   for (const Row& row : rows) {
-    const std::size_t width = row.meaning - row.raw;
     path_width = std::max(path_width, row.path.text().size());
-    any_width = std::max(any_width, width);
-    if (has_remark(row)) raw_width = std::max(raw_width, width);
+    if (has_remark(row)) raw_width = std::max(raw_width, row.meaning - row.raw);
+    most_text = std::max(most_text, row.end - row.raw);
   }
   const std::size_t raw = Columns::path + path_width + 2;
-  return {raw, raw + raw_width + 2, raw + any_width + 2 <= TextOutput::most_room};
+  const std::size_t remark = raw + raw_width + 2;
+  return {raw, remark, remark + most_text < TextOutput::most_room};
 }
 
-/// Writes path and raw value on spaces.
-void put_short(TextOutput& out, std::string_view path, std::string_view raw, bool has_remark,
-               const Columns& columns) {
+char* copy(std::string_view text, char* to) {
+  std::memcpy(to, text.data(), text.size());
+  return to + text.size();
+}
+
+/// Writes a line without an objection: its texts on spaces.
+void put_short(TextOutput& out, std::string_view path, std::string_view raw,
+               std::string_view meaning, const Columns& columns) {
   char* const line = out.room(TextOutput::most_room);
   std::memset(line, ' ', columns.remark);
-  std::memcpy(line + Columns::path, path.data(), path.size());
-  std::memcpy(line + columns.raw, raw.data(), raw.size());
-  if (has_remark) return out.advance(line + columns.remark);
-  out.advance(raw.empty() ? line + Columns::path + path.size() : line + columns.raw + raw.size());
+  char* end = copy(path, line + Columns::path);
+  if (!raw.empty()) end = copy(raw, line + columns.raw);
+  if (!meaning.empty()) end = copy(meaning, line + columns.remark);
+  *end = '\n';
+  out.advance(end + 1);
 }
 
-/// As put_short(), for text of any length and with other characters than ASCII.
-void put_any(TextOutput& out, std::string_view path, std::string_view raw, bool has_remark,
-             const Columns& columns) {
+/// Writes any line.
+void put_line(TextOutput& out, std::string_view path, std::string_view raw,
+              std::string_view meaning, std::string_view objection, const Columns& columns) {
+  const bool has_remark = !meaning.empty() || !objection.empty();
   out.put(' ', Columns::path);
   out.put(path);
-  if (raw.empty() && !has_remark) return;
-  out.put(' ', columns.raw - Columns::path - path.size());
-  if (!has_remark) return out.put(raw);
-  out.put(fmt::format("{:<{}}  ", raw, columns.remark - columns.raw - 2));
+  if (!raw.empty() || has_remark) out.put(' ', columns.raw - Columns::path - path.size());
+  if (!has_remark) {
+    out.put(raw);
+  } else {
+    const std::size_t width = columns.remark - columns.raw;
+    if (raw.starts_with('"')) {
+      out.put(fmt::format("{:<{}}", raw, width));  // it knows how wide characters are
+    } else {
+      out.put(raw);
+      out.put(' ', width - raw.size());
+    }
+    put_remark(out, meaning, objection);
+  }
+  out.put('\n');
 }
 
 void put_values(TextOutput& out, const Rows& rows) {
   const Columns columns = columns_of(rows);
   for (const Row& row : rows) {
+    const std::string_view path = row.path.text();
     const std::string_view raw = rows.raw(row);
-    if (columns.are_short && !raw.starts_with('"')) {  // only quoted text is not ASCII
-      put_short(out, row.path.text(), raw, has_remark(row), columns);
+    const std::string_view meaning = rows.meaning(row);
+    // Only quoted text has other characters than ASCII.
+    if (columns.are_short && row.objection.empty() && !raw.starts_with('"')) {
+      put_short(out, path, raw, meaning, columns);
     } else {
-      put_any(out, row.path.text(), raw, has_remark(row), columns);
+      put_line(out, path, raw, meaning, row.objection, columns);
     }
-    put_remark(out, rows.meaning(row), row.objection);
-    out.put('\n');
   }
 }
 
