@@ -78,7 +78,7 @@ class Decoding {
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
     StringOutput line(out);
-    line.put("{\"end\":{\"bytes\":");
+    line.put(R"({"end":{"bytes":)");
     line.put(size_);
     line.put(",\"frames\":");
     line.put(counters.frames);
@@ -130,7 +130,7 @@ class Decoding {
   void fail(const HexError& error, std::string& out) {
     failed_ = true;
     StringOutput line(out);
-    line.put("{\"hex_error\":{\"line\":");
+    line.put(R"({"hex_error":{"line":)");
     line.put(error.line);
     line.put(",\"column\":");
     line.put(error.column);

@@ -95,7 +95,8 @@ inline void put_general(TextOutput& out, double value) {
   *at = '-';
   if (value < 0) ++at;
   if (exponent < 0) {
-    std::memcpy(at, "0.000", 5);
+    std::memset(at, '0', 5);
+    at[1] = '.';
     at += 1 - exponent;
     write_six(at, digits);
   } else {
