@@ -70,7 +70,7 @@ void put_objections(TextOutput& out, const DecodedFrame& decoded) {
   };
   if (!decoded.objection.empty()) add("", decoded.objection);
   for (const Row& row : decoded.rows) {
-    if (!row.objection.empty()) add(row.path, row.objection);
+    if (!row.objection.empty()) add(row.path.text(), row.objection);
   }
   out.put(separator == '{' ? "{}" : "}");
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,7 +22,7 @@ struct DecodedFrame {
   Status status{};
   std::string error_field{};  ///< the field of the error, if known
   std::string_view fields{};  ///< the JSON of the message, if wanted
-  std::span<const Row> rows{};
+  Rows rows{};
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
 };

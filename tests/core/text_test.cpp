@@ -138,6 +138,25 @@ TEST(Text, NumbersAreAsPrintfWritesThem) {
   }
 }
 
+TEST(Text, IntegersHaveAllTheirDigits) {
+  const auto expect = [](auto number) {
+    EXPECT_EQ(detail::text_of([&](TextOutput& out) { out.put(number); }), std::to_string(number));
+  };
+  for (std::uint32_t number = 0; number < 20'000; ++number) expect(number);
+  for (std::uint64_t power = 1;; power *= 10) {
+    for (const std::uint64_t number : {power - 1, power, power + 1, 2 * power, 9 * power}) {
+      expect(number);
+      expect(static_cast<std::int64_t>(number));
+      expect(-static_cast<std::int64_t>(number));
+    }
+    if (power > std::numeric_limits<std::uint64_t>::max() / 10) break;
+  }
+  for (int bits = 0; bits < 64; ++bits) expect(std::uint64_t{1} << bits);
+  expect(std::numeric_limits<std::int64_t>::min());
+  expect(std::numeric_limits<std::int8_t>::min());
+  expect(std::numeric_limits<std::uint64_t>::max());
+}
+
 TEST(Text, FloatsHaveAllTheirDigits) {
   const auto text = [](float value) {
     return detail::real_text(static_cast<double>(value), sizeof value);

@@ -30,14 +30,14 @@ namespace sbgc::tools {
 namespace {
 
 /// Writes ["axes.roll.angle", ...] for each row.
-void put_rows(TextOutput& out, std::span<const Row> rows) {
+void put_rows(TextOutput& out, const Rows& rows) {
   char separator = '[';
   for (const Row& row : rows) {
     out.put(separator);
     separator = ',';
     char start = '[';
     for (const std::string_view text :
-         {row.path, row.raw, row.meaning, std::string_view(row.objection)}) {
+         {row.path.text(), rows.raw(row), rows.meaning(row), std::string_view(row.objection)}) {
       out.put(start);
       start = ',';
       put_json_string(out, text);
@@ -78,7 +78,7 @@ class Decoding {
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
     StringOutput line(out);
-    line.put("{\"end\":{\"bytes\":");
+    line.put(R"({"end":{"bytes":)");
     line.put(size_);
     line.put(",\"frames\":");
     line.put(counters.frames);
@@ -130,7 +130,7 @@ class Decoding {
   void fail(const HexError& error, std::string& out) {
     failed_ = true;
     StringOutput line(out);
-    line.put("{\"hex_error\":{\"line\":");
+    line.put(R"({"hex_error":{"line":)");
     line.put(error.line);
     line.put(",\"column\":");
     line.put(error.column);

@@ -52,10 +52,10 @@ inline std::string or_number(std::string text, std::int64_t raw) {
   return text;
 }
 
-/// Returns a raw value or limit in its unit.
-inline std::string limit_text(double raw, const UnitInfo* unit) {
-  return unit != nullptr && !unit->is_plain() ? unit_text(unit->real(raw), *unit)
-                                              : number_text(raw);
+/// Writes a raw value or limit in its unit.
+inline void put_limit(TextOutput& out, double raw, const UnitInfo* unit) {
+  if (unit == nullptr || unit->is_plain()) return put_number(out, raw);
+  put_in_unit(out, unit->real(raw), *unit);
 }
 
 }  // namespace detail
@@ -113,32 +113,41 @@ std::string to_string(const T& message) {
 
 inline std::string to_string(Rule rule) { return name(rule); }
 
-/// Returns the predicate of a sentence about the value: "is above 720 deg".
-inline std::string violation_text(const Violation& violation) {
-  const std::string limit = detail::limit_text(violation.limit, violation.unit);
+/// Writes the predicate of a sentence about the value: "is above 720 deg".
+inline void put_violation(TextOutput& out, const Violation& violation) {
+  const bool is_below = violation.value < violation.limit;
+  const auto put = [&](const char* verb) {
+    out.put(verb);
+    detail::put_limit(out, violation.limit, violation.unit);
+  };
   const auto version = static_cast<std::uint16_t>(violation.limit);
   switch (violation.rule) {
-    case Rule::minimum:
-      return violation.value < violation.limit ? "is below " + limit : "is not a number";
-    case Rule::maximum: return "is above " + limit;
-    case Rule::alignment: return "is not a multiple of " + limit;
-    case Rule::count: {
-      const std::string verb = violation.value == 1 ? "is " : "are ";
-      return verb + (violation.value < violation.limit ? "fewer than " : "more than ") + limit;
-    }
+    case Rule::minimum: return is_below ? put("is below ") : out.put("is not a number");
+    case Rule::maximum: return put("is above ");
+    case Rule::alignment: return put("is not a multiple of ");
+    case Rule::count:
+      out.put(violation.value == 1 ? "is " : "are ");
+      return put(is_below ? "fewer than " : "more than ");
     case Rule::order:
-      return (violation.value > violation.limit ? "is above " : "is not below ") + limit + " of " +
-             violation.other->name;
-    case Rule::firmware: return "needs firmware " + to_string(VersionTypes::Firmware(version));
+      put(violation.value > violation.limit ? "is above " : "is not below ");
+      out.put(" of ");
+      return out.put(violation.other->name);
+    case Rule::firmware:
+      out.put("needs firmware ");
+      return out.put(to_string(VersionTypes::Firmware(version)));
     case Rule::board:
-      return "needs board " + to_string(VersionTypes::Board(static_cast<std::uint8_t>(version)));
+      out.put("needs board ");
+      return out.put(to_string(VersionTypes::Board(static_cast<std::uint8_t>(version))));
   }
-  return "is not allowed";
+}
+inline std::string violation_text(const Violation& violation) {
+  return detail::text_of([&](TextOutput& out) { put_violation(out, violation); });
 }
 
 /// "rc.pitch.rc_max_angle: 800 deg is above 720 deg".
 inline std::string to_string(const Violation& violation) {
-  std::string value = detail::limit_text(violation.value, violation.unit);
+  std::string value = detail::text_of(
+      [&](TextOutput& out) { detail::put_limit(out, violation.value, violation.unit); });
   if (violation.named != nullptr) value = violation.named->name;
   if (violation.rule == Rule::count) value += violation.value == 1 ? " element" : " elements";
   const bool is_of_version = violation.rule == Rule::firmware || violation.rule == Rule::board;

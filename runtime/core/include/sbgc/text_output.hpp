@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include <sbgc/detail/digits.hpp>
 
 namespace sbgc {
 
@@ -44,12 +45,9 @@ class TextOutput {
   template <class T>
     requires(std::is_integral_v<T> && !std::is_same_v<T, char> && !std::is_same_v<T, bool>)
   void put(T number) {
-    if (std::is_signed_v<T> && number < 0) {
-      put('-');
-      put_digits(0 - static_cast<std::uint64_t>(number));
-    } else {
-      put_digits(static_cast<std::uint64_t>(number));
-    }
+    const bool is_negative = std::is_signed_v<T> && number < 0;
+    const auto bits = static_cast<std::uint64_t>(number);
+    put_integer(is_negative, is_negative ? 0 - bits : bits);
   }
 
   /// Writes bytes as lowercase hex, two digits per byte.
@@ -63,8 +61,8 @@ class TextOutput {
     }
   }
 
-  /// Returns memory for `size` characters, at most longest_number; then tell advance() the end of
-  /// what was written.
+  /// Returns memory for `size` characters, at most most_room; then tell advance() the end of what
+  /// was written.
   char* room(std::size_t size) {
     if (free() < size) make_room();
     return at_;
@@ -72,13 +70,14 @@ class TextOutput {
   void advance(char* end) { at_ = end; }
 
   /// The most characters that room() can provide.
+  static constexpr std::size_t most_room = 512;
   static constexpr std::size_t longest_number = 32;
 
  protected:
   TextOutput() = default;
   ~TextOutput() = default;
 
-  /// Takes the text up to end_of_text(), and provides free memory of at least longest_number
+  /// Takes the text up to end_of_text(), and provides free memory of at least most_room
   /// characters.
   virtual void make_room() = 0;
   void provide(char* begin, char* end) {
@@ -89,9 +88,10 @@ class TextOutput {
 
  private:
   // Not inlined, to reduce compile time.
-  [[gnu::noinline]] void put_digits(std::uint64_t number) {
+  [[gnu::noinline]] void put_integer(bool is_negative, std::uint64_t size) {
     char* const start = room(longest_number);
-    advance(std::to_chars(start, start + longest_number, number).ptr);
+    *start = '-';
+    advance(detail::write_digits(start + (is_negative ? 1 : 0), size));
   }
   [[gnu::noinline]] void put_in_parts(std::string_view text) {
     while (text.size() > free()) {
@@ -127,7 +127,7 @@ class PiecewiseOutput final : public TextOutput {
   void provide_buffer() { provide(buffer_.data(), buffer_.data() + buffer_.size()); }
 
   Take& take_;
-  std::array<char, 512> buffer_{};
+  std::array<char, most_room> buffer_{};
 };
 
 /// Appends the text to a string.

@@ -50,17 +50,28 @@ inline bool is_unused(const Leaf& leaf) {
   return leaf.integer == 0;
 }
 
-/// Writes the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
-inline void put_raw(TextOutput& out, const Leaf& leaf) {
+namespace detail {
+
+inline void put_raw_other(TextOutput& out, const Leaf& leaf) {
   switch (leaf.kind) {
     case LeafKind::integer:
-    case LeafKind::counter:
-      return leaf.is_u64 ? out.put(static_cast<std::uint64_t>(leaf.integer))
-                         : out.put(leaf.integer);
-    case LeafKind::real: return out.put(detail::real_text(leaf.real, leaf.size));
+    case LeafKind::counter: return;
+    case LeafKind::real: return out.put(real_text(leaf.real, leaf.size));
     case LeafKind::bytes: return out.put_hex(leaf.bytes);
-    case LeafKind::text: return detail::put_quoted(out, leaf.text);
+    case LeafKind::text: return put_quoted(out, leaf.text);
   }
+}
+
+}  // namespace detail
+
+/// Writes the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
+inline void put_raw(TextOutput& out, const Leaf& leaf) {
+  // Most values are integers, which should not pay for the rest.
+  if (leaf.kind != LeafKind::integer && leaf.kind != LeafKind::counter) {
+    return detail::put_raw_other(out, leaf);
+  }
+  if (leaf.is_u64) return out.put(static_cast<std::uint64_t>(leaf.integer));
+  out.put(leaf.integer);
 }
 inline std::string raw_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_raw(out, leaf); });
@@ -305,6 +316,7 @@ class LeafWalk {
   };
 
   void remember(std::int64_t raw, const FieldPath& path) {
+    if (numbers_.empty()) numbers_.reserve(16);
     if (path.parent == nullptr) numbers_.push_back({path.name, "", raw});
     if (path.parent != nullptr && path.parent->parent == nullptr) {
       numbers_.push_back({path.parent->name, path.name, raw});
@@ -313,7 +325,10 @@ class LeafWalk {
 
   const UnitInfo* unit_in_force(const UnitInfo& usual, const FieldInfo& field,
                                 const FieldPath& path) const {
-    if (field.alternative == nullptr) return &usual;
+    return field.alternative == nullptr ? &usual : selected_unit(usual, field, path);
+  }
+  const UnitInfo* selected_unit(const UnitInfo& usual, const FieldInfo& field,
+                                const FieldPath& path) const {
     for (const UnitSource& number : numbers_) {
       if (number.name != std::string_view(field.alternative->of)) continue;
       if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;

@@ -34,14 +34,28 @@ inline std::string printed(double value, int digits) {
   return result;
 }
 
+struct Appender {
+  std::string& text;
+
+  void operator()(std::string_view piece) const { text += piece; }
+};
+
 /// Calls `use` with an output, and returns the text written to it.
 template <class Use>
 std::string text_of(Use&& use) {
   std::string result;
-  StringOutput out(result);
+  const Appender append{result};
+  PiecewiseOutput out(append);
   use(out);
   out.finish();
   return result;
+}
+
+/// Writes a number below 1,000,000 as six digits.
+inline void write_six(char* out, std::uint32_t number) noexcept {
+  write_pair(out, number / 10'000);
+  write_pair(out + 2, number / 100 % 100);
+  write_pair(out + 4, number % 100);
 }
 
 /// Formats as printf("%.6g"): a number with six significant digits. (std::to_chars would enlarge
@@ -55,9 +69,10 @@ inline void put_general(TextOutput& out, double value) {
     return out.put(static_cast<std::int32_t>(value));
   }
   if (!(size >= powers[0] && size < powers[one + 6])) return out.put(printed(value, 6));
-  int exponent = 0;  // of the first digit
-  while (size < powers[one + exponent]) --exponent;
-  while (size >= powers[one + exponent + 1]) ++exponent;
+  // The exponent of the first digit, from that of 2: 1233 / 4096 is the logarithm of 2.
+  const auto binary = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1023;
+  int exponent = (binary * 1233) >> 12;
+  if (size >= powers[one + exponent + 1]) ++exponent;
   static constexpr double scales[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
   const double scale = scales[5 - exponent];
   const double scaled = size * scale;
@@ -76,35 +91,32 @@ inline void put_general(TextOutput& out, double value) {
     digits /= 10;
     ++exponent;
   }
-  // Copies 8 characters at a time, and then ends the text where it is to end.
-  constexpr std::size_t chunk = 8;
-  char text[2 * chunk]{};
-  std::uint64_t fixed = (std::uint64_t{digits} << 32) / 100'000 + 1;  // as 2.71828, with 32 bits
-  for (int i = 0; i < 6; ++i, fixed = (fixed & 0xFFFF'FFFF) * 10) {
-    text[i] = static_cast<char>('0' + (fixed >> 32));
-  }
-  int size_of_digits = 6;
-  while (text[size_of_digits - 1] == '0') --size_of_digits;
   char* at = out.room(TextOutput::longest_number);
-  if (value < 0) *at++ = '-';
-  const int before_point = exponent + 1;
-  if (before_point <= 0) {
-    std::memcpy(at, "0.000000", chunk);
-    std::memcpy(at + 2 - before_point, text, chunk);
-    return out.advance(at + 2 - before_point + size_of_digits);
+  *at = '-';
+  if (value < 0) ++at;
+  if (exponent < 0) {
+    std::memset(at, '0', 5);
+    at[1] = '.';
+    at += 1 - exponent;
+    write_six(at, digits);
+  } else {
+    write_six(at + 1, digits);
+    for (int i = 0; i <= exponent; ++i, ++at) *at = at[1];
+    *at = '.';
+    at -= exponent;
   }
-  std::memcpy(at, text, chunk);
-  if (size_of_digits <= before_point) return out.advance(at + before_point);
-  at[before_point] = '.';
-  std::memcpy(at + before_point + 1, text + before_point, chunk);
-  out.advance(at + size_of_digits + 1);
+  char* end = at + 6;
+  while (end[-1] == '0') --end;
+  if (end[-1] == '.') --end;
+  out.advance(end);
 }
 
 /// Formats a number: integers in full, others with six significant digits.
-inline std::string number_text(double value) {
+inline void put_number(TextOutput& out, double value) {
   const bool is_integer = value > -1e15 && value < 1e15 &&
                           value == static_cast<double>(static_cast<std::int64_t>(value));
-  return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : printed(value, 6);
+  if (is_integer) return out.put(static_cast<std::int64_t>(value));
+  out.put(printed(value, 6));
 }
 
 /// Formats a float (`size` 4) or double with as many digits as needed to distinguish it from its
@@ -130,8 +142,14 @@ constexpr std::uint64_t low_bits(std::uint64_t bits, std::size_t size) noexcept 
 inline void put_in_unit(TextOutput& out, double value, const UnitInfo& unit) {
   put_general(out, value);
   if (*unit.name == '\0') return;
-  out.put(' ');
-  out.put(unit.name);
+  // Most names are too short for strlen() and memcpy() to pay.
+  char* at = out.room(TextOutput::longest_number);
+  const char* const end = at + TextOutput::longest_number;
+  *at++ = ' ';
+  const char* name = unit.name;
+  while (*name != '\0' && at != end) *at++ = *name++;
+  out.advance(at);
+  if (*name != '\0') out.put(name);
 }
 inline std::string unit_text(double value, const UnitInfo& unit) {
   return text_of([&](TextOutput& out) { put_in_unit(out, value, unit); });
