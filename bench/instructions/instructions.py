@@ -10,14 +10,17 @@ figures.json, next to this script, by over 5 %; --accept writes that file.
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 FIGURES = Path(__file__).with_name("figures.json")
+VECTORS = Path(__file__).resolve().parents[2] / "generated/vectors/realtime.jsonl"
 TOLERANCE = 1.05
 
 STREAM_SIZE = 256 << 10
@@ -71,27 +74,44 @@ def count_core(program: Path) -> dict[str, float]:
         return {case: costs[case] / number for case, number in units.items()}
 
 
-def frames() -> bytes:
-    """Frames of CMD_REALTIME_DATA_4 whose bytes all differ."""
-    stream = bytearray()
+def random_bodies() -> Iterator[bytes]:
     value = 1
-    while len(stream) < STREAM_SIZE:
+    while True:
         body = bytearray()
         for _ in range(BODY_SIZE):
             value = value * 1103515245 + 12345 & 0x7FFFFFFF
             body.append(value >> 16 & 255)
+        yield bytes(body)
+
+
+def typical_bodies() -> Iterator[bytes]:
+    """The bodies with typical values of the test vectors, again and again."""
+    lines = VECTORS.read_text(encoding="utf-8").splitlines()
+    vectors = [vector for vector in map(json.loads, lines) if vector["why"] == "typical values"]
+    bodies = [bytes.fromhex(v["hex"]) for v in vectors if v["message"] == "RealtimeData4"]
+    return itertools.cycle(body for body in bodies if len(body) == BODY_SIZE)
+
+
+def frames(bodies: Iterator[bytes]) -> bytes:
+    """A stream of CMD_REALTIME_DATA_4."""
+    stream = bytearray()
+    while len(stream) < STREAM_SIZE:
+        body = next(bodies)
         header = REALTIME_DATA_4 + BODY_SIZE & 255
-        stream += (
-            bytes([0x3E, REALTIME_DATA_4, BODY_SIZE, header]) + body + bytes([sum(body) & 255])
-        )
+        stream += bytes([0x3E, REALTIME_DATA_4, BODY_SIZE, header])
+        stream += body + bytes([sum(body) & 255])
     return bytes(stream)
 
 
-def count_decode(sbgc: Path, output_format: str) -> float:
+# Typical values, and random ones, of which many need a remark.
+DECODED = {"": typical_bodies, "_random": random_bodies}
+
+
+def count_decode(sbgc: Path, output_format: str, stream: bytes) -> float:
     """Returns the instructions per byte of `sbgc decode`."""
     with tempfile.TemporaryDirectory() as name:
         capture = Path(name) / "capture.bin"
-        capture.write_bytes(frames())
+        capture.write_bytes(stream)
         folder = Path(name) / "dumps"
         folder.mkdir()
         command = [str(sbgc), "decode", "--from", "board", "--format", output_format, str(capture)]
@@ -122,8 +142,9 @@ def main(arguments: list[str]) -> int:
         print(__doc__, file=sys.stderr)
         return 2
     figures = count_core(programs[0])
-    for output_format in ("jsonl", "text"):
-        figures[f"decode/{output_format}"] = count_decode(programs[1], output_format)
+    for output_format, (kind, bodies) in itertools.product(("jsonl", "text"), DECODED.items()):
+        cost = count_decode(programs[1], output_format, frames(bodies()))
+        figures[f"decode/{output_format}{kind}"] = cost
     accepted = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.exists() else {}
     worse = compare(figures, accepted)
     if accept:
