@@ -1,4 +1,4 @@
-// Finding and decoding the messages of a stream. One iteration is one pass over 16 MB.
+// Finding and decoding the messages of a stream. One iteration is one pass over 64 MB.
 
 #include <cstddef>
 #include <cstdint>

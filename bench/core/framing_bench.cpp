@@ -1,4 +1,4 @@
-// Finding frames in a stream. One iteration is one pass over 16 MB, so bytes per second compare
+// Finding frames in a stream. One iteration is one pass over 64 MB, so bytes per second compare
 // directly.
 
 #include <cstddef>

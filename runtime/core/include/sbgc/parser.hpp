@@ -55,13 +55,13 @@ class BasicParser {
       std::is_nothrow_invocable_v<Sink&, const Frame&>) {
     const std::size_t held = held_;  // a local, because copying to buffer_ could change held_
     // The fast paths: most small chunks do not complete the waiting candidate, and most bytes of
-    // noise are no start.
+    // noise are no start. The rest is called unlikely to keep them together.
     if (chunk.size() < sizeof buffer_ && held + chunk.size() < needed_) {
       copy(buffer_ + held, chunk.data(), chunk.size());
       held_ = held + chunk.size();
     } else if (chunk.size() == 1 && held == 0 && !formats_.is_start(chunk.front())) {
       ++taken_;
-    } else {
+    } else [[unlikely]] {
       search(chunk.data(), chunk.data() + chunk.size(), sink);
     }
   }

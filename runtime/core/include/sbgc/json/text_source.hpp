@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
-#include <system_error>
 
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>

@@ -4,14 +4,12 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 
 namespace sbgc::detail {
@@ -85,6 +83,12 @@ bool is_finite(Float value) {
   return value >= Limits::lowest() && value <= Limits::max();
 }
 
+/// std::isnan() without <cmath>, which takes long to compile.
+template <class Float>
+constexpr bool is_nan(Float value) noexcept {
+  return !(value <= 0 || value > 0);
+}
+
 /// The name of an infinity or a NaN, which JSON has no numbers for: "inf", "-inf" or
 /// "nan:<hex bits>".
 class FloatName {
@@ -92,7 +96,7 @@ class FloatName {
   template <class Float>
   explicit FloatName(Float value) {
     add(value > 0 ? "inf" : value < 0 ? "-inf" : "nan:");
-    if (!std::isnan(value)) return;
+    if (!is_nan(value)) return;
     const auto bits = std::bit_cast<FloatBits<Float>>(value);
     for (std::size_t shift = 8 * sizeof value; shift != 0; shift -= 4) {
       name_[size_++] = "0123456789abcdef"[bits >> (shift - 4) & 15U];
@@ -119,7 +123,7 @@ std::optional<Float> float_of_name(std::string_view text) {
   const char* const all = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
   const auto value = std::bit_cast<Float>(bits);
-  if (error != std::errc{} || end != all || !std::isnan(value)) return std::nullopt;
+  if (error != std::errc{} || end != all || !is_nan(value)) return std::nullopt;
   return value;
 }
 
