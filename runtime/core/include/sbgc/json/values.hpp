@@ -86,7 +86,8 @@ bool is_finite(Float value) {
 /// std::isnan() without <cmath>, which takes long to compile.
 template <class Float>
 constexpr bool is_nan(Float value) noexcept {
-  return !(value <= 0 || value > 0);
+  const bool is_number = value <= 0 || value > 0;
+  return !is_number;
 }
 
 /// The name of an infinity or a NaN, which JSON has no numbers for: "inf", "-inf" or
