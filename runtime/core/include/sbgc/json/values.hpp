@@ -83,11 +83,12 @@ bool is_finite(Float value) {
   return value >= Limits::lowest() && value <= Limits::max();
 }
 
-/// std::isnan() without <cmath>, which takes long to compile.
+/// Returns true for the bits of a NaN. (<cmath> takes long to compile.)
 template <class Float>
-constexpr bool is_nan(Float value) noexcept {
-  const bool is_number = value <= 0 || value > 0;
-  return !is_number;
+constexpr bool is_nan(FloatBits<Float> bits) noexcept {
+  constexpr auto infinity = std::bit_cast<FloatBits<Float>>(std::numeric_limits<Float>::infinity());
+  constexpr auto magnitude = static_cast<FloatBits<Float>>(~FloatBits<Float>{0}) >> 1;
+  return (bits & magnitude) > infinity;
 }
 
 /// The name of an infinity or a NaN, which JSON has no numbers for: "inf", "-inf" or
@@ -97,8 +98,8 @@ class FloatName {
   template <class Float>
   explicit FloatName(Float value) {
     add(value > 0 ? "inf" : value < 0 ? "-inf" : "nan:");
-    if (!is_nan(value)) return;
     const auto bits = std::bit_cast<FloatBits<Float>>(value);
+    if (!is_nan<Float>(bits)) return;
     for (std::size_t shift = 8 * sizeof value; shift != 0; shift -= 4) {
       name_[size_++] = "0123456789abcdef"[bits >> (shift - 4) & 15U];
     }
@@ -123,9 +124,8 @@ std::optional<Float> float_of_name(std::string_view text) {
   FloatBits<Float> bits = 0;
   const char* const all = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
-  const auto value = std::bit_cast<Float>(bits);
-  if (error != std::errc{} || end != all || !is_nan(value)) return std::nullopt;
-  return value;
+  if (error != std::errc{} || end != all || !is_nan<Float>(bits)) return std::nullopt;
+  return std::bit_cast<Float>(bits);
 }
 
 }  // namespace sbgc::detail
