@@ -109,11 +109,19 @@ class TypeMaker:
         name = self.unique("Quantity")
         scales = (1, 5, "1/3", "360/16384", "0.02", "0.000000001", "123456789012/7")
         offsets = (0, "-1/2", "0.1", "-12345", "1/3")
-        unit = self.random.choice((None, "deg", "°C", "a/b"))
+        unit, accessor = self.random.choice(
+            (
+                (None, "value"),
+                (None, "degrees"),
+                ("deg", "degrees"),
+                ("°C", "value"),
+                ("a/b", "in_words"),
+            )
+        )
         node = {
             "type": number,
             "unit": unit,
-            "accessor": self.random.choice(("degrees", "value", "in_words")),
+            "accessor": accessor,
             "scale": self.random.choice(scales),
             "offset": self.random.choice(offsets),
         }

@@ -7,91 +7,261 @@
 
 namespace sbgc {
 
-/// The units of the quantities. A quantity without a unit has its own unit type.
+/// The units of the quantities. A quantity without a unit has its own unit type. `Accessors` has the
+/// functions of each quantity `Q` in this unit. (They are templates because the compiler then skips
+/// those that are not called.)
 namespace msg::unit {
 
 struct gyro_unit {
   static constexpr const char* text = "gyro unit";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_gyro_units(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double gyro_units() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct us {
   static constexpr const char* text = "us";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_microseconds(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double microseconds() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct Wh {
   static constexpr const char* text = "Wh";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_watt_hours(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double watt_hours() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct degC {
   static constexpr const char* text = "degC";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_degrees_celsius(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double degrees_celsius() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct g {
   static constexpr const char* text = "g";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_g(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double g() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct fraction {
   static constexpr const char* text = "";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_fraction(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double fraction() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct ohm {
   static constexpr const char* text = "ohm";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_ohms(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double ohms() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct mA {
   static constexpr const char* text = "mA";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_milliamperes(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double milliamperes() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct percent {
   static constexpr const char* text = "%";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_percent(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double percent() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct rpm {
   static constexpr const char* text = "rpm";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_revolutions_per_minute(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double revolutions_per_minute() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct rad {
   static constexpr const char* text = "rad";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_radians(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double radians() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct ms {
   static constexpr const char* text = "ms";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_milliseconds(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double milliseconds() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct value {
   static constexpr const char* text = "";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_value(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double value() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct deg_per_s {
   static constexpr const char* text = "deg/s";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_degrees_per_second(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double degrees_per_second() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct deg_per_s2 {
   static constexpr const char* text = "deg/s^2";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_degrees_per_second_squared(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double degrees_per_second_squared() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct rad_per_s {
   static constexpr const char* text = "rad/s";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_radians_per_second(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double radians_per_second() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct V {
   static constexpr const char* text = "V";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_volts(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double volts() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct deg {
   static constexpr const char* text = "deg";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_degrees(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double degrees() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct Hz {
   static constexpr const char* text = "Hz";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_hertz(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double hertz() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct dB {
   static constexpr const char* text = "dB";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_decibels(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double decibels() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 struct byte {
   static constexpr const char* text = "byte";
+
+  template <class Q>
+  struct Accessors {
+    static constexpr Conversion<Q> from_bytes(double value) noexcept {
+      return Q::from_real(value);
+    }
+    constexpr double bytes() const noexcept { return static_cast<const Q&>(*this).real(); }
+  };
 };
 
 }  // namespace msg::unit

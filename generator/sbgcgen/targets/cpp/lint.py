@@ -116,7 +116,7 @@ def _check_members(
 
 
 def _check_units(layout: Layout, found: Diagnostics) -> None:
-    """A unit is the name of a type and of its literals, as in 45_deg."""
+    """A unit is the name of a type, which has the accessors, and of its literals, as in 45_deg."""
     seen: dict[str, Quantity] = {}
     for quantity in layout.quantities:
         name = unit_name(quantity)
@@ -127,6 +127,9 @@ def _check_units(layout: Layout, found: Diagnostics) -> None:
         elif first.unit != quantity.unit:
             text = f"literals of {quantity.name} would be those of {first.name}: 1_{name}"
             found.add(quantity.at, "SBGC028", text, "give its unit or accessor another name")
+        elif first.accessor != quantity.accessor:
+            text = f"{first.name} has the accessor '{first.accessor}' for {first.unit}"
+            found.add(quantity.at, "SBGC028", text, "the accessors of a unit have one name")
 
 
 def _check_flag_units(message: Message, found: Diagnostics) -> None:

@@ -7,6 +7,9 @@
 
 namespace sbgc {
 
+template <class Q>
+class Conversion;  // see quantity.hpp
+
 /// The value `numerator / denominator` in `Unit`. Converts to every quantity in that unit; a value
 /// that does not fit is a compile error.
 template <class Unit, std::int64_t numerator, std::int64_t denominator = 1>

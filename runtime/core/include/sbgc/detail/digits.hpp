@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace sbgc::detail {
 
@@ -20,7 +19,7 @@ inline constexpr auto digit_pairs = [] {
 
 /// Writes a number below 100 as two digits.
 inline void write_pair(char* out, std::uint64_t number) noexcept {
-  std::memcpy(out, &digit_pairs[static_cast<std::size_t>(2 * number)], 2);
+  __builtin_memcpy(out, &digit_pairs[static_cast<std::size_t>(2 * number)], 2);
 }
 
 /// 1, 10, 100 …
