@@ -142,14 +142,8 @@ constexpr std::uint64_t low_bits(std::uint64_t bits, std::size_t size) noexcept 
 inline void put_in_unit(TextOutput& out, double value, const UnitInfo& unit) {
   put_general(out, value);
   if (*unit.name == '\0') return;
-  // Most names are too short for strlen() and memcpy() to pay.
-  char* at = out.room(TextOutput::longest_number);
-  const char* const end = at + TextOutput::longest_number;
-  *at++ = ' ';
-  const char* name = unit.name;
-  while (*name != '\0' && at != end) *at++ = *name++;
-  out.advance(at);
-  if (*name != '\0') out.put(name);
+  out.put(' ');
+  out.put(unit.name);
 }
 inline std::string unit_text(double value, const UnitInfo& unit) {
   return text_of([&](TextOutput& out) { put_in_unit(out, value, unit); });
