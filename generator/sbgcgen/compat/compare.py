@@ -277,6 +277,8 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
     texts = (old.description, new.description)
     changes.compare(Level.COMPATIBLE, f"{what}: description", texts[0], texts[1], new.at)
+    texts = (old.preparation, new.preparation)
+    changes.compare(Level.COMPATIBLE, f"{what}: preparation", texts[0], texts[1], new.at)
 
 
 def _until_words(until: Until | None, renamed: dict[str, str], changes: Changes) -> str | None:

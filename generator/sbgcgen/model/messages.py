@@ -24,7 +24,7 @@ class Message:
     `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
     `min_size` up is this message; of several forms, only the longest can be open. `example` has the
     values by path in which the worked example is not typical; a message with the body of another
-    inherits that message's.
+    inherits that message's. `preparation` is what to do before the request is sent.
     """
 
     name: str
@@ -55,6 +55,7 @@ class Message:
     stores: str
     leaves: tuple[Leaf, ...]
     effect: Effect | None = None
+    preparation: str = ""
     example: dict[str, Any] = field(default_factory=dict, hash=False)
     unconfirmed: bool = False
     has_own_name: bool = False

@@ -103,7 +103,9 @@ struct CoggingMotor {
 };
 
 /// Calibrate the accelerometer of the active IMU. Confirmed on reception and again at the end; not
-/// at all if a parameter is wrong.
+/// at all if a parameter is wrong. Before: Place the camera so that the sensor is exactly level, on
+/// something that does not move, and turn the motors off. To calibrate the other directions as
+/// well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done.
 ///
 /// CMD_CALIB_ACC (65), to the board, simple form; 0 bytes. Effect: stores. Source: Outgoing
 /// commands L621-L640.
@@ -120,7 +122,11 @@ struct CalibAcc {
 };
 
 /// Calibrate the accelerometer of an IMU, or manage its calibrations. Confirmed on reception and
-/// again at the end; not at all if a parameter is wrong.
+/// again at the end; not at all if a parameter is wrong. Before: Place the camera so that the
+/// sensor is exactly level, on something that does not move, and turn the motors off. To calibrate
+/// the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO
+/// shows which ones are done. For TEMPERATURE, cool the sensor down first; it is calibrated while
+/// it warms up by itself.
 ///
 /// CMD_CALIB_ACC (65), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640.
@@ -149,7 +155,8 @@ struct CalibAccExt {
 };
 
 /// Calibrate the gyroscope of the active IMU. Confirmed on reception and again at the end; not at
-/// all if a parameter is wrong.
+/// all if a parameter is wrong. Before: Leave the camera completely still, in any position, and
+/// turn the motors off; do not touch it until the end.
 ///
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes. Effect: stores. Source: Outgoing
 /// commands L621-L640.
@@ -166,7 +173,9 @@ struct CalibGyro {
 };
 
 /// Calibrate the gyroscope of an IMU, or manage its calibrations. Confirmed on reception and again
-/// at the end; not at all if a parameter is wrong.
+/// at the end; not at all if a parameter is wrong. Before: Leave the camera completely still, in
+/// any position, and turn the motors off; do not touch it until the end. For TEMPERATURE, cool the
+/// sensor down first; it is calibrated while it warms up by itself.
 ///
 /// CMD_CALIB_GYRO (103), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640.
@@ -196,7 +205,9 @@ struct CalibGyroExt {
       &CalibGyroExt::time_ms, &CalibGyroExt::reserved>;
 };
 
-/// Calibrate the magnetometer.
+/// Calibrate the magnetometer. Before: Take the gimbal away from steel and from other motors, and
+/// turn the motors off. While the calibration runs, turn the sensor slowly about all its axes,
+/// until every side has pointed in every direction.
 ///
 /// CMD_CALIB_MAG (59), to the board, simple form; 0 bytes. Effect: stores. Since board 3.0. Source:
 /// Outgoing commands L940-L944.
@@ -212,7 +223,9 @@ struct CalibMag {
   bool operator==(const CalibMag&) const = default;
 };
 
-/// Calibrate the magnetometer of an IMU, or manage its calibrations.
+/// Calibrate the magnetometer of an IMU, or manage its calibrations. Before: Take the gimbal away
+/// from steel and from other motors, and turn the motors off. While the calibration runs, turn the
+/// sensor slowly about all its axes, until every side has pointed in every direction.
 ///
 /// CMD_CALIB_MAG (59), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
 /// Since board 3.0. Source: Later firmware.
@@ -239,7 +252,9 @@ struct CalibMagExt {
       &CalibMagExt::reserved>;
 };
 
-/// Calibrate the gains of a flight controller's signals.
+/// Calibrate the gains of a flight controller's signals. Before: Connect the flight controller and
+/// level the camera. While the calibration runs, tilt the frame smoothly by 20 to 40 degrees to
+/// both sides, in roll and in pitch.
 ///
 /// CMD_CALIB_EXT_GAIN (71), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L642.
@@ -255,7 +270,9 @@ struct CalibExtGain {
   bool operator==(const CalibExtGain&) const = default;
 };
 
-/// Detect the poles and the direction of the motors.
+/// Detect the poles and the direction of the motors. Before: Balance the camera, fasten the frame,
+/// and make sure that all axes turn freely: the motors turn the camera. Their power must be set
+/// high enough to hold it.
 ///
 /// CMD_CALIB_POLES (80), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L650.
@@ -271,7 +288,8 @@ struct CalibPoles {
   bool operator==(const CalibPoles&) const = default;
 };
 
-/// Calibrate the follow mode offset.
+/// Calibrate the follow mode offset. Before: Level the frame, and turn the camera to the position,
+/// relative to the frame, that it should have in follow mode.
 ///
 /// CMD_CALIB_OFFSET (79), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L688.
@@ -287,7 +305,8 @@ struct CalibOffset {
   bool operator==(const CalibOffset&) const = default;
 };
 
-/// Calibrate the battery voltage measurement.
+/// Calibrate the battery voltage measurement. Before: Measure the voltage of the battery with a
+/// voltmeter, at the connector of the board, while the board is on.
 ///
 /// CMD_CALIB_BAT (66), to the board; 2 bytes. Effect: stores. Source: Outgoing commands L690-L692.
 struct CalibBat {
@@ -432,7 +451,8 @@ struct CalibMotorMagLinkRequest {
   }
 };
 
-/// Calibrate the offsets of the encoders.
+/// Calibrate the offsets of the encoders. Before: Turn the motors off, and turn the camera by hand
+/// to the position in which all motor angles are zero: level, and straight to the frame.
 ///
 /// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 or 1 byte. Effect: stores. Since board 3.0.
 /// Source: Outgoing commands L993.
@@ -455,7 +475,9 @@ struct EncodersCalibOffset4 {
   }
 };
 
-/// Calibrate the offsets between encoders and the motors' magnetic fields.
+/// Calibrate the offsets between encoders and the motors' magnetic fields. Before: Balance the
+/// camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera
+/// back and forth.
 ///
 /// CMD_ENCODERS_CALIB_FLD_OFFSET_4 (27), to the board; 0 to 14 bytes. Effect: stores, moves. Since
 /// board 3.0. Source: Outgoing commands L995.
@@ -594,7 +616,9 @@ struct AutoPid2 {
 };
 
 /// Calibrate the orientation of the IMU. According to one source, the board later also sends
-/// CMD_READ_PARAMS_EXT2, which holds the result.
+/// CMD_READ_PARAMS_EXT2, which holds the result. Before: Balance the camera, fasten the frame, and
+/// make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the
+/// accelerometer first.
 ///
 /// CMD_CALIB_ORIENT_CORR (91), to the board; 16 bytes. Effect: stores, moves. Source: Later
 /// firmware.
@@ -614,7 +638,9 @@ struct CalibOrientCorr {
   using FixedMembers = Members<&CalibOrientCorr::reserved>;
 };
 
-/// Calibrate the cogging of the motors, or delete this calibration.
+/// Calibrate the cogging of the motors, or delete this calibration. Before: Balance the camera,
+/// fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera
+/// slowly, several times.
 ///
 /// CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Source: Later
 /// firmware.
@@ -643,7 +669,9 @@ struct CalibCogging {
       &CalibCogging::iterations_num, &CalibCogging::reserved>;
 };
 
-/// Calibrate the accelerometer with an external reference.
+/// Calibrate the accelerometer with an external reference. Before: Leave the camera completely
+/// still, and determine the direction of gravity in the coordinates of the sensor with another
+/// instrument.
 ///
 /// CMD_CALIB_ACC_EXT_REF (94), to the board; 20 bytes. Effect: stores. Since firmware 2.62b7.
 /// Source: Later firmware.

@@ -316,7 +316,8 @@ struct ControlConfig {
   /// For ch_priority and this_ch_priority: the priority does not change.
   static constexpr std::uint8_t keep_priority{0};
 
-  /// Time without a control command after which serial control ends. Unit: ms.
+  /// Time without a control command after which serial control ends and RC takes over, which is not
+  /// a stop. Unit: ms.
   Milliseconds timeout_ms{};
   /// Priority of UART1, RC_SERIAL, UART2 and USB_VCP or UART3. Range: 1 to 255.
   std::array<std::uint8_t, 4> ch_priority{};

@@ -181,7 +181,8 @@ struct Meta<msg::CalibAcc> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -199,7 +200,8 @@ struct Meta<msg::CalibAccExt> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 12,
-      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
+      .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -238,7 +240,8 @@ struct Meta<msg::CalibGyro> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -256,7 +259,8 @@ struct Meta<msg::CalibGyroExt> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 12,
-      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
+      .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr Special time_ms_special[] = {
       {0, "about 4 s"},
   };
@@ -300,7 +304,8 @@ struct Meta<msg::CalibMag> {
       .min_size = 0,
       .max_size = 0,
       .since = {.board = 30},
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -319,7 +324,8 @@ struct Meta<msg::CalibMagExt> {
       .min_size = 12,
       .max_size = 12,
       .since = {.board = 30},
-      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
+      .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -357,7 +363,8 @@ struct Meta<msg::CalibExtGain> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .effects = Effects(Effect::stores) | Effect::moves,
+      .preparation = "Connect the flight controller and level the camera. While the calibration runs, tilt the frame smoothly by 20 to 40 degrees to both sides, in roll and in pitch."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -375,7 +382,8 @@ struct Meta<msg::CalibPoles> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .effects = Effects(Effect::stores) | Effect::moves,
+      .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Their power must be set high enough to hold it."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -393,7 +401,8 @@ struct Meta<msg::CalibOffset> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .effects = Effects(Effect::stores) | Effect::moves,
+      .preparation = "Level the frame, and turn the camera to the position, relative to the frame, that it should have in follow mode."};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -411,7 +420,8 @@ struct Meta<msg::CalibBat> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Measure the voltage of the battery with a voltmeter, at the connector of the board, while the board is on."};
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage",
        .spec_name = "ACTUAL_VOLTAGE",
@@ -634,7 +644,8 @@ struct Meta<msg::EncodersCalibOffset4> {
       .min_size = 0,
       .max_size = 1,
       .since = {.board = 30},
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Turn the motors off, and turn the camera by hand to the position in which all motor angles are zero: level, and straight to the frame."};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motor",
        .spec_name = "FOR_MOTOR",
@@ -660,7 +671,8 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .min_size = 0,
       .max_size = 14,
       .since = {.board = 30},
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .effects = Effects(Effect::stores) | Effect::moves,
+      .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera back and forth."};
   static constexpr FieldInfo fields[] = {
       {.name = "calib_angle",
        .spec_name = "CALIB_ANGLE",
@@ -850,7 +862,8 @@ struct Meta<msg::CalibOrientCorr> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .effects = Effects(Effect::stores) | Effect::moves,
+      .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the accelerometer first."};
   static constexpr FieldInfo fields[] = {
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -875,7 +888,8 @@ struct Meta<msg::CalibCogging> {
       .direction = Direction::to_board,
       .min_size = 57,
       .max_size = 57,
-      .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
+      .effects = Effects(Effect::stores) | Effect::moves | Effect::erases,
+      .preparation = "Balance the camera, fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera slowly, several times."};
   static constexpr Range iterations_num_range{2, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "action",
@@ -919,7 +933,8 @@ struct Meta<msg::CalibAccExtRef> {
       .min_size = 20,
       .max_size = 20,
       .since = {.firmware = 2627},
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores),
+      .preparation = "Leave the camera completely still, and determine the direction of gravity in the coordinates of the sensor with another instrument."};
   static constexpr FieldInfo fields[] = {
       {.name = "acc_ref",
        .spec_name = "ACC_REF",

@@ -370,7 +370,7 @@ struct Meta<msg::ControlConfig> {
   static constexpr FieldInfo fields[] = {
       {.name = "timeout_ms",
        .spec_name = "TIMEOUT_MS",
-       .summary = "Time without a control command after which serial control ends.",
+       .summary = "Time without a control command after which serial control ends and RC takes over, which is not a stop.",
        .unit = &UnitMeta<msg::Milliseconds>::info,
        .special = timeout_ms_special},
       {.name = "ch_priority",

@@ -103,6 +103,11 @@ struct Meta<msg::AxisRc> {
     visitor(fields[4], value.rc_speed);
     visitor(fields[5], value.rc_follow);
   }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[0], value.rc_min_angle, fields[1], value.rc_max_angle, false);
+  }
 };
 
 template <>
@@ -839,6 +844,11 @@ struct Meta<msg::ReadParamsExt> {
     visitor(fields[28], value.acc_lpf_freq);
     visitor(fields[29], value.d_term_lpf_freq);
     visitor(tail_field, value.tail);
+  }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[13], value.encoder_limit_min, fields[14], value.encoder_limit_max, false);
   }
 };
 

@@ -299,6 +299,8 @@ def message_json(message: Message) -> dict[str, Any]:
         "response": _answer(message.answer),
         "layout": [_leaf_in(leaf, absent) for leaf in message.leaves],
     }
+    if message.preparation:
+        result["preparation"] = message.preparation
     if message.unconfirmed:
         result["unconfirmed"] = True
     if groups:

@@ -12,7 +12,12 @@ def lint_effects(layout: Layout, found: Diagnostics) -> None:
     for message in layout.messages:
         text, hint = "", ""
         if message.direction == "from_board":
-            if message.effect is not None:
+            if message.preparation:
+                text = (
+                    f"nothing needs to be prepared for {message.name}, which comes from the board"
+                )
+                hint = "'preparation' belongs to 'to_board'"
+            elif message.effect is not None:
                 text = f"{message.name} comes from the board, so it has no effect on it"
                 hint = "'effect' belongs to 'to_board'"
         elif message.effect is None:

@@ -84,7 +84,7 @@ def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
     commands = {name for _, name, _, _ in spec.entries("commands")}
     fields = {node["name"] for node in nodes if _is_text(node, "name")}
     for node in nodes:
-        for key in ("summary", "description"):
+        for key in ("summary", "description", "preparation"):
             for name in _COMMAND.findall(node[key]) if _is_text(node, key) else ():
                 if name not in commands | fields:
                     message = f"the {key} mentions {name}, which does not exist"

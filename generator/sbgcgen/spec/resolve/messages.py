@@ -202,6 +202,7 @@ class MessageResolver:
             role=self.answers.roles.role(draft.get("role"), draft.direction, body.fields),
             stores=str(draft.get("stores", "")),
             effect=self._effect(draft.get("effect"), body.fields),
+            preparation=" ".join(str(draft.get("preparation", "")).split()),
             example={
                 **(original.example if original else {}),
                 **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
