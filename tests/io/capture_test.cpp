@@ -124,20 +124,35 @@ TEST(Capture, TornAnywhereAndContinued) {
   }
 }
 
-TEST(Capture, OneWrongByteCostsNoMoreThanItsSession) {
+TEST(Capture, OneWrongByteCostsOneRecordOrTheSessionOfAHeader) {
   const Example whole = example();
   const std::size_t half = whole.ends[3];
   for (std::size_t at = capture_magic_size; at < half; ++at) {
     Bytes damaged = whole.file;
     damaged[at] ^= 0x10;
-    const auto good = static_cast<std::size_t>(
-        std::upper_bound(whole.ends.begin(), whole.ends.end(), at) - whole.ends.begin());
-    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
-    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
-    expected.push_back("damaged: " + std::to_string(half - end) + " from " + std::to_string(end));
-    expected.insert(expected.end(), whole.log.begin() + 4, whole.log.end());
+    const auto good =
+        std::upper_bound(whole.ends.begin(), whole.ends.end(), at) - whole.ends.begin();
+    const auto lost = good == 0 ? 4 : 1;
+    const std::size_t begin = good == 0 ? 0 : whole.ends[static_cast<std::size_t>(good) - 1];
+    const std::size_t end = whole.ends[static_cast<std::size_t>(good + lost) - 1];
+    Log expected(whole.log.begin(), whole.log.begin() + good);
+    expected.push_back("damaged: " + std::to_string(end - begin) + " from " +
+                       std::to_string(begin));
+    expected.insert(expected.end(), whole.log.begin() + good + lost, whole.log.end());
     ASSERT_EQ(log_of(damaged), expected) << at;
+    ASSERT_EQ(log_of(damaged, 7), expected) << at;
   }
+}
+
+TEST(Capture, RecordsOfALostSessionAreNotThoseOfTheSessionBefore) {
+  const Example whole = example();
+  Bytes damaged = whole.file;
+  const std::size_t half = whole.ends[3];
+  damaged[half] ^= 0x10;  // the magic of the second session
+  Log expected(whole.log.begin(), whole.log.begin() + 4);
+  expected.push_back("damaged: " + std::to_string(damaged.size() - half) + " from " +
+                     std::to_string(half));
+  EXPECT_EQ(log_of(damaged), expected);
 }
 
 TEST(Capture, LaterVersionsAreSkipped) {

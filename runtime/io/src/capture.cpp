@@ -57,9 +57,10 @@ void append_checksum(std::vector<std::uint8_t>& bytes) {
 }
 
 /// Returns the position of the magic in `bytes`, or of a prefix of it at their end; their size if
-/// there is neither.
-std::size_t find_magic(std::span<const std::uint8_t> bytes) {
+/// there is neither. If `or_record`, returns the first mark of a record before it, too.
+std::size_t find_start(std::span<const std::uint8_t> bytes, bool or_record) {
   for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (or_record && bytes[at] == record_mark) return at;
     const std::size_t size = std::min(magic.size(), bytes.size() - at);
     if (std::equal(magic.begin(), magic.begin() + static_cast<std::ptrdiff_t>(size),
                    bytes.begin() + static_cast<std::ptrdiff_t>(at))) {
@@ -67,6 +68,15 @@ std::size_t find_magic(std::span<const std::uint8_t> bytes) {
     }
   }
   return bytes.size();
+}
+
+/// Returns the size of the session header or record that begins with these bytes; nullopt if there
+/// are too few of them.
+std::optional<std::size_t> size_of_item(std::span<const std::uint8_t> begin) {
+  if (begin.empty()) return std::nullopt;
+  if (begin[0] != record_mark) return header_size;
+  if (begin.size() < record_head_size) return std::nullopt;
+  return record_head_size + wire::load<std::uint16_t>(begin.data() + 2) + checksum_size;
 }
 
 }  // namespace
@@ -101,7 +111,7 @@ void CaptureParser::feed(std::span<const std::uint8_t> bytes) {
 std::optional<CaptureItem> CaptureParser::next() {
   for (;;) {
     if (damage_) {
-      if (auto item = find_session()) return item;
+      if (auto item = find_item()) return item;
       return std::nullopt;
     }
     if (rest().empty()) return std::nullopt;
@@ -121,6 +131,7 @@ std::optional<CaptureItem> CaptureParser::session() {
   }
   if (bytes.size() < header_size) return incomplete();
   const auto header = bytes.first(header_size);
+  has_session_ = false;
   if (!is_sound(header)) {
     begin_damage(Reason::damaged);
     return std::nullopt;
@@ -132,6 +143,8 @@ std::optional<CaptureItem> CaptureParser::session() {
   const CaptureSession result{
       std::chrono::sys_time<std::chrono::microseconds>(load_time(header.data() + 12)), offset_};
   advance(header_size);
+  has_session_ = true;
+  time_ = {};
   return result;
 }
 
@@ -141,17 +154,17 @@ std::optional<CaptureItem> CaptureParser::record() {
     begin_damage(Reason::damaged);
     return std::nullopt;
   }
-  if (bytes.size() < record_head_size) return incomplete();
-  const std::size_t content = wire::load<std::uint16_t>(bytes.data() + 2);
-  const std::size_t size = record_head_size + content + checksum_size;
-  if (bytes.size() < size) return incomplete();
-  if (!is_sound(bytes.first(size))) {
+  const auto size = size_of_item(bytes);
+  if (!size || bytes.size() < *size) return incomplete();
+  if (!is_sound(bytes.first(*size))) {
     begin_damage(Reason::damaged);
     return std::nullopt;
   }
+  const std::size_t content = *size - record_head_size - checksum_size;
   const CaptureRecord result{static_cast<CaptureKind>(bytes[1]), load_time(bytes.data() + 4),
                              bytes.subspan(record_head_size, content), offset_};
-  advance(size);
+  time_ = result.time;
+  advance(*size);
   return result;
 }
 
@@ -166,24 +179,32 @@ void CaptureParser::begin_damage(CaptureDamage::Reason reason) {
   advance(reason == Reason::not_a_capture ? rest().size() : 1);
 }
 
-std::optional<CaptureItem> CaptureParser::find_session() {
+std::optional<CaptureItem> CaptureParser::find_item() {
   const bool hopeless = damage_->reason == Reason::not_a_capture;
   for (;;) {
-    advance(hopeless ? rest().size() : find_magic(rest()));
+    advance(hopeless ? rest().size() : find_start(rest(), has_session_));
     const auto bytes = rest();
-    if (bytes.size() >= header_size) {
-      if (is_sound(bytes.first(header_size))) break;
-      advance(1);
-      continue;
+    const auto size = size_of_item(bytes);
+    if (size && bytes.size() >= *size) {
+      if (is_sound(bytes.first(*size)) && continues(bytes)) break;
+    } else if (!finished_) {
+      return std::nullopt;
     }
-    if (!finished_) return std::nullopt;
     if (bytes.empty()) break;
     advance(1);
   }
-  // An incomplete item before another session is damaged, not torn.
+  // An incomplete item before others is damaged, not torn.
   if (damage_->reason == Reason::torn && !rest().empty()) damage_->reason = Reason::damaged;
   damage_->size = offset_ - damage_->offset;
   return *std::exchange(damage_, std::nullopt);
+}
+
+bool CaptureParser::continues(std::span<const std::uint8_t> item) noexcept {
+  if (item[0] != record_mark) return true;
+  // Threads may write their records slightly out of order.
+  constexpr CaptureTime tolerance = std::chrono::seconds(1);
+  has_session_ = load_time(item.data() + 4) + tolerance >= time_;
+  return has_session_;
 }
 
 CaptureWriter::CaptureWriter(CaptureWriter&& other) noexcept { *this = std::move(other); }

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <future>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@
 
 #include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/network.hpp>
+
+#include "descriptor.hpp"
 
 namespace sbgc::io {
 
@@ -146,6 +149,7 @@ class TcpTransport final : public detail::StreamTransport<tcp::socket> {
       : StreamTransport(std::move(socket), translate_network), place_(std::move(place)) {}
 
   std::string description() const override { return "TCP connection to " + place_; }
+  int native_handle() override { return stream().native_handle(); }
 
  private:
   std::string place_;
@@ -188,6 +192,7 @@ class DatagramStream {
   }
 
   void close(std::error_code& error) { socket_.close(error); }
+  int native_handle() { return socket_.native_handle(); }
 
  private:
   static constexpr std::size_t max_datagram = 1200;
@@ -216,10 +221,28 @@ class UdpTransport final : public detail::StreamTransport<DatagramStream> {
         place_(std::move(place)) {}
 
   std::string description() const override { return "UDP to " + place_; }
+  int native_handle() override { return stream().native_handle(); }
 
  private:
   std::string place_;
 };
+
+/// Takes over a socket; returns nothing if it is of another protocol or not connected.
+template <class Transport, class Socket>
+std::unique_ptr<Transport> take_over(const asio::any_io_executor& executor, int descriptor) {
+  typename Socket::endpoint_type peer;
+  auto size = static_cast<socklen_t>(peer.capacity());
+  if (getpeername(descriptor, peer.data(), &size) != 0) return nullptr;
+  const int family = peer.data()->sa_family;
+  if (family != AF_INET && family != AF_INET6) return nullptr;
+  peer.resize(size);
+  Socket socket(executor);
+  std::error_code error;
+  socket.assign(peer.protocol(), descriptor, error);
+  if (error) return nullptr;
+  return std::make_unique<Transport>(std::move(socket),
+                                     place_of(peer.address().to_string(), peer.port()));
+}
 
 }  // namespace
 
@@ -259,6 +282,20 @@ OpenResult open_udp(const asio::any_io_executor& executor, const std::string& ho
   if (!error) socket.connect(endpoint, error);
   if (error) return {nullptr, connect_error(place, error)};
   return {std::make_unique<UdpTransport>(std::move(socket), place), {}};
+}
+
+OpenResult adopt_socket(const asio::any_io_executor& executor, int descriptor) {
+  detail::Descriptor fd(descriptor);
+  int type = 0;
+  socklen_t size = sizeof type;
+  std::unique_ptr<Transport> transport;
+  if (getsockopt(fd.get(), SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
+    if (type == SOCK_STREAM) transport = take_over<TcpTransport, tcp::socket>(executor, fd.get());
+    if (type == SOCK_DGRAM) transport = take_over<UdpTransport, udp::socket>(executor, fd.get());
+  }
+  if (!transport) return {nullptr, {Errc::end_of_stream, "This socket has no connection."}};
+  std::ignore = fd.release();
+  return {std::move(transport), {}};
 }
 
 }  // namespace sbgc::io

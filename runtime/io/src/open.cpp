@@ -6,10 +6,15 @@
 #include <set>
 #include <utility>
 
+#include <sys/stat.h>
+
 #include <sbgc/io/network.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/io/serial.hpp>
+
+#include "descriptor.hpp"
+#include "termios.hpp"
 
 namespace sbgc::io {
 
@@ -181,6 +186,16 @@ OpenResult open(const asio::any_io_executor& executor, const Address& address,
           },
           [&](const CaptureAddress& at) { return open_replay(executor, at.file, at.timing); }},
       address);
+}
+
+OpenResult adopt(const asio::any_io_executor& executor, int descriptor) {
+  detail::Descriptor fd(descriptor);
+  struct stat status {};
+  if (fstat(fd.get(), &status) == 0) {
+    if (S_ISSOCK(status.st_mode)) return adopt_socket(executor, fd.release());
+    if (detail::is_terminal(fd.get())) return adopt_serial(executor, fd.release());
+  }
+  return {nullptr, {Errc::not_a_port, "This descriptor is not that of a line."}};
 }
 
 }  // namespace sbgc::io

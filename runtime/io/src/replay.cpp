@@ -97,8 +97,9 @@ class Player : public std::enable_shared_from_this<Player> {
   using Handler = Transport::Handler;
   using Clock = std::chrono::steady_clock;
 
-  Player(const asio::any_io_executor& executor, ReplayTiming timing, detail::Descriptor file)
-      : timing_(timing), source_(std::move(file)), timer_(executor) {}
+  Player(const asio::any_io_executor& executor, ReplayTiming timing, double speed,
+         detail::Descriptor file)
+      : timing_(timing), speed_(speed), source_(std::move(file)), timer_(executor) {}
 
   void read(std::span<std::uint8_t> into, Handler handler) {
     if (closed_) return complete(std::move(handler), asio::error::operation_aborted, 0);
@@ -106,7 +107,8 @@ class Player : public std::enable_shared_from_this<Player> {
       return complete(std::move(handler), Errc::end_of_stream, 0);
     }
     if (!start_) start_ = Clock::now();
-    const auto due = *start_ + piece_.time;
+    const auto due = *start_ + std::chrono::duration_cast<Clock::duration>(
+                                   std::chrono::duration<double>(piece_.time) / speed_);
     if (timing_ == ReplayTiming::fast || due <= Clock::now()) {
       return complete(std::move(handler), {}, take(into));
     }
@@ -152,6 +154,7 @@ class Player : public std::enable_shared_from_this<Player> {
   }
 
   ReplayTiming timing_;
+  double speed_;
   Source source_;
   Piece piece_;
   std::size_t given_ = 0;  // of the piece
@@ -188,7 +191,7 @@ class ReplayTransport final : public Transport {
 }  // namespace
 
 OpenResult open_replay(const asio::any_io_executor& executor, const std::string& path,
-                       ReplayTiming timing) {
+                       ReplayTiming timing, double speed) {
   detail::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!file || fstat(file.get(), &status) != 0) {
@@ -201,7 +204,7 @@ OpenResult open_replay(const asio::any_io_executor& executor, const std::string&
   if (!S_ISREG(status.st_mode)) {
     return {nullptr, {Errc::not_a_capture, path + " is not a file that can be replayed."}};
   }
-  auto player = std::make_shared<Player>(executor, timing, std::move(file));
+  auto player = std::make_shared<Player>(executor, timing, speed, std::move(file));
   return {std::make_unique<ReplayTransport>(std::move(player), path), {}};
 }
 

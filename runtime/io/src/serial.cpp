@@ -56,6 +56,7 @@ class SerialTransport final : public detail::StreamTransport<Stream>, private Li
   }
 
   LineControl* line() override { return this; }
+  int native_handle() override { return fd(); }
 
  private:
   Error set(const LineSettings& settings) override {
@@ -174,6 +175,17 @@ Error open_error(const std::string& path, int reason, const struct stat& status)
   }
 }
 
+/// Takes over an open terminal.
+OpenResult transport_over(const asio::any_io_executor& executor, detail::Descriptor fd,
+                          const std::string& path, const LineSettings& settings) {
+  Stream stream(executor);
+  std::error_code error;
+  stream.assign(fd.get(), error);
+  if (error) return {nullptr, system_error(path, error.value())};
+  std::ignore = fd.release();
+  return {std::make_unique<SerialTransport>(std::move(stream), path, settings), {}};
+}
+
 }  // namespace
 
 Error permission_error(const std::string& path, const DeviceOwner& owner) {
@@ -211,12 +223,17 @@ OpenResult open_serial(const asio::any_io_executor& executor, const std::string&
   if (!is_pseudo_terminal(status)) detail::set_exclusive(fd.get(), true);
   if (Error error = detail::make_raw(fd.get(), settings, path)) return {nullptr, std::move(error)};
   detail::discard_input(fd.get());
-  Stream stream(executor);
-  std::error_code error;
-  stream.assign(fd.get(), error);
-  if (error) return {nullptr, system_error(path, error.value())};
-  std::ignore = fd.release();
-  return {std::make_unique<SerialTransport>(std::move(stream), path, settings), {}};
+  return transport_over(executor, std::move(fd), path, settings);
+}
+
+OpenResult adopt_serial(const asio::any_io_executor& executor, int descriptor) {
+  detail::Descriptor fd(descriptor);
+  std::array<char, 256> name{};
+  const bool is_named = ttyname_r(fd.get(), name.data(), name.size()) == 0;
+  const std::string path = is_named ? name.data() : "of another process";
+  const std::optional<LineSettings> settings = detail::line_of(fd.get());
+  if (!settings) return {nullptr, {Errc::device_lost, path + " no longer responds."}};
+  return transport_over(executor, std::move(fd), path, *settings);
 }
 
 }  // namespace sbgc::io

@@ -22,7 +22,9 @@
 ///       12  n  the bytes of one read or write; UTF-8 in a note
 ///       12+n 4 checksum of bytes 0 to 11+n
 ///
-/// Bytes outside a session are damaged and skipped up to the next session header.
+/// Bytes that are neither are damaged. The reader skips them up to the next sound record or session
+/// header; only up to a header if that of the session is damaged, too, which shows at the latest in
+/// a time that is before that of the last record.
 #pragma once
 
 #include <chrono>
@@ -105,7 +107,10 @@ class CaptureParser {
   std::optional<CaptureItem> record();
   std::optional<CaptureItem> incomplete();
   void begin_damage(CaptureDamage::Reason reason);
-  std::optional<CaptureItem> find_session();
+  std::optional<CaptureItem> find_item();
+  /// Returns true if a sound item after damage is a session header, or a record of the same
+  /// session. Otherwise, the header of its session was damaged.
+  bool continues(std::span<const std::uint8_t> item) noexcept;
 
   std::span<const std::uint8_t> rest() const noexcept {
     return std::span(buffer_).subspan(position_);
@@ -119,7 +124,9 @@ class CaptureParser {
   std::size_t position_ = 0;  // of the next byte in the buffer
   std::uint64_t offset_ = 0;  // of the next byte in the file
   bool finished_ = false;
-  std::optional<CaptureDamage> damage_;  // set while searching for a session
+  bool has_session_ = false;             // records belong to a known session
+  CaptureTime time_{};                   // of the last record
+  std::optional<CaptureDamage> damage_;  // set while searching for the next item
 };
 
 /// Writes a capture.

@@ -24,4 +24,7 @@ OpenResult open_udp(const asio::any_io_executor& executor, const std::string& ho
                     std::uint16_t port,
                     std::chrono::milliseconds timeout = std::chrono::seconds(5));
 
+/// Continues on a connected TCP or UDP socket: see adopt().
+OpenResult adopt_socket(const asio::any_io_executor& executor, int descriptor);
+
 }  // namespace sbgc::io

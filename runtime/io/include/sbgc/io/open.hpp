@@ -74,4 +74,10 @@ OpenResult open(const asio::any_io_executor& executor, std::string_view address,
 OpenResult open(const asio::any_io_executor& executor, const Address& address,
                 const OpenOptions& options = {});
 
+/// Continues on a line that is open: the Transport::native_handle() of another transport,
+/// duplicated or received from another process. Takes ownership of `descriptor`, also on failure.
+/// The line keeps its settings, and a serial port stays locked as long as any descriptor of it is
+/// open. While two transports share a line, only one of them may read.
+OpenResult adopt(const asio::any_io_executor& executor, int descriptor);
+
 }  // namespace sbgc::io

@@ -17,8 +17,9 @@ enum class ReplayTiming : std::uint8_t {
 
 /// Opens a transport that delivers the bytes from the board in the recorded pieces and ignores
 /// writes. At the end of the file, or at a read error, reads fail with Errc::end_of_stream. A file
-/// that is not a capture is treated as raw bytes from the board.
+/// that is not a capture is treated as raw bytes from the board. With ReplayTiming::original, the
+/// recorded times are divided by `speed`, which must be positive.
 OpenResult open_replay(const asio::any_io_executor& executor, const std::string& path,
-                       ReplayTiming timing = ReplayTiming::original);
+                       ReplayTiming timing = ReplayTiming::original, double speed = 1);
 
 }  // namespace sbgc::io

@@ -18,6 +18,9 @@ namespace sbgc::io {
 OpenResult open_serial(const asio::any_io_executor& executor, const std::string& path,
                        const LineSettings& settings = default_line);
 
+/// Continues on a serial port that is open: see adopt().
+OpenResult adopt_serial(const asio::any_io_executor& executor, int descriptor);
+
 /// The permissions of a device, for permission_error().
 struct DeviceOwner {
   std::string group;            ///< the owning group, e.g. "dialout"

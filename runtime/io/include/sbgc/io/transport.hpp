@@ -53,6 +53,10 @@ class Transport {
   /// Returns the control of the line; null if the transport has none. Valid as long as the
   /// transport.
   virtual LineControl* line() { return nullptr; }
+
+  /// Returns the file descriptor of the line, which remains the transport's; -1 if there is none,
+  /// or if it alone does not carry the bytes. See adopt().
+  virtual int native_handle() { return -1; }
 };
 
 /// A transport, or the error that prevented opening it.

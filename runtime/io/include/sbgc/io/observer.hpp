@@ -1,0 +1,40 @@
+/// Observes the traffic of a transport.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <system_error>
+
+#include <sbgc/io/line.hpp>
+#include <sbgc/io/transport.hpp>
+
+namespace sbgc::io {
+
+/// Told about the events of a transport, on its executor.
+class Observer {
+ public:
+  Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+  virtual ~Observer() = default;
+
+  virtual void on_read(std::span<const std::uint8_t> bytes) = 0;
+  /// Called when the bytes are passed to the transport.
+  virtual void on_written(std::span<const std::uint8_t> bytes) = 0;
+  virtual void on_read_failed([[maybe_unused]] std::error_code error) {}
+  /// `size` of `all` bytes were passed to the system before the error.
+  virtual void on_write_failed([[maybe_unused]] std::error_code error,
+                               [[maybe_unused]] std::size_t size,
+                               [[maybe_unused]] std::size_t all) {}
+  /// The line has these settings after an attempt to change them.
+  virtual void on_line_set([[maybe_unused]] const LineSettings& settings) {}
+};
+
+/// Returns a transport that forwards to `inner` and tells the observer what happens. The observer
+/// lives until the last pending operation has ended.
+std::unique_ptr<Transport> observe(std::unique_ptr<Transport> inner,
+                                   std::shared_ptr<Observer> observer);
+
+}  // namespace sbgc::io
