@@ -126,7 +126,7 @@ Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction d
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 inline void PrintTo(const MessageType& type, std::ostream* out) { *out << type.info->name; }
 
-/// Returns the contexts learned from random messages.
-Contexts random_contexts(RandomBodies& bodies);
+/// Returns one of 64 contexts learned from random conversations.
+const Contexts& random_contexts(std::size_t index);
 
 }  // namespace sbgc::test

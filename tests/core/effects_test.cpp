@@ -1,5 +1,7 @@
 // Tests of the effects of requests.
 
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include <sbgc/messages.hpp>
@@ -34,6 +36,19 @@ TEST(Effects, OfAMessageInBothDirectionsAreThoseToTheBoard) {
 TEST(Effects, AMessageFromTheBoardHasNone) {
   EXPECT_EQ(effects_of<msg::ReadParams3>, Effects());
   EXPECT_EQ(effects_of<msg::GetAngles>, Effects());
+}
+
+template <class M>
+bool preparation_says(std::string_view words) {
+  return std::string_view(Meta<M>::info.preparation).find(words) != std::string_view::npos;
+}
+
+TEST(Preparation, IsThatOfTheRequestOrOfItsForm) {
+  EXPECT_TRUE(preparation_says<msg::CalibGyro>("completely still"));
+  EXPECT_FALSE(preparation_says<msg::CalibGyro>("TEMPERATURE"));
+  EXPECT_TRUE(preparation_says<msg::CalibGyroExt>("TEMPERATURE"));
+  EXPECT_STREQ(Meta<msg::GetAnglesRequest>::info.preparation, "");
+  EXPECT_STREQ(Meta<msg::CalibInfo>::info.preparation, "");
 }
 
 }  // namespace

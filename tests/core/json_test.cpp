@@ -26,7 +26,7 @@ TEST_P(JsonOfMessage, ComesBackAsTheSameBytes) {
     const std::size_t more = GetParam().fixed_size() && i % 4 != 0 ? 0 : i % 200;
     const ByteVector body = bodies.next(std::min(min_size + more, max_body_size));
     const auto message = GetParam().make();
-    if (!message->decode(body, random_contexts(bodies))) continue;
+    if (!message->decode(body, random_contexts(i))) continue;
     ++checked;
     const std::string text = message->to_json();
     ASSERT_EQ(Json::parse(text), message->to_dom()) << text;

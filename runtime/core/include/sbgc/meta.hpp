@@ -155,6 +155,8 @@ struct MessageInfo {
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< empty for a message from the board
+  /// What to do before the request is sent, such as how to hold the camera; "" if nothing.
+  const char* preparation = "";
 };
 
 /// The element count of a list, for which the protocol has a field. Messages do not store it: the

@@ -120,7 +120,6 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
     out.put(verb);
     detail::put_limit(out, violation.limit, violation.unit);
   };
-  const auto version = static_cast<std::uint16_t>(violation.limit);
   switch (violation.rule) {
     case Rule::minimum: return is_below ? put("is below ") : out.put("is not a number");
     case Rule::maximum: return put("is above ");
@@ -134,10 +133,11 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
       return out.put(violation.other->name);
     case Rule::firmware:
       out.put("needs firmware ");
-      return out.put(to_string(VersionTypes::Firmware(version)));
+      return out.put(
+          to_string(VersionTypes::Firmware(static_cast<std::uint16_t>(violation.limit))));
     case Rule::board:
       out.put("needs board ");
-      return out.put(to_string(VersionTypes::Board(static_cast<std::uint8_t>(version))));
+      return out.put(to_string(VersionTypes::Board(static_cast<std::uint8_t>(violation.limit))));
   }
 }
 inline std::string violation_text(const Violation& violation) {

@@ -52,6 +52,7 @@ constexpr std::uint64_t quotient_of_x80(std::uint16_t polynomial) noexcept {
 /// bit 0, so that it is x times too large as a block.
 template <std::uint16_t polynomial, unsigned distance>
 inline constexpr auto factor_over =
+    // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): both types have 64 bits
     static_cast<long long>(std::uint64_t{power_of_x(distance - 1, polynomial)} << 48);
 
 /// A table of shuffles: the 16 bytes at offset n move the last n bytes of the result to the first n
