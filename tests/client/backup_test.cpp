@@ -103,6 +103,20 @@ class BackupTest : public TaskTest {
   TemporaryFolder folder_;
 };
 
+TEST_F(BackupTest, OnlyARegularFileIsReplaced) {
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  ASSERT_EQ(::symlink(file("pipe").c_str(), file("link").c_str()), 0);
+  for (const char* const name : {"pipe", "link"}) {
+    const Result<void> saved = save_backup(make(), file(name), Existing::replace);
+    ASSERT_FALSE(saved) << name;
+    EXPECT_THAT(saved.error().message, HasSubstr("pipe is not a regular file"));
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(file("pipe")));
+  const Result<void> saved = save_backup(make(), file("no/where.json"), Existing::replace);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr("where.json: "));
+}
+
 TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   const Backup backup = make();
   ASSERT_TRUE(save_backup(backup, file("a.json")));

@@ -102,5 +102,37 @@ TEST_F(CalibrationTest, ALineThatBreaksMeanwhileIsAnError) {
   EXPECT_EQ(done.error().code, ErrorCode::link_lost);
 }
 
+TEST_F(CalibrationTest, AnyRequestCanCalibrate) {
+  // Confirmed at the end only.
+  board.after([this](const Packet& request) {
+    if (is<msg::CalibPoles>(request)) board.skip(std::chrono::seconds(30));
+  });
+  const auto poles = client().run_calibration(msg::CalibPoles{});
+  ASSERT_TRUE(poles) << poles.error().message;
+  EXPECT_EQ(*poles, CalibrationEnd::finished);
+  // Confirmed at the start only, if at all.
+  const auto mag = client().run_calibration(msg::CalibMag{});
+  ASSERT_TRUE(mag) << mag.error().message;
+  EXPECT_EQ(*mag, CalibrationEnd::accepted);
+  board.on_answer_lost([](const Packet&) { return true; });
+  const auto battery = client().run_calibration(msg::CalibBat{});
+  ASSERT_TRUE(battery) << battery.error().message;
+  EXPECT_EQ(*battery, CalibrationEnd::unconfirmed);
+}
+
+TEST_F(CalibrationTest, OneAfterTheOther) {
+  board.after([this](const Packet& request) {
+    if (is<msg::CalibGyroExt>(request)) board.skip(std::chrono::seconds(30));
+  });
+  msg::CalibGyroExt request;
+  request.imu_idx = msg::CalibImu::main;
+  request.action = msg::CalibAction::regular;
+  for (int i = 0; i < 2; ++i) {
+    const auto ended = client().run_calibration(request);
+    ASSERT_TRUE(ended) << ended.error().message;
+    EXPECT_EQ(*ended, CalibrationEnd::finished);
+  }
+}
+
 }  // namespace
 }  // namespace sbgc::test

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,39 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   EXPECT_EQ(sent.control_mode.mode(), msg::ControlModeKind::angle);
   EXPECT_EQ(sent.axes.yaw.angle.raw(), 4096);
   EXPECT_EQ(sent.axes.yaw.speed.raw(), 410);  // 50 * 32767 / 4000
+}
+
+TEST_F(MotionTest, BeginsAMoveAndLeavesIt) {
+  connect();
+  board.on_lost([first = true](const Packet& request) mutable {
+    return is<msg::Control>(request) && std::exchange(first, false);
+  });
+  const auto begun = client().run(
+      tasks::begin_move({.roll = 1_deg, .pitch = -20_deg, .yaw = 2_deg}, {.speed = 20_deg_per_s}),
+      clock);
+  ASSERT_TRUE(begun) << begun.error().message;
+  EXPECT_LT(begun->elapsed, milliseconds(500));
+  EXPECT_GT(std::abs(begun->remaining.pitch), 10);
+  EXPECT_EQ(count<msg::Control>(), 2U) << "the first one was lost";
+  disconnect();
+  board.skip(milliseconds(2000));
+  EXPECT_NEAR(sample().angles.pitch, -20, 0.6);
+}
+
+TEST_F(MotionTest, AMoveThatIsThereHasBegun) {
+  const auto begun = client().run(tasks::begin_move({.pitch = msg::Angle14(0)}), clock);
+  ASSERT_TRUE(begun) << begun.error().message;
+  EXPECT_TRUE(begun->is_close);
+}
+
+TEST_F(MotionTest, AMoveDoesNotBeginWithoutMotors) {
+  client();
+  board.write(msg::MotorsOff{});
+  const auto begun =
+      client().run(tasks::begin_move({.pitch = 20_deg}, {.timeout = milliseconds(500)}), clock);
+  ASSERT_FALSE(begun);
+  EXPECT_EQ(begun.error().code, ErrorCode::timeout);
+  EXPECT_THAT(begun.error().message, HasSubstr("are the motors on?"));
 }
 
 TEST_F(MotionTest, LeavesAxesAlone) {

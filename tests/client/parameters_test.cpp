@@ -131,6 +131,45 @@ TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
   EXPECT_EQ(count<msg::ReadParams3Request>(), 0U);
 }
 
+TEST_F(ParametersTest, ReadsOnlyWhatIsWanted) {
+  ReadOptions options;
+  options.wanted = [](const ParametersId& id) {
+    return id.message == "ReadParams3" && id.copy == 2;
+  };
+  std::size_t total = 0;
+  options.progress = [&](const Progress& progress) {
+    total = progress.total;
+    return true;
+  };
+  const Result<ParameterSet> set = client().read_parameters(options);
+  ASSERT_TRUE(set) << set.error().message;
+  ASSERT_THAT(set->all(), SizeIs(1));
+  EXPECT_EQ(set->all()[0].id, (ParametersId{"ReadParams3", 2}));
+  EXPECT_EQ(count<msg::ReadParams3Request>(), 1U);
+  EXPECT_EQ(total, 1U);
+}
+
+TEST_F(ParametersTest, AMinimumAboveAMaximumIsRejectedWhicheverOfThemChanges) {
+  for (const bool is_minimum : {true, false}) {
+    ParameterSet set = read();
+    msg::ReadParams3 wanted = get(set, 0);
+    const int lowest = wanted.rc.pitch.rc_min_angle.raw();
+    const int highest = wanted.rc.pitch.rc_max_angle.raw();
+    if (is_minimum) {
+      wanted.rc.pitch.rc_min_angle = msg::Degrees(static_cast<std::int16_t>(highest + 1));
+    } else {
+      wanted.rc.pitch.rc_max_angle = msg::Degrees(static_cast<std::int16_t>(lowest - 1));
+    }
+    ASSERT_TRUE(set.set(wanted));
+    const WriteReport report = client().write_parameters(set);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
+    EXPECT_THAT(report.outcome.error().message, HasSubstr("rc.pitch.rc_min_angle"));
+    EXPECT_THAT(report.outcome.error().message, HasSubstr("rc_max_angle"));
+  }
+  EXPECT_EQ(writes(), 0U);
+}
+
 TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
   const ParameterSet set = read();
   const WriteReport report = client().write_parameters(set);

@@ -23,6 +23,14 @@ class ProfilesTest : public TaskTest {
   msg::ReadProfileNames names() { return board.settings<msg::ReadProfileNames>(); }
 };
 
+TEST_F(ProfilesTest, TellsTheActiveProfile) {
+  EXPECT_EQ(*client().active_profile(), 0U);
+  board.write(msg::ExecuteMenu{msg::MenuCommand::profile5});
+  const Result<std::size_t> active = client().active_profile();
+  ASSERT_TRUE(active) << active.error().message;
+  EXPECT_EQ(*active, 4U);
+}
+
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
   set(2, "Höhe ½");
   const auto read = client().profile_names();

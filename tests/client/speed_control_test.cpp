@@ -1,6 +1,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <sbgc/client/speed_control.hpp>
@@ -138,7 +139,10 @@ class SpeedControlTest : public TaskTest {
       came_.notify_all();
     });
   }
-  SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
+  /// Without a bound, the commands are the speeds of the owner.
+  SpeedControlOptions options() {
+    return {milliseconds(500), milliseconds(100), clock, MotionBound::none};
+  }
 
   /// Waits until `n` commands have arrived; returns the yaw speeds of all commands.
   std::vector<int> commands(std::size_t n) {
@@ -217,6 +221,29 @@ TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {
   EXPECT_TRUE(commands(0).empty());
 }
 
+TEST_F(SpeedControlTest, ByDefaultTheMotionIsBounded) {
+  const auto modes_with = [&](msg::FirmwareVersion firmware) {
+    become(firmware);
+    SpeedControlOptions bounded = options();
+    bounded.bound = SpeedControlOptions{}.bound;
+    const std::size_t before = commands(0).size();
+    SpeedControl control(client(), bounded);
+    EXPECT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
+    EXPECT_TRUE(control.wait());
+    commands(before + 1);
+    std::vector<msg::ControlModeKind> modes;
+    for (const Packet& one : board.log()) {
+      if (is<msg::Control>(one)) modes.push_back(message<msg::Control>(one).control_mode.mode());
+    }
+    return modes;
+  };
+  using enum msg::ControlModeKind;
+  EXPECT_EQ(modes_with(msg::FirmwareVersion(2590)), std::vector{angle});
+  EXPECT_EQ(count<msg::ControlConfig>(), 0U);
+  EXPECT_EQ(modes_with(msg::FirmwareVersion(2700)), std::vector{speed});
+  EXPECT_EQ(count<msg::ControlConfig>(), 2U) << "set, and removed by the destructor";
+}
+
 TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   SpeedControl control(client(), options());
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
@@ -247,6 +274,23 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
   clock.advance(milliseconds(100));
   EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(control.state(), State::failed);
+}
+
+TEST_F(SpeedControlTest, ARestartEndsTheMotion) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  bool is_first = true;
+  board.tamper([&](Packets& answers) {
+    if (std::exchange(is_first, false)) answers.push_back(packet(msg::Reset{}));
+  });
+  static_cast<void>(client().call(msg::GetAnglesRequest{}));
+  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
+  clock.advance(milliseconds(100));
+  EXPECT_EQ(control.wait().error().code, ErrorCode::board_reset);
+  EXPECT_EQ(control.state(), State::failed);
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
 }
 
 TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {

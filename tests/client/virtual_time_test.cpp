@@ -162,7 +162,8 @@ TEST_F(VirtualTime, ASilentOwnerStopsTheCamera) {
     return {};
   }));
   double fastest = 0;
-  const auto done = client.run(detail::hold_speed(speed), [&](TaskMachine& task) {
+  const detail::BoundedTurn unbounded(MotionBound::none, {});
+  const auto done = client.run(detail::hold_speed(speed, unbounded), [&](TaskMachine& task) {
     fastest = std::max(fastest, yaw_speed());
     if (client.now() - start < seconds(3)) return;
     speed->close();

@@ -169,16 +169,21 @@ std::filesystem::path target_of(std::filesystem::path file) {
 Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing) {
   const std::filesystem::path file = target_of(name);
+  struct stat present {};
+  if (::stat(file.c_str(), &present) == 0 && !S_ISREG(present.st_mode)) {
+    // A device, a named pipe or a folder must not become a file.
+    return ClientError{ErrorCode::invalid, fmt::format("{} is not a regular file", file.string())};
+  }
   std::filesystem::path path;
   const Descriptor opened(open_beside(file, path));
-  if (!opened.is_open()) return io_error("cannot write", path, errno);
+  if (!opened.is_open()) return io_error("cannot write", file, errno);
   const TemporaryFile temporary(path);
   if (existing == Existing::replace) keep_rights(opened.number(), file);
   // Some file systems report errors only on close. The lock lasts until the last descriptor is
   // closed.
   const bool is_present = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
                           ::close(::dup(opened.number())) == 0;
-  if (!is_present) return io_error("cannot write", path, errno);
+  if (!is_present) return io_error("cannot write", file, errno);
   const bool replaces = existing == Existing::replace;
   const int error = !replaces                                   ? move_without_replacing(path, file)
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0

@@ -44,22 +44,23 @@ class Loop {
   std::thread thread_;
 };
 
-Result<Client> connect_with(const detail::Opener& opener, const ConnectOptions& options) {
-  const auto loop = std::make_shared<Loop>();
-  auto conversation = detail::connect(loop->executor(), opener, options);
-  if (!conversation) return std::move(conversation).error();
-  loop->set_conversation(*conversation);
-  return detail::ClientMaker::make(loop, *std::move(conversation));
-}
-
 }  // namespace
 
+Result<Client> detail::connect_client(const Opener& opener, const ConnectOptions& options,
+                                      const OnStarted& on_begun) {
+  const auto loop = std::make_shared<Loop>();
+  auto conversation = detail::connect(loop->executor(), opener, options, on_begun);
+  if (!conversation) return std::move(conversation).error();
+  loop->set_conversation(*conversation);
+  return ClientMaker::make(loop, *std::move(conversation));
+}
+
 Result<Client> Client::connect(const std::string& address, const ConnectOptions& options) {
-  return connect_with(detail::opener_of(address, options), options);
+  return detail::connect_client(detail::opener_of(address, options), options);
 }
 
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options) {
-  return connect_with(detail::opener_of(make, options), options);
+  return detail::connect_client(detail::opener_of(make, options), options);
 }
 
 }  // namespace sbgc

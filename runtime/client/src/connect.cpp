@@ -91,6 +91,7 @@ class Connector {
       if (const io::Error error = file.open(options_.capture)) return to_client_error(error);
       opened.transport = io::record(std::move(opened.transport), std::move(file));
     }
+    if (options_.wrap) opened.transport = options_.wrap(std::move(opened.transport));
     state_->attach(std::move(opened.transport));
     return {};
   }
@@ -151,7 +152,8 @@ class Connector {
     Result<Request> prepared = conversation().prepare(request, {});
     if (!prepared) return std::move(prepared).error();
     prepared->tried_framing = tried_framing;
-    const auto usual = std::chrono::milliseconds(prepared->policy.timeout_ms);
+    const auto usual =
+        std::max(std::chrono::milliseconds(prepared->policy.timeout_ms), options_.attempt_timeout);
     const auto all = usual * (options_.retries + 1);
     return read_response<M>(
         conversation().call(std::move(prepared), {.timeout = std::min(left(), all)}));
@@ -168,8 +170,9 @@ class Connector {
       heard = std::to_string(noise) + " bytes, no valid frames";
     }
     return {ErrorCode::not_found, "no board found on " + state_->description() + ": sent " +
-                                      std::to_string(seen.sent_frames) + " requests; received " +
-                                      heard};
+                                      std::to_string(seen.sent_frames) +
+                                      (seen.sent_frames == 1 ? " request" : " requests") +
+                                      "; received " + heard};
   }
 
   const ConnectOptions& options_;

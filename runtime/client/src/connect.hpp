@@ -33,6 +33,10 @@ using OnStarted = std::function<void(const Conversation&)>;
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnStarted& on_begun = {});
 
+/// Connects a client with an I/O thread of its own; see connect().
+Result<Client> connect_client(const Opener& opener, const ConnectOptions& options,
+                              const OnStarted& on_begun = {});
+
 /// Accesses the private members of Client.
 struct ClientMaker {
   static const Conversation& conversation(const Client& client) { return client.conversation_; }

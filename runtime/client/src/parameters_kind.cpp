@@ -117,12 +117,24 @@ std::string problem(Body body, std::uint8_t copy) {
   return "";
 }
 
+using ViolationReport = std::function<void(const std::vector<std::string>&, const std::string&)>;
+
+/// Returns the paths of the values that are to blame: that of the violation, and of the field that
+/// it must not exceed.
+std::vector<std::string> paths_of(const Violation& violation) {
+  std::vector<std::string> paths{to_string(violation.path)};
+  if (violation.other == nullptr) return paths;
+  std::string other = paths.front();
+  const std::size_t at = other.rfind(violation.field.name);
+  other.replace(at, std::string_view(violation.field.name).size(), violation.other->name);
+  paths.push_back(std::move(other));
+  return paths;
+}
+
 template <class M>
-void violations(Body body, const Availability& versions,
-                const std::function<void(std::string_view, std::string)>& report) {
-  validate(message_of<M>(body), versions, [&](const Violation& violation) {
-    report(to_string(violation.path), to_string(violation));
-  });
+void violations(Body body, const Availability& versions, const ViolationReport& report) {
+  validate(message_of<M>(body), versions,
+           [&](const Violation& violation) { report(paths_of(violation), to_string(violation)); });
 }
 
 template <class M>

@@ -37,9 +37,11 @@ struct ParametersKind {
   std::string (*problem)(Body body, std::uint8_t copy);
   std::vector<LeafText> (*leaves)(Body body);
   Json (*to_json)(Body body);
-  /// Calls `report(path, text)` for every value that these versions do not allow.
-  void (*violations)(Body body, const Availability& versions,
-                     const std::function<void(std::string_view, std::string)>& report);
+  /// Calls `report(paths, text)` for every value, or two that contradict each other, that these
+  /// versions do not allow.
+  void (*violations)(
+      Body body, const Availability& versions,
+      const std::function<void(const std::vector<std::string>&, const std::string&)>& report);
 };
 
 /// All kinds, in the order of the families in the specification.

@@ -8,6 +8,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
+#include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
 #include "entry_of_each.hpp"
@@ -45,7 +46,8 @@ bool has_another_form(std::uint8_t id, const Availability& versions) {
 
 std::string lacking(const MessageInfo& info, const Availability& versions) {
   std::string command = info.command;
-  if (has_another_form(info.id, versions)) command += " in this form";
+  const bool is_request = info.direction != Direction::from_board;
+  if (is_request && has_another_form(info.id, versions)) command += " in this form";
   if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
     return command + " needs firmware before " +
            to_string(msg::FirmwareVersion(info.until.firmware)) + has_firmware(versions);
@@ -101,7 +103,21 @@ Result<Request> prepare(const M& message, const Availability& versions, bool val
   return request;
 }
 
+template <Message M>
+std::optional<ClientError> stream_refusal(const Availability& versions) {
+  if (is_supported<M>(versions)) return std::nullopt;
+  return ClientError{ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
+}
+
 namespace {
+
+template <class M>
+struct StreamRefusal {
+  decltype(&stream_refusal<M>) function = &stream_refusal<M>;
+};
+
+/// Makes the compiler emit stream_refusal() for every message that boards stream.
+[[gnu::used]] const auto stream_refusals = entries_for<StreamRefusal>(roles::StreamMessages{});
 
 template <class M>
 struct Preparer {};

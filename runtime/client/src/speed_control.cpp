@@ -20,7 +20,7 @@ class SpeedControl::Worker {
       : clock_(options.clock),
         speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
             milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
-        task_(detail::hold_speed(speed_)),
+        task_(detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead))),
         driver_(detail::ClientMaker::conversation(client), clock_),
         thread_([this, &machine = task_.begin(client.identity())] { driver_.run(machine); }) {}
   Worker(const Worker&) = delete;

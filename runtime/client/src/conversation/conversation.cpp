@@ -16,6 +16,8 @@ ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the cl
 
 namespace {
 
+constexpr const char* raw_name = "the request";
+
 /// Starts an operation with `begin(handler)` and waits for its result.
 template <class T, class Begin>
 Result<T> wait_for(Conversation::State& state, const Begin& begin) {
@@ -33,13 +35,21 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
 
 }  // namespace
 
+Request Conversation::prepare(const RawRequest& request) {
+  return {.id = request.id,
+          .body = request.body,
+          .policy = request.policy,
+          .command = raw_name,
+          .on_frame = request.on_frame};
+}
+
 auto Conversation::start(Result<Request> request, const CallOptions& options,
                          ReplyHandler handler) const -> Ticket {
   return state_->start(std::move(request), options, std::move(handler)).ticket;
 }
 
 void Conversation::cancel(Ticket ticket) const {
-  state_->end(ticket, {ErrorCode::cancelled, "the call was cancelled"});
+  state_->end(ticket, {ErrorCode::cancelled, "the call was canceled"});
 }
 
 Result<Reply> Conversation::call(Result<Request> request, const CallOptions& options) const {
@@ -54,6 +64,10 @@ Subscription Conversation::subscribe(MessageKey key, MessageHandler handler) con
 
 Subscription Conversation::on_notice(std::function<void(const Notice&)> handler) const {
   return state_->on_notice(std::move(handler));
+}
+
+Subscription Conversation::on_frame(std::function<void(const BoardFrame&)> handler) const {
+  return state_->on_frame(std::move(handler));
 }
 
 auto Conversation::start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,

@@ -14,6 +14,11 @@ std::unique_ptr<Subscription::Registration> Delivery::on_notice(
   return notices_->add({}, std::move(handler));
 }
 
+std::unique_ptr<Subscription::Registration> Delivery::on_frame(
+    std::function<void(const BoardFrame&)> handler) {
+  return frames_->add({}, std::move(handler));
+}
+
 void Delivery::deliver(const Frame& frame) {
   select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
     const MessageKey key{frame.id, M::form};
@@ -33,6 +38,10 @@ void Delivery::deliver(const Frame& frame) {
     contexts_.learn(message);
     MessageHandlers::call(handlers, [&](const auto& handler) { handler(&message); });
   });
+}
+
+void Delivery::show(const BoardFrame& frame) {
+  FrameHandlers::call(frames_->with_key({}), [&](const auto& handler) { handler(frame); });
 }
 
 void Delivery::notify(const Notice& notice) {

@@ -21,9 +21,14 @@ class Delivery {
                                                         Conversation::MessageHandler handler);
   std::unique_ptr<Subscription::Registration> on_notice(std::function<void(const Notice&)> handler);
 
+  std::unique_ptr<Subscription::Registration> on_frame(
+      std::function<void(const BoardFrame&)> handler);
+
   /// Decodes a message once, if a subscriber or a context needs it.
   void deliver(const Frame& frame);
   void notify(const Notice& notice);
+  /// Passes on a frame as it is.
+  void show(const BoardFrame& frame);
 
   /// Facts from earlier messages that decoding later ones needs.
   Contexts& contexts() noexcept { return contexts_; }
@@ -32,9 +37,11 @@ class Delivery {
 
  private:
   using MessageHandlers = Handlers<MessageKey, void(const void*)>;
+  using FrameHandlers = Handlers<int, void(const BoardFrame&)>;
   using NoticeHandlers = Handlers<int, void(const Notice&)>;
 
   std::shared_ptr<MessageHandlers> messages_ = std::make_shared<MessageHandlers>();
+  std::shared_ptr<FrameHandlers> frames_ = std::make_shared<FrameHandlers>();
   std::shared_ptr<NoticeHandlers> notices_ = std::make_shared<NoticeHandlers>();
   Contexts contexts_;
   std::atomic<std::uint64_t> unreadable_{};

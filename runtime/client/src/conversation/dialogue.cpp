@@ -129,8 +129,22 @@ void Dialogue::end_overdue(Instant now) {
   }
 }
 
+void Dialogue::show(const Event& event) {
+  const Frame& frame = event.frame;
+  if (frame.id == 0) return;
+  // Confirmations and resets have events of their own.
+  const bool is_repeated = event.kind == EventKind::completed &&
+                           (roles::is_confirmation(frame) || roles::is_reset(frame));
+  if (is_repeated) return;
+  const auto place = in_session_.find(event.handle.number);
+  const CallPointer call = place == in_session_.end() ? nullptr : place->second;
+  if (call && call->request.on_frame) call->request.on_frame(frame);
+  delivery_.show({frame, call != nullptr, event.is_late, event.may_be_sample});
+}
+
 void Dialogue::handle(const Event& event) {
   const Frame& frame = event.frame;
+  show(event);
   switch (event.kind) {
     case EventKind::completed:
       // Confirmations and resets are delivered with their own events.
@@ -204,7 +218,7 @@ Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {
     case Outcome::cancelled:
     case Outcome::none: break;
   }
-  return ClientError{ErrorCode::cancelled, command + " was cancelled"};
+  return ClientError{ErrorCode::cancelled, command + " was canceled"};
 }
 
 }  // namespace sbgc::detail

@@ -45,6 +45,8 @@ class Dialogue {
   void send_waiting();
   void end_overdue(Instant now);
   void handle(const Event& event);
+  /// Passes the frame of an event to those who want frames as they are.
+  void show(const Event& event);
   void handle_completion(const Event& event);
   Result<Reply> result_of(const Call& call, const Event& event) const;
   Reply reply_to(const Call& call, ReplyKind kind, const Frame& frame) const;

@@ -12,7 +12,8 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
   const ResponsePolicy& policy = request.policy;
   const unsigned retries = options.retries.value_or(defaults.retries);
   const unsigned attempts = policy.retry_is_safe ? std::min(retries, 99U) + 1 : 1;
-  Duration attempt = milliseconds(policy.timeout_ms);
+  Duration attempt =
+      std::max(milliseconds(policy.timeout_ms), io::from_chrono(defaults.attempt_timeout));
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
     allowed = io::from_chrono(*options.timeout);

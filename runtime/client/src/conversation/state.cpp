@@ -103,6 +103,10 @@ Subscription Conversation::State::on_notice(std::function<void(const Notice&)> h
   return Subscription(delivery_.on_notice(std::move(handler)));
 }
 
+Subscription Conversation::State::on_frame(std::function<void(const BoardFrame&)> handler) {
+  return Subscription(delivery_.on_frame(std::move(handler)));
+}
+
 /// Keeps a data stream running as long as it lives.
 class Conversation::State::StreamHold : public Subscription::Registration {
  public:

@@ -61,6 +61,7 @@ class Conversation::State : public Channel::User,
 
   Subscription subscribe(MessageKey key, MessageHandler handler);
   Subscription on_notice(std::function<void(const Notice&)> handler);
+  Subscription on_frame(std::function<void(const BoardFrame&)> handler);
   StartedCall start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
                            const CallOptions& options, StreamHandler done);
 

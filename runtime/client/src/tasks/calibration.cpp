@@ -18,9 +18,8 @@ msg::SelectedImu selected(msg::CalibImu imu) noexcept {
 /// The call of a calibration, which runs while the board is polled.
 class CalibrationCall {
  public:
-  template <Message M>
-  CalibrationCall(TaskMachine& task, const M& request)
-      : task_(task), number_(task.begin(request, {})) {}
+  CalibrationCall(TaskMachine& task, const detail::StartCalibration& start)
+      : task_(task), number_(start(task)) {}
   CalibrationCall(const CalibrationCall&) = delete;
   CalibrationCall& operator=(const CalibrationCall&) = delete;
   ~CalibrationCall() { task_.end(number_); }
@@ -44,19 +43,39 @@ class CalibrationCall {
   std::uint32_t number_;
 };
 
-template <Message M>
-Task<Result<void>> calibrate_with(M request, CalibrationOptions options) {
+template <class Simple, class Extended>
+Task<Result<void>> calibrate_as(CalibrationOptions options) {
+  Result<CalibrationEnd> ended = ClientError{};
+  if (options.imu == msg::CalibImu::active && options.action == msg::CalibAction::regular) {
+    ended = co_await tasks::run_calibration(Simple{}, options);
+  } else {
+    Extended request;
+    request.imu_idx = options.imu;
+    request.action = options.action;
+    ended = co_await tasks::run_calibration(request, options);
+  }
+  if (!ended) co_return ended.error();
+  co_return Result<void>();
+}
+
+}  // namespace
+
+namespace detail {
+
+Task<Result<CalibrationEnd>> run_calibration(StartCalibration start_call, bool reports_end,
+                                             CalibrationOptions options) {
   TaskMachine& task = co_await tasks::this_task();
-  const CalibrationCall call(task, request);
+  const CalibrationCall call(task, start_call);
   const Instant start = task.now();
-  const Instant end =
-      options.timeout ? start + detail::duration_of(*options.timeout) : Instant::never;
+  const Instant end = options.timeout ? start + duration_of(*options.timeout) : Instant::never;
   const bool can_look =
       options.progress && is_supported<msg::CalibInfoRequest>(task.identity().versions());
   Result<void> waited = co_await call.wait_for_start(end);
   while (waited) {
     if (const Result<Reply>* const reply = call.end()) {
-      co_return *reply ? Result<void>() : call.error(reply->error());
+      if (!*reply) co_return call.error(reply->error());
+      if ((*reply)->kind == ReplyKind::unconfirmed) co_return CalibrationEnd::unconfirmed;
+      co_return reports_end ? CalibrationEnd::finished : CalibrationEnd::accepted;
     }
     if (task.now() >= end) {
       co_return call.error(
@@ -72,27 +91,15 @@ Task<Result<void>> calibrate_with(M request, CalibrationOptions options) {
       if (!state && state.error().code == ErrorCode::cancelled) break;
     }
     const Instant now = task.now();
-    seen.elapsed = detail::whole_milliseconds(now - start);
+    seen.elapsed = whole_milliseconds(now - start);
     if (options.progress && !options.progress(seen)) break;
-    const Instant next =
-        options.progress ? now + detail::duration_of(options.interval) : Instant::never;
+    const Instant next = options.progress ? now + duration_of(options.interval) : Instant::never;
     waited = co_await call.wait_for_end(earlier(end, next));
   }
-  co_return detail::cancelled_error("the wait for the calibration, which continues on the board,");
+  co_return cancelled_error("the wait for the calibration, which continues on the board");
 }
 
-template <class Simple, class Extended>
-Task<Result<void>> calibrate_as(CalibrationOptions options) {
-  if (options.imu == msg::CalibImu::active && options.action == msg::CalibAction::regular) {
-    return calibrate_with(Simple{}, std::move(options));
-  }
-  Extended request;
-  request.imu_idx = options.imu;
-  request.action = options.action;
-  return calibrate_with(request, std::move(options));
-}
-
-}  // namespace
+}  // namespace detail
 
 namespace tasks {
 

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 
 #include "tasks/tools.hpp"
@@ -17,16 +16,29 @@ bool is_final(ErrorCode code) noexcept {
          code == ErrorCode::cancelled;
 }
 
-Task<Result<void>> send_speed(DeadMansSwitch::Speed speed) {
-  msg::Control command;
-  command.control_mode.set_mode(msg::ControlModeKind::speed);
-  for (std::size_t i = 0; i < DeadMansSwitch::Speed::size(); ++i) {
-    command.axes[i].speed = speed[i];
-  }
-  // A short timeout: a stop must not wait long behind a queued command.
-  CallOptions options;
-  options.timeout = std::chrono::seconds(1);
-  co_return co_await tasks::call(command, options);
+/// Notices that the board restarts.
+class Restarts {
+ public:
+  explicit Restarts(TaskMachine& task)
+      : task_(task), listener_(task.listen([this](const Notice& notice) {
+          if (notice.kind == NoticeKind::board_reset) has_restarted_ = true;
+        })) {}
+  Restarts(const Restarts&) = delete;
+  Restarts& operator=(const Restarts&) = delete;
+  Restarts(Restarts&&) = delete;
+  Restarts& operator=(Restarts&&) = delete;
+  ~Restarts() { task_.stop_listening(listener_); }
+
+  bool has_restarted() const noexcept { return has_restarted_; }
+
+ private:
+  TaskMachine& task_;
+  bool has_restarted_ = false;
+  TaskMachine::Listener listener_;
+};
+
+ClientError restart_error() {
+  return {ErrorCode::board_reset, "the board has restarted, which ended the motion"};
 }
 
 }  // namespace
@@ -56,10 +68,11 @@ void HeldSpeed::done(DeadMansSwitch::Action action, Result<void> result, Instant
   rules_.fail();
 }
 
-Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed) {
+Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn motion) {
   using Action = DeadMansSwitch::Action;
   TaskMachine& task = co_await tasks::this_task();
   Refusals refusals(task, msg::CommandToBoard::control);
+  const Restarts restarts(task);
   while (true) {
     const HeldSpeed::Order order = speed->next(task.now());
     if (order.is_last) co_return Result<void>();
@@ -70,11 +83,13 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed) {
     }
     Result<void> result;
     if (order.action == Action::stop) {
-      result = co_await tasks::stop();
+      result = co_await motion.stop();
+    } else if (restarts.has_restarted()) {
+      result = restart_error();  // the camera must not turn again unasked
     } else if (auto refused = refusals.take()) {
       result = *std::move(refused);  // of the previous command
     } else {
-      result = co_await send_speed(order.speed);
+      result = co_await motion.turn(order.speed);
     }
     speed->done(order.action, std::move(result), task.now());
   }

@@ -8,6 +8,7 @@
 
 #include <sbgc/client/task.hpp>
 
+#include "tasks/bounded_turn.hpp"
 #include "tasks/dead_mans_switch.hpp"
 
 namespace sbgc::detail {
@@ -64,7 +65,7 @@ class HeldSpeed {
   bool is_idle_ = false;
 };
 
-/// Sends the speeds of the owner until it closes `speed`.
-Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed);
+/// Turns with the speeds of the owner until it closes `speed`.
+Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn motion);
 
 }  // namespace sbgc::detail

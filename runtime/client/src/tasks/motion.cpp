@@ -2,14 +2,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
+#include <sbgc/messages/parameters.hpp>
 
+#include "tasks/control_timeout.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
@@ -37,6 +41,30 @@ class Move {
         deadline_(task, options.timeout) {}
 
   bool was_sent() const noexcept { return sent_; }
+
+  /// Sends the target until the camera turns to it or is there.
+  Task<Result<MoveProgress>> begin() {
+    while (true) {
+      const Result<msg::GetAngles> state =
+          co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
+      if (!state) co_return detail::during(where(), state.error());
+      if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
+      see(*state, task_.now());
+      if (sent_ && (seen_->is_close || turns(*state))) co_return *seen_;
+      if (deadline_.is_over()) {
+        co_return ClientError{
+            ErrorCode::timeout,
+            fmt::format("the camera did not begin to turn within {} ms; are the motors on? {}",
+                        options_.timeout.count(), where())};
+      }
+      const Result<void> sent = co_await send(*state);
+      if (!sent) co_return detail::during("sending the target", sent.error());
+      sent_ = true;
+      const Instant next = task_.now() + detail::duration_of(options_.interval);
+      const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
+      if (!waited) co_return cancelled();
+    }
+  }
 
   Task<Result<MoveProgress>> arrive() {
     Instant close_since = Instant::never;
@@ -164,17 +192,12 @@ std::string turning(const msg::GetAngles& state) {
   return result;
 }
 
-}  // namespace
-
-namespace tasks {
-
-Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
-  if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
-  Move move(co_await this_task(), target, options);
-  Result<MoveProgress> result = co_await move.arrive();
-  if (result || !move.was_sent() || !options.stop_on_failure) co_return result;
+/// Ends a move: stops the camera if it failed.
+Task<Result<MoveProgress>> finish(Result<MoveProgress> result, bool was_sent,
+                                  bool stop_on_failure) {
+  if (result || !was_sent || !stop_on_failure) co_return result;
   ClientError error = result.error();
-  const Result<void> stopped = co_await stop();
+  const Result<void> stopped = co_await tasks::stop();
   if (!stopped) {
     error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
   } else {
@@ -183,6 +206,24 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
                                                           : "; it has been stopped";
   }
   co_return error;
+}
+
+}  // namespace
+
+namespace tasks {
+
+Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
+  if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
+  Move move(co_await this_task(), target, options);
+  Result<MoveProgress> result = co_await move.arrive();
+  co_return co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
+}
+
+Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options) {
+  if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
+  Move move(co_await this_task(), target, options);
+  Result<MoveProgress> result = co_await move.begin();
+  co_return co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
 }
 
 Task<Result<void>> stop(StopOptions options) {
@@ -219,5 +260,31 @@ Task<Result<void>> stop(StopOptions options) {
 
 Task<Result<void>> release() { co_return co_await call(msg::Control{}); }
 
+Task<Result<void>> set_control_timeout(std::chrono::milliseconds timeout) {
+  const Result<msg::ControlConfig> config = co_await detail::control_timeout_request(timeout);
+  if (!config) co_return config.error();
+  CallOptions options;
+  options.validate = false;  // the board's own rate
+  co_return co_await call(*config, options);
+}
+
 }  // namespace tasks
+
+Task<Result<msg::ControlConfig>> detail::control_timeout_request(
+    std::chrono::milliseconds timeout) {
+  if (timeout.count() < 0 || timeout.count() > std::numeric_limits<std::uint16_t>::max()) {
+    co_return ClientError{ErrorCode::invalid,
+                          "the timeout of serial control must be 0 to 65535 ms"};
+  }
+  // The rate has no value that keeps it: repeat the one of the parameters.
+  msg::ReadParams3Request active;
+  active.profile_id = msg::ReadParams3Request::active_profile;
+  const Result<msg::ReadParams3> parameters = co_await tasks::call(active);
+  if (!parameters) co_return during("reading the expo rate", parameters.error());
+  msg::ControlConfig config;
+  config.timeout_ms = msg::Milliseconds(static_cast<std::uint16_t>(timeout.count()));
+  config.rc_expo_rate = parameters->rc_expo_rate;
+  co_return config;
+}
+
 }  // namespace sbgc

@@ -3,6 +3,10 @@
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/profiles.hpp>
 #include <sbgc/json/values.hpp>
+#include <sbgc/text/status.hpp>
+
+#include "parameters_kind.hpp"
+#include "tasks/tools.hpp"
 
 namespace sbgc {
 Result<void> check_profile_name(std::string_view name) {
@@ -42,6 +46,26 @@ Task<Result<void>> change_names(Change change) {
 }
 
 }  // namespace
+
+Task<Result<std::size_t>> active_profile() {
+  // Any profile tells which one is active. The reader depends on the board.
+  const detail::ParametersKind& kind =
+      *detail::find_parameters_kind(ParametersOf<msg::ReadParams3>::name);
+  const auto body = co_await kind.read(msg::ReadParams3Request::active_profile, {});
+  if (!body) co_return detail::during("reading the active profile", body.error());
+  msg::ReadParams3 parameters;
+  if (const Status status = decode(std::span(*body), parameters); !status) {
+    co_return ClientError{ErrorCode::bad_response,
+                          fmt::format("reading the active profile: {}", text(status.code))};
+  }
+  if (parameters.cur_profile_id >= profile_count) {
+    co_return ClientError{
+        ErrorCode::bad_response,
+        fmt::format("the board reports an active profile {}, counted from 0, but has {}",
+                    parameters.cur_profile_id, profile_count)};
+  }
+  co_return parameters.cur_profile_id;
+}
 
 Task<Result<ProfileNames>> profile_names() {
   const Result<msg::ReadProfileNames> names = co_await call(msg::ReadProfileNamesRequest{});

@@ -37,23 +37,26 @@ Task<Result<ParameterSet>> read_parameters(ReadOptions options) {
   const TaskMachine& machine = co_await this_task();
   const detail::Deadline deadline(machine, options.timeout);
   const Availability versions = machine.identity().versions();
-  std::size_t total = 0;
-  for (const detail::ParametersKind& kind : detail::parameters_kinds()) {
-    if (kind.is_readable(versions)) total += kind.copies;
-  }
-  const std::string task = "reading the parameters";
-  ParameterSet result;
+  std::vector<ParametersId> wanted;
   for (const detail::ParametersKind& kind : detail::parameters_kinds()) {
     if (!kind.is_readable(versions)) continue;
     for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
-      const std::string what = to_text(ParametersId{std::string(kind.name), copy});
-      const Progress progress{result.all().size(), total, what};
-      const auto going = detail::go_on(task, options.progress, progress, deadline);
-      if (!going) co_return going.error();
-      Result<Parameters> block = co_await detail::read_one(kind, copy, deadline);
-      if (!block) co_return block.error();
-      if (const auto done = result.put(*std::move(block)); !done) co_return done.error();
+      ParametersId id{std::string(kind.name), copy};
+      if (!options.wanted || options.wanted(id)) wanted.push_back(std::move(id));
     }
+  }
+  const std::size_t total = wanted.size();
+  const std::string task = "reading the parameters";
+  ParameterSet result;
+  for (const ParametersId& id : wanted) {
+    const std::string what = to_text(id);
+    const Progress progress{result.all().size(), total, what};
+    const auto going = detail::go_on(task, options.progress, progress, deadline);
+    if (!going) co_return going.error();
+    const detail::ParametersKind& kind = *detail::find_parameters_kind(id.message);
+    Result<Parameters> block = co_await detail::read_one(kind, id.copy, deadline);
+    if (!block) co_return block.error();
+    if (const auto done = result.put(*std::move(block)); !done) co_return done.error();
   }
   const Progress end{total, total, "all parameters are read"};
   const auto done = detail::go_on(task, options.progress, end, deadline);

@@ -62,7 +62,7 @@ inline ClientError during(const std::string& what, ClientError error) {
 }
 
 inline ClientError cancelled_error(const std::string& what) {
-  return {ErrorCode::cancelled, fmt::format("{} was cancelled by the caller", what)};
+  return {ErrorCode::cancelled, "interrupted: " + what};
 }
 
 inline ClientError late_error(const std::string& what) {

@@ -73,10 +73,12 @@ class Writing {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const ParametersReport& block = report_.parameters[i];
       steps_[i].kind->violations(
-          steps_[i].wanted, versions, [&](std::string_view path, const std::string& text) {
-            if (std::ranges::find(block.wanted, path, &FieldChange::path) == block.wanted.end()) {
-              return;
-            }
+          steps_[i].wanted, versions,
+          [&](const std::vector<std::string>& paths, const std::string& text) {
+            const auto is_to_blame = [&](const FieldChange& change) {
+              return std::ranges::find(paths, change.path) != paths.end();
+            };
+            if (std::ranges::none_of(block.wanted, is_to_blame)) return;
             problems +=
                 fmt::format("{}{}, {}", problems.empty() ? "" : "\n", to_text(block.id), text);
           });

@@ -1,6 +1,7 @@
 /// All tasks as asynchronous operations.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -24,6 +25,10 @@ class AsyncTaskCalls {
     return self().async_run(tasks::move_to(target, options), std::forward<Token>(token));
   }
   template <class Token>
+  auto async_begin_move(const MoveTarget& target, const MoveOptions& options, Token&& token) {
+    return self().async_run(tasks::begin_move(target, options), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_stop(const StopOptions& options, Token&& token) {
     return self().async_run(tasks::stop(options), std::forward<Token>(token));
   }
@@ -31,12 +36,21 @@ class AsyncTaskCalls {
   auto async_release(Token&& token) {
     return self().async_run(tasks::release(), std::forward<Token>(token));
   }
+  template <class Token>
+  auto async_set_control_timeout(std::chrono::milliseconds timeout, Token&& token) {
+    return self().async_run(tasks::set_control_timeout(timeout), std::forward<Token>(token));
+  }
 
   // Calibration: <sbgc/client/calibration.hpp>
 
   template <class Token>
   auto async_calibrate(Sensor sensor, const CalibrationOptions& options, Token&& token) {
     return self().async_run(tasks::calibrate(sensor, options), std::forward<Token>(token));
+  }
+
+  template <Message M, class Token>
+  auto async_run_calibration(const M& request, const CalibrationOptions& options, Token&& token) {
+    return self().async_run(tasks::run_calibration(request, options), std::forward<Token>(token));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
@@ -110,6 +124,10 @@ class AsyncTaskCalls {
 
   // Profiles: <sbgc/client/profiles.hpp>
 
+  template <class Token>
+  auto async_active_profile(Token&& token) {
+    return self().async_run(tasks::active_profile(), std::forward<Token>(token));
+  }
   template <class Token>
   auto async_profile_names(Token&& token) {
     return self().async_run(tasks::profile_names(), std::forward<Token>(token));

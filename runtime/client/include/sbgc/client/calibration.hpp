@@ -1,7 +1,8 @@
-/// Calibration of the sensors.
+/// Calibration of sensors, encoders and motors.
 ///
 /// A calibration replaces the stored one and can move the camera. Hold the camera as the
-/// calibration of the sensor requires, and see docs/2-safety.md.
+/// calibration requires, which MessageInfo::preparation of its request says, and see
+/// docs/2-safety.md.
 #pragma once
 
 #include <chrono>
@@ -10,6 +11,7 @@
 
 #include <sbgc/client/task.hpp>
 #include <sbgc/messages/calibration.hpp>
+#include <sbgc/responses/calibration.hpp>
 
 namespace sbgc {
 
@@ -38,12 +40,43 @@ struct CalibrationOptions {
   std::function<bool(const CalibrationProgress&)> progress{};
 };
 
+/// What is known about a calibration without errors.
+enum class CalibrationEnd : std::uint8_t {
+  finished,     ///< the board has reported the end
+  accepted,     ///< the board has accepted it, and does not report the end
+  unconfirmed,  ///< not even that, although it could have
+};
+
+namespace detail {
+
+/// Starts the request of a calibration; returns the number of the call.
+using StartCalibration = std::function<std::uint32_t(TaskMachine& task)>;
+
+Task<Result<CalibrationEnd>> run_calibration(StartCalibration start, bool reports_end,
+                                             CalibrationOptions options);
+
+}  // namespace detail
+
 namespace tasks {
 
 /// Calibrates a sensor and waits until the calibration ends. The camera must be still for a
 /// gyroscope, and level for an accelerometer. Fails if the board restarts meanwhile. The error says
 /// whether the calibration had started.
 Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
+
+/// The same with the request of any calibration, such as msg::CalibPoles{} or msg::CalibBat{}.
+/// `options.imu` and `options.action` only select what is polled for the progress; the request says
+/// what to calibrate.
+template <Message M>
+Task<Result<CalibrationEnd>> run_calibration(M request, const CalibrationOptions& options = {}) {
+  return detail::run_calibration(
+      [request](TaskMachine& task) {
+        CallOptions call;
+        call.expect_confirmation = true;
+        return task.begin(request, call);
+      },
+      response_policy(request).is_certain(), options);
+}
 
 }  // namespace tasks
 }  // namespace sbgc

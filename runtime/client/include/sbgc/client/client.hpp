@@ -22,6 +22,7 @@
 #include <sbgc/client/clock.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/options.hpp>
+#include <sbgc/client/raw_request.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/subscription.hpp>
@@ -85,6 +86,18 @@ class Client : public TaskCalls<Client> {
   /// Calls `handler` for all other events: resets, errors, the loss of the line.
   Subscription on_notice(std::function<void(const Notice&)> handler) {
     return conversation_.on_notice(std::move(handler));
+  }
+
+  /// Sends a request that is encoded already, without waiting. `handler` is called exactly once: on
+  /// the client's thread, or, if the request cannot be sent, at once.
+  void start_raw(const RawRequest& request, const CallOptions& options,
+                 std::function<void(const Result<Reply>&)> handler) {
+    conversation_.start(conversation_.prepare(request), options, std::move(handler));
+  }
+
+  /// Calls `handler` with every frame that the board sends, also with those of unknown messages.
+  Subscription on_frame(std::function<void(const BoardFrame&)> handler) {
+    return conversation_.on_frame(std::move(handler));
   }
 
   /// Makes the board send M every `interval` as long as the subscription lives. The shortest

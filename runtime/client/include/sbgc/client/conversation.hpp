@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <sbgc/client/notice.hpp>
 #include <sbgc/client/options.hpp>
+#include <sbgc/client/raw_request.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/client/result.hpp>
@@ -55,6 +57,15 @@ class Conversation {
     return detail::prepare(message, versions(), options.validate);
   }
 
+  /// Returns the error if this board has no data stream of M.
+  template <Message M>
+  std::optional<ClientError> stream_refusal() const {
+    return detail::stream_refusal<M>(versions());
+  }
+
+  /// Prepares a request that is sent as it is.
+  static Request prepare(const RawRequest& request);
+
   /// Starts a call, or fails with the error of `request`. The handler may run before start()
   /// returns.
   Ticket start(Result<Request> request, const CallOptions& options, ReplyHandler handler) const;
@@ -65,6 +76,7 @@ class Conversation {
 
   Subscription subscribe(MessageKey key, MessageHandler handler) const;
   Subscription on_notice(std::function<void(const Notice&)> handler) const;
+  Subscription on_frame(std::function<void(const BoardFrame&)> handler) const;
 
   /// The requests that start and end a data stream.
   struct StreamRequests {

@@ -56,12 +56,27 @@ namespace tasks {
 /// Angles cover two full turns in each direction: 370 degrees is a different target from 10.
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 
+/// The same, but returns as soon as the camera turns to its target or is there. The timeout is for
+/// this beginning; `progress`, `and `settle` have no effect. The camera
+/// stops at the target by itself, also if the line is lost.
+Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {});
+
 /// Stops all axes where they are and waits until the board reports speed 0 for each. Serial control
 /// remains active, with speed 0; see release().
 Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control and returns control to RC.
 Task<Result<void>> release();
+
+/// Makes the board end serial control when it receives no control command for `timeout`, as
+/// release() does: RC takes over, which is not a stop. 0 means never; at most 65535 ms. Until the
+/// board restarts, for all ports. The board does not report its timeout, so the previous one cannot
+/// be restored. Fails with ErrorCode::unsupported before firmware 2.61.
+///
+/// The same command turns off the low-pass filters of commanded angles and speeds, which a program
+/// may have turned on since the board started; the protocol can neither keep nor read them. All
+/// other settings stay as they are.
+Task<Result<void>> set_control_timeout(std::chrono::milliseconds timeout);
 
 }  // namespace tasks
 }  // namespace sbgc

@@ -7,9 +7,10 @@
 namespace sbgc {
 
 enum class NoticeKind : std::uint8_t {
-  board_reset,  ///< the board restarted: pending calls have failed, data streams have ended
-  board_error,  ///< the board reported an error outside any call; Notice::detail is its code
-  link_lost,    ///< the line broke; all further calls fail
+  board_reset,   ///< the board restarted: pending calls have failed, data streams have ended
+  board_error,   ///< the board reported an error outside any call; Notice::detail is its code
+  link_lost,     ///< the line broke; all further calls fail
+  stream_ended,  ///< only of ReconnectingClient: a data stream could not be started again
 };
 
 struct Notice {

@@ -4,10 +4,15 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace sbgc {
+
+namespace io {
+class Transport;
+}  // namespace io
 
 /// Options for connecting, and for the client afterwards.
 struct ConnectOptions {
@@ -17,6 +22,9 @@ struct ConnectOptions {
   bool detect_line = true;
   /// How often a request is repeated if no response arrives and the protocol allows it.
   unsigned retries = 2;
+  /// The least time that an attempt waits for its response. By default, the timeout that the
+  /// protocol specifies for the command, which can be too short for a radio link.
+  std::chrono::milliseconds attempt_timeout{0};
   /// Keep the pause of 10 to 20 ms that the protocol requires after a command, until the board
   /// responds.
   bool pacing = true;
@@ -35,6 +43,9 @@ struct ConnectOptions {
   std::chrono::milliseconds queue_timeout{10'000};
   /// Records all traffic to this file, unless empty.
   std::string capture{};
+  /// Returns the transport to use in place of the one that was opened, for example one that
+  /// observes it (<sbgc/io/observer.hpp>). Called on the connecting thread.
+  std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> wrap{};
 };
 
 /// Options of one call.

@@ -8,6 +8,7 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/options.hpp>
+#include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/io/transport.hpp>
 
@@ -21,5 +22,10 @@ using TransportFactory =
 /// or one end of an in-memory pair. If the transport has a LineControl, the line settings are
 /// detected unless options.detect_line is false.
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options = {});
+
+/// Like ReconnectingClient::connect(), but over the transports that `make` returns. It is called
+/// for each attempt, on a thread of the client, and may return null if there is no transport now.
+Result<ReconnectingClient> reconnecting_over(const TransportFactory& make,
+                                             const ReconnectOptions& options = {});
 
 }  // namespace sbgc

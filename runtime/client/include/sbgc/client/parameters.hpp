@@ -21,6 +21,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -132,6 +133,8 @@ struct ReadOptions {
   /// For the whole operation.
   std::chrono::milliseconds timeout{60'000};
   ProgressHandler progress{};
+  /// Returns true for the parameters to read; all, if it is empty.
+  std::function<bool(const ParametersId&)> wanted{};
 };
 
 /// Options of write_parameters().
@@ -187,7 +190,7 @@ std::string to_text(const WriteReport& report);
 
 namespace tasks {
 
-/// Reads all parameters that this board and firmware have.
+/// Reads the parameters that this board and firmware have: all, or those that are wanted.
 Task<Result<ParameterSet>> read_parameters(ReadOptions options = {});
 
 /// Sets the parameters of the board to those in `wanted`; others keep their values.

@@ -1,4 +1,4 @@
-/// The names of the profiles.
+/// The profiles: which one is active, and their names.
 #pragma once
 
 #include <array>
@@ -24,6 +24,9 @@ struct ProfileNames : std::array<std::string, profile_count> {};
 Result<void> check_profile_name(std::string_view name);
 
 namespace tasks {
+
+/// Returns the profile that the board works with, counted from 0.
+Task<Result<std::size_t>> active_profile();
 
 /// Returns the names on the board, without padding. Bytes that are not UTF-8 are kept.
 Task<Result<ProfileNames>> profile_names();

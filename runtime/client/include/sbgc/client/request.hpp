@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <sbgc/client/result.hpp>
+#include <sbgc/frame.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/types.hpp>
@@ -27,6 +28,8 @@ struct Request {
   std::function<void(Contexts&)> teach{};
   /// If set, the request tries this framing; see BasicSession::try_framing().
   std::optional<Framing> tried_framing{};
+  /// Called on the strand with each frame that belongs to the request.
+  std::function<void(const Frame&)> on_frame{};
 };
 
 /// Encodes a request for a board with these versions. Fails if the board does not have the command
@@ -34,6 +37,11 @@ struct Request {
 /// encodes that one. The library defines this function for every message to the board.
 template <Message M>
 Result<Request> prepare(const M& message, const Availability& versions, bool validate);
+
+/// Returns the error if a board with these versions does not have M, of which it would have to send
+/// a data stream. The library defines this function for every message of roles::StreamMessages.
+template <Message M>
+std::optional<ClientError> stream_refusal(const Availability& versions);
 
 }  // namespace detail
 }  // namespace sbgc

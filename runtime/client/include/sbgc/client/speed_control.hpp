@@ -14,6 +14,19 @@ namespace sbgc {
 
 class Client;
 
+/// What ends the motion if the line is lost, so that no command can reach the board.
+enum class MotionBound : std::uint8_t {
+  /// `timeout` with firmware that has it, otherwise `target`.
+  automatic,
+  /// The board ends serial control when it receives no command for a while: set_control_timeout().
+  /// RC takes over; the camera stops unless RC turns it.
+  timeout,
+  /// Each command is an angle a short way ahead, where the camera stops by itself and holds.
+  target,
+  /// Nothing: the camera keeps turning.
+  none,
+};
+
 /// Options of SpeedControl.
 struct SpeedControlOptions {
   /// How long the owner may be silent before the camera is stopped.
@@ -22,17 +35,26 @@ struct SpeedControlOptions {
   /// requires.
   std::chrono::milliseconds repeat{100};
   Clock& clock = Clock::system();
+  MotionBound bound = MotionBound::automatic;
+  /// How long the camera may turn without a command, except with MotionBound::none. Several times
+  /// `repeat`, so that a lost command does not matter; at most a minute.
+  std::chrono::milliseconds lookahead{500};
 };
 
 /// Holds a speed as long as its owner refreshes it. Without it, a board keeps turning if its host
 /// dies or the line is lost.
+///
+/// If this program dies or the line is lost, nobody can stop the camera; then
+/// SpeedControlOptions::bound limits the motion. `timeout` and `target` differ in their side
+/// effects: the first changes the configuration of serial control, see set_control_timeout(); the
+/// second reads the angles before each command, and its speed is a little less even.
 ///
 ///     SpeedControl control(client);
 ///     while (joystick.is_held()) {
 ///       if (auto set = control.set({.yaw = joystick.speed()}); !set) return fail(set.error());
 ///     }
 ///
-/// The camera stops if the owner is silent for too long, if sending fails, on stop() and on
+/// The camera also stops if the owner is silent for too long, if sending fails, on stop() and on
 /// destruction. A stop that the board does not execute is repeated until it does, the line is lost,
 /// or this object is destroyed, which tries once more. Every function may be called from any thread
 /// and returns at once: a separate thread does the sending. Its errors are returned by the next

@@ -246,7 +246,7 @@ struct Waiting {
   }
   Result<void> await_resume() const {
     if (!machine->was_cancelled()) return {};
-    return ClientError{ErrorCode::cancelled, "cancelled"};
+    return ClientError{ErrorCode::cancelled, "canceled"};
   }
 };
 
@@ -269,7 +269,7 @@ struct Calling {
     CallResult<M> result =
         reply != nullptr
             ? read_response<M>(*reply)
-            : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was cancelled"});
+            : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was canceled"});
     machine->end(number);
     return result;
   }

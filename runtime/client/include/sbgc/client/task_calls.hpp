@@ -1,6 +1,7 @@
 /// All tasks as blocking member functions.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,13 +24,24 @@ class TaskCalls : public Calls<Self> {
   Result<MoveProgress> move_to(const MoveTarget& target, const MoveOptions& options = {}) {
     return self().run(tasks::move_to(target, options));
   }
+  Result<MoveProgress> begin_move(const MoveTarget& target, const MoveOptions& options = {}) {
+    return self().run(tasks::begin_move(target, options));
+  }
   Result<void> stop(const StopOptions& options = {}) { return self().run(tasks::stop(options)); }
   Result<void> release() { return self().run(tasks::release()); }
+  Result<void> set_control_timeout(std::chrono::milliseconds timeout) {
+    return self().run(tasks::set_control_timeout(timeout));
+  }
 
   // Calibration: <sbgc/client/calibration.hpp>
 
   Result<void> calibrate(Sensor sensor, const CalibrationOptions& options = {}) {
     return self().run(tasks::calibrate(sensor, options));
+  }
+
+  template <Message M>
+  Result<CalibrationEnd> run_calibration(const M& request, const CalibrationOptions& options = {}) {
+    return self().run(tasks::run_calibration(request, options));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
@@ -80,6 +92,7 @@ class TaskCalls : public Calls<Self> {
 
   // Profiles: <sbgc/client/profiles.hpp>
 
+  Result<std::size_t> active_profile() { return self().run(tasks::active_profile()); }
   Result<ProfileNames> profile_names() { return self().run(tasks::profile_names()); }
   Result<void> rename_profile(std::size_t profile, std::string name) {
     return self().run(tasks::rename_profile(profile, std::move(name)));

@@ -96,6 +96,7 @@ template <Message M, Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
                                              const CallOptions& options) {
   choose_stream<M>(request);
+  if (const auto error = conversation.stream_refusal<M>()) return {*error, *error};
   Request end = request;
   auto& interval = roles::stream_interval(end);
   interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);

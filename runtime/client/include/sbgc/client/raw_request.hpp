@@ -1,0 +1,38 @@
+/// Requests and frames whose types are not known to the program, for gateways.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include <sbgc/client/result.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/response_policy.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc {
+
+/// A request whose body is encoded already.
+struct RawRequest {
+  std::uint8_t id{};
+  BoundedBytes<max_body_size> body{};
+  ResponsePolicy policy{};
+  /// Called on the client's thread with each frame from the board that belongs to this request: its
+  /// response, its confirmations, and errors.
+  std::function<void(const Frame&)> on_frame{};
+};
+
+/// Returns a request with the policy of its message. A request that no message describes is sent
+/// once, and any body with the same id, or a confirmation, is its response. Fails with
+/// ErrorCode::invalid if the body is too long or the id is 0.
+Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body);
+
+/// A frame from the board.
+struct BoardFrame {
+  Frame frame{};           ///< a view, valid during the call
+  bool belongs_to_call{};  ///< of this client
+  bool is_late{};          ///< the response to a call that has ended
+  bool may_be_sample{};    ///< a response, or a sample of a data stream of the same message
+};
+
+}  // namespace sbgc

@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include <sbgc/client/raw_request.hpp>
+#include <sbgc/responses/all.hpp>
+#include <sbgc/visit.hpp>
+
+namespace sbgc {
+
+namespace {
+
+/// For the response to a request that no message describes.
+constexpr std::uint32_t unknown_timeout_ms = 1000;
+
+ResponsePolicy cautious_policy(std::uint8_t id) {
+  ResponsePolicy policy;
+  policy.responses.command = id;
+  policy.responses.confirmed = Confirmed::possible;
+  policy.responses.form_count = 1;
+  policy.responses.forms[0] = {.id = id,
+                               .min_size = 0,
+                               .max_size = static_cast<std::uint8_t>(max_body_size),
+                               .size = static_cast<std::uint8_t>(max_body_size)};
+  policy.confirmations = 1;
+  policy.response_required = true;
+  policy.timeout_ms = unknown_timeout_ms;
+  return policy;
+}
+
+}  // namespace
+
+Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body) {
+  RawRequest request;
+  if (!check_frame(id, body.size(), max_frame_size) || !request.body.resize(body.size())) {
+    return ClientError{ErrorCode::invalid, "not a request that a frame can carry"};
+  }
+  request.id = id;
+  std::ranges::copy(body, request.body.begin());
+  request.policy = cautious_policy(id);
+  const Frame frame{.id = id, .body = body};
+  static_cast<void>(visit(frame, Direction::to_board, [&]<class M>(const M& message) {
+    if constexpr (requires { response_policy(message); }) request.policy = response_policy(message);
+  }));
+  return request;
+}
+
+}  // namespace sbgc
