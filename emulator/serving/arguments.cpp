@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/dispatch.hpp>
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 

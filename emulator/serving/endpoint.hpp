@@ -9,7 +9,7 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include "serving/live_board.hpp"
+#include "serving/host_ports.hpp"
 
 namespace sbgc::serving {
 
@@ -43,23 +43,23 @@ struct ListenAddress {
 
 /// Opens a pseudo-terminal and, if `link` is not empty, a symbolic link to it while it exists. With
 /// `has_rate`, bytes are garbled while the host's baud rate differs from the board's.
-std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, HostPorts& board,
                                         const std::string& link, bool has_rate,
                                         const EndpointLogs& logs);
 
 /// Listens for hosts; rejects those for which there is no place or no port of the board.
-std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, HostPorts& board,
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs);
 
 /// Each sender of datagrams is a host as long as it keeps its place; see DatagramHosts.
-std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, HostPorts& board,
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs);
 
 /// Serves standard input and output as raw bytes. `on_end` is called on an error, or once the input
 /// has ended and all output is written.
-std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, HostPorts& board,
                                     std::function<void(std::error_code)> on_end);
 
 }  // namespace sbgc::serving

@@ -20,10 +20,10 @@ constexpr auto patience = std::chrono::seconds(5);
 
 }  // namespace
 
-Host::Host(LiveBoard& board, std::unique_ptr<io::Transport> transport)
+Host::Host(HostPorts& board, std::unique_ptr<io::Transport> transport)
     : board_(board), transport_(std::move(transport)), linger_(transport_->executor()) {}
 
-std::shared_ptr<Host> Host::connect(LiveBoard& board, std::unique_ptr<io::Transport> transport) {
+std::shared_ptr<Host> Host::connect(HostPorts& board, std::unique_ptr<io::Transport> transport) {
   if (board.between) transport = board.between(std::move(transport));
   std::shared_ptr<Host> host(new Host(board, std::move(transport)));
   const auto port = board.connect(false, [weak = std::weak_ptr(host)] {

@@ -13,7 +13,7 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "serving/live_board.hpp"
+#include "serving/host_ports.hpp"
 
 namespace sbgc::serving {
 
@@ -23,7 +23,7 @@ namespace sbgc::serving {
 class Host : public std::enable_shared_from_this<Host> {
  public:
   /// Connects a host to the board; returns null if all ports are in use.
-  static std::shared_ptr<Host> connect(LiveBoard& board, std::unique_ptr<io::Transport> transport);
+  static std::shared_ptr<Host> connect(HostPorts& board, std::unique_ptr<io::Transport> transport);
 
   /// Called once at the end, except after close(). No error means that the host has left.
   std::function<void(std::error_code)> on_end{};
@@ -37,7 +37,7 @@ class Host : public std::enable_shared_from_this<Host> {
   std::size_t port() const { return port_; }
 
  private:
-  Host(LiveBoard& board, std::unique_ptr<io::Transport> transport);
+  Host(HostPorts& board, std::unique_ptr<io::Transport> transport);
 
   void wake();
   void read();
@@ -46,7 +46,7 @@ class Host : public std::enable_shared_from_this<Host> {
   void end_or_linger();
   void end(std::error_code error);
 
-  LiveBoard& board_;
+  HostPorts& board_;
   std::unique_ptr<io::Transport> transport_;
   asio::steady_timer linger_;
   io::Clock::time_point written_at_{};  // the last start or end of a write, or the end of the input

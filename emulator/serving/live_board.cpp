@@ -54,8 +54,9 @@ void LiveBoard::end_input(std::size_t port) {
   settle_soon();
 }
 
-void LiveBoard::set_host_line(std::size_t port, const std::optional<LineSettings>& settings) {
-  emulator_.set_host_line(port, settings, now());
+void LiveBoard::set_host_rate(std::size_t port, std::uint32_t rate) {
+  // A pseudo-terminal has no parity, so it always matches.
+  emulator_.set_host_line(port, LineSettings{rate, emulator_.line().parity}, now());
   settle_soon();
 }
 

@@ -14,30 +14,32 @@
 
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/io/clock.hpp>
-#include <sbgc/io/transport.hpp>
+
+#include "serving/host_ports.hpp"
 
 namespace sbgc::serving {
 
 /// Drives the emulator by the system clock, through a timer of the executor. All calls must come
 /// from the thread of the executor.
-class LiveBoard {
+class LiveBoard : public HostPorts {
  public:
   /// The board's own time is 0 when it has finished starting; times in `options` count from there.
   LiveBoard(const asio::any_io_executor& executor, const emulator::EmulatorOptions& options,
             emulator::Memory memory);
 
-  /// Calls `wake`, but never from inside connect(), when there may be output or room.
-  std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake);
-  void disconnect(std::size_t port);
-  void end_input(std::size_t port);
-  void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
+  std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake) override;
+  void disconnect(std::size_t port) override;
+  void end_input(std::size_t port) override;
+  void set_host_rate(std::size_t port, std::uint32_t rate) override;
 
-  std::size_t queued_bytes(std::size_t port) const { return emulator_.queued_bytes(port); }
-  std::size_t room(std::size_t port) const { return emulator_.room(port); }
-  bool is_quiet(std::size_t port) const { return emulator_.is_quiet(port); }
-  void receive(std::size_t port, std::span<const std::uint8_t> bytes);
-  std::span<const std::uint8_t> output(std::size_t port) const { return emulator_.to_host(port); }
-  void take(std::size_t port, std::size_t size);
+  std::size_t queued_bytes(std::size_t port) const override { return emulator_.queued_bytes(port); }
+  std::size_t room(std::size_t port) const override { return emulator_.room(port); }
+  bool is_quiet(std::size_t port) const override { return emulator_.is_quiet(port); }
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes) override;
+  std::span<const std::uint8_t> output(std::size_t port) const override {
+    return emulator_.to_host(port);
+  }
+  void take(std::size_t port, std::size_t size) override;
 
   /// Reports that changes of the memory up to this revision are saved, or could not be saved.
   void memory_saved(std::uint32_t revision);
@@ -45,8 +47,7 @@ class LiveBoard {
 
   const emulator::Memory& memory() const { return emulator_.board().memory(); }
   emulator::Emulator& emulator() { return emulator_; }
-  /// The time since the beginning.
-  Instant now() const;
+  Instant now() const override;
   /// Advances the time of this board immediately. For tests.
   void skip(Duration time);
 
@@ -54,8 +55,6 @@ class LiveBoard {
   std::function<void()> on_memory_changed{};
   /// Called when the board has no more work for now.
   std::function<void()> after_traffic{};
-  /// Wraps the transports of hosts that connect from now on. For tests.
-  std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
 
  private:
   /// Called after every event: notifies the hosts and sets the timer.

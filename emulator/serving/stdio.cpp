@@ -130,7 +130,7 @@ class StdioEndpoint final : public Endpoint {
 
 }  // namespace
 
-std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, HostPorts& board,
                                     std::function<void(std::error_code)> on_end) {
   const auto host = Host::connect(board, std::make_unique<Stdio>(executor));
   if (host == nullptr) throw std::runtime_error("the board has no free port");

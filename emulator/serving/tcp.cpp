@@ -14,6 +14,7 @@
 
 #include "serving/host.hpp"
 #include "serving/listen.hpp"
+#include "serving/without_http.hpp"
 
 namespace sbgc::serving {
 
@@ -51,7 +52,7 @@ class Connection final : public io::detail::StreamTransport<tcp::socket> {
 
 class TcpEndpoint final : public Endpoint {
  public:
-  TcpEndpoint(const asio::any_io_executor& executor, LiveBoard& board, const ListenAddress& listen,
+  TcpEndpoint(const asio::any_io_executor& executor, HostPorts& board, const ListenAddress& listen,
               std::size_t places, EndpointLogs logs)
       : board_(board),
         acceptor_(executor),
@@ -98,14 +99,17 @@ class TcpEndpoint final : public Endpoint {
     const std::string name = "tcp:" + place_of(peer);
     std::shared_ptr<Host> host;
     if (hosts_.size() < places_) {
-      host = Host::connect(board_, std::make_unique<Connection>(std::move(socket)));
+      host = Host::connect(board_, without_http(std::make_unique<Connection>(std::move(socket))));
     }
     if (host == nullptr) {
       return logs_.warning(
           fmt::format("{} refused: all {} places for TCP are in use", name, places_));
     }
-    host->on_end = [this, name, leaving = host.get()](std::error_code) {
+    host->on_end = [this, name, leaving = host.get()](std::error_code end) {
       std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });
+      if (is_http_request(end)) {
+        return logs_.warning(name + " refused: it sent an HTTP request, as a web page does");
+      }
       logs_.event(name + " has left");
     };
     hosts_.push_back(host);
@@ -113,7 +117,7 @@ class TcpEndpoint final : public Endpoint {
     host->start();
   }
 
-  LiveBoard& board_;
+  HostPorts& board_;
   tcp::acceptor acceptor_;
   asio::steady_timer timer_;
   EndpointLogs logs_;
@@ -123,7 +127,7 @@ class TcpEndpoint final : public Endpoint {
 
 }  // namespace
 
-std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, HostPorts& board,
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs) {
   return std::make_unique<TcpEndpoint>(executor, board, address, places, logs);

@@ -24,7 +24,7 @@ constexpr auto look_every = std::chrono::milliseconds(50);
 
 class Terminal final : public Endpoint {
  public:
-  Terminal(const asio::any_io_executor& executor, LiveBoard& board, const std::string& link,
+  Terminal(const asio::any_io_executor& executor, HostPorts& board, const std::string& link,
            bool has_rate, Log warn)
       : board_(board), timer_(executor), warn_(std::move(warn)) {
     io::PseudoTerminalResult opened = io::open_pseudo_terminal(executor, {.stays_open = true});
@@ -62,12 +62,10 @@ class Terminal final : public Endpoint {
  private:
   void look() {
     const std::optional<LineSettings> now = terminal_->other_line();
-    // A pseudo-terminal has no parity, so it always matches.
     const std::uint32_t rate = now ? now->baud_rate : 0;
     if (rate == rate_) return;
     rate_ = rate;
-    const Parity parity = board_.emulator().line().parity;
-    board_.set_host_line(host_->port(), LineSettings{rate, parity});
+    board_.set_host_rate(host_->port(), rate);
   }
 
   void keep_looking() {
@@ -79,7 +77,7 @@ class Terminal final : public Endpoint {
     });
   }
 
-  LiveBoard& board_;
+  HostPorts& board_;
   asio::steady_timer timer_;
   Log warn_;
   io::PseudoTerminal* terminal_ = nullptr;  // the host's transport
@@ -92,7 +90,7 @@ class Terminal final : public Endpoint {
 
 }  // namespace
 
-std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, HostPorts& board,
                                         const std::string& link, bool has_rate,
                                         const EndpointLogs& logs) {
   return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);

@@ -25,7 +25,7 @@ constexpr Duration log_interval = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
  public:
-  UdpEndpoint(const asio::any_io_executor& executor, LiveBoard& board, const ListenAddress& listen,
+  UdpEndpoint(const asio::any_io_executor& executor, HostPorts& board, const ListenAddress& listen,
               std::size_t places, EndpointLogs logs)
       : board_(board), socket_(executor), timer_(executor), logs_(std::move(logs)), hosts_(places) {
     bind_to(socket_, udp::endpoint(address_of(listen), listen.port), "udp", logs_);
@@ -128,7 +128,7 @@ class UdpEndpoint final : public Endpoint {
 
   static std::string name_of(const udp::endpoint& endpoint) { return "udp:" + place_of(endpoint); }
 
-  LiveBoard& board_;
+  HostPorts& board_;
   udp::socket socket_;
   asio::steady_timer timer_;
   EndpointLogs logs_;
@@ -141,7 +141,7 @@ class UdpEndpoint final : public Endpoint {
 
 }  // namespace
 
-std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, LiveBoard& board,
+std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, HostPorts& board,
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs) {
   return std::make_unique<UdpEndpoint>(executor, board, address, places, logs);

@@ -11,8 +11,8 @@ void ControlLink::configure(Device& device, const msg::ControlConfig& config, st
                             Instant now) {
   using enum msg::ControlConfigFlag;
   timeout_ = milliseconds(config.timeout_ms.raw());
-  if (timeout_ == Duration{}) end_ = Instant::never;
-  if (end_ != Instant::never) commanded(now);
+  // A timeout also ends control that began without one.
+  if (is_active_) commanded(now);
   for (std::size_t i = 0; i < config.ch_priority.size(); ++i) {
     if (config.ch_priority[i] != msg::ControlConfig::keep_priority) {
       priority_[i] = config.ch_priority[i];
@@ -39,6 +39,7 @@ bool ControlLink::admits(std::size_t port) const {
 }
 
 void ControlLink::commanded(Instant now) {
+  is_active_ = true;
   end_ = timeout_ == Duration{} ? Instant::never : now + timeout_;
 }
 
@@ -52,6 +53,7 @@ void ControlLink::adjust(Tuning& tuning) const {
 void ControlLink::advance(Device& device, Instant now) {
   if (end_ > now) return;
   end_ = Instant::never;
+  is_active_ = false;
   device.quaternions.end();
   for (std::size_t axis = 0; axis < 3; ++axis) device.gimbal.command(axis, {}, now);
 }

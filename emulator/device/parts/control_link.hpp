@@ -40,6 +40,7 @@ class ControlLink {
   std::optional<msg::EulerOrder> order_{};
   Duration timeout_{};  ///< 0: none
   Instant end_ = Instant::never;
+  bool is_active_ = false;  ///< there was a control command since the start or the last timeout
   bool confirms_ = true;
 };
 

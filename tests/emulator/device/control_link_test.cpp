@@ -37,6 +37,16 @@ TEST(ControlLink, EndsWithoutCommands) {
   EXPECT_NEAR(yaw_speed(host), 20, 0.1) << "there is no timeout";
 }
 
+TEST(ControlLink, ATimeoutAlsoEndsEarlierControl) {
+  Host host(newest_board());
+  host.ask(turn_yaw(20), milliseconds(400));
+  EXPECT_TRUE(is_confirmed(host, msg::ControlConfig{.timeout_ms = msg::Milliseconds(500)}));
+  host.listen(milliseconds(400));
+  EXPECT_NEAR(yaw_speed(host), 20, 0.1);
+  host.listen(milliseconds(600));
+  EXPECT_EQ(yaw_speed(host), 0);
+}
+
 TEST(ControlLink, OnlyTheHighestPriorityCounts) {
   Host host(newest_board());
   const auto first = host.port;

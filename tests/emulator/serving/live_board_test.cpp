@@ -56,7 +56,7 @@ TEST(LiveBoard, AHostSetsItsLineWhenAnAnswerIsDue) {
   rig.context.restart();
   rig.board.receive(rig.first, request());
   let_time_pass(rig.board);
-  rig.board.set_host_line(rig.first, LineSettings{9600});
+  rig.board.set_host_rate(rig.first, 9600);
   EXPECT_EQ(rig.told, 0U);
   rig.context.poll();
   EXPECT_GT(rig.told, 0U);

@@ -75,6 +75,37 @@ def timer_of(place: str) -> list[str]:
     return timer_of_it
 
 
+HTTP_REQUEST = b"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 6\r\n\r\n"
+
+
+@pytest.mark.parametrize("split", [len(HTTP_REQUEST), 1, 3, 5])
+def test_a_web_page_is_no_host(split: int) -> None:
+    """A browser sends frames in the body of a request, because a web page tells it to."""
+    with Emulator("--tcp", "0") as emulator:
+        page = Connection(emulator.places[0])
+        page.socket.settimeout(PATIENCE)
+        page.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        try:
+            page.socket.sendall(HTTP_REQUEST[:split])
+            time.sleep(0.02)  # so that the parts arrive one by one
+            page.socket.sendall(HTTP_REQUEST[split:] + frame(BOARD_INFO))
+            assert page.socket.recv(1) == b""
+        except ConnectionError:
+            pass  # closed before it has sent all
+        page.close()
+
+
+@pytest.mark.parametrize("noise", [b"G", b"GET", b"POSE ", b"DELET\x00"])
+def test_noise_is_no_web_page(noise: bytes) -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.sendall(noise)
+        time.sleep(0.02)
+        host.send(BOARD_INFO)
+        assert len(host.body(BOARD_INFO)) == 18
+        host.close()
+
+
 def test_tcp_hosts_that_vanish_are_noticed() -> None:
     with Emulator("--tcp", "0") as emulator:
         host = Connection(emulator.places[0])

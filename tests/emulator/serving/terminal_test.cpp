@@ -67,7 +67,7 @@ TEST(Terminal, ThatFailsLeavesItsPortAlone) {
   std::size_t port = 0;
   port = *board.connect(false, [&] { got += board.output(port).size(); });
   EXPECT_EQ(port, 0U);
-  board.set_host_line(port, LineSettings{57600});
+  board.set_host_rate(port, 57600);
   run(context, 100);
   std::array<std::uint8_t, max_frame_size> frame{};
   const std::size_t size = encode_frame(msg::BoardInfoRequest{}, frame).size;
