@@ -144,6 +144,8 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     files = [*(ROOT / "spec").glob("*.yaml"), ROOT / "generator/schema/sbgc-spec.schema.json"]
     files.append(ROOT / "generated/simplebgc.json")
     spec = "".join(path.read_text(encoding="utf-8") for path in files)
+    # Commands and options of sbgc.
+    spec += "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tools").rglob("*.cpp"))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
         known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)
         assert known or name in ("sbgc", "memcpy", "double", "i16"), name

@@ -118,7 +118,9 @@ def test_rejected_candidates_of_a_capture_are_explained() -> None:
 def test_a_capture_without_a_frame() -> None:
     assert run("decode", stdin=session() + record(NOTE, 0, b"nothing came")).status == 0
     # Frames of the other direction count as frames, too.
-    assert run("decode", "--from", "board", stdin=session() + record(TO_BOARD, 0, ANGLES_REQUEST))
+    other = session() + record(TO_BOARD, 0, ANGLES_REQUEST)
+    result = run("decode", "--from", "board", stdin=other)
+    assert result.status == 0 and result.text.endswith("none of them is selected\n")
     noise = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, b"?" * 9))
     assert noise.status == 1 and noise.out == b""
     assert (
@@ -149,6 +151,10 @@ def test_a_request_tells_what_its_answer_holds() -> None:
     answer = frame(88, struct.pack("<H3h", 7, 1, 2, 3))
     lines = decode(session() + record(TO_BOARD, 0, request) + record(FROM_BOARD, 1, answer))
     assert lines[1]["fields"] == {"timestamp_ms": 7, "gyro_data": {"roll": 1, "pitch": 2, "yaw": 3}}
+    # Also if the request itself is not shown.
+    whole = session() + record(TO_BOARD, 0, request) + record(FROM_BOARD, 1, answer)
+    for options in (["--from", "board"], ["--from", "0.5"]):
+        assert decode(whole, *options) == [lines[1]]
     # Requests of another session provide no context.
     lines = decode(
         session() + record(TO_BOARD, 0, request) + session() + record(FROM_BOARD, 1, answer)
@@ -162,6 +168,41 @@ def test_one_direction_only(sender: str, message: str) -> None:
     text = run("decode", "--from", sender, stdin=CAPTURE).text
     assert ("host to board" in text) == (sender == "host")
     assert ("board to host" in text) == (sender == "board")
+
+
+def test_times_of_a_capture() -> None:
+    def times(*options: str) -> list[float]:
+        return [line["time"] for line in decode(CAPTURE, *options)]
+
+    assert times("--from", "0.5") == [0.625, 1.75, 1.75]
+    assert times("--from", "600ms", "--to", "1s") == [0.625]
+    assert times("--to", "0.25") == [0.25]
+    assert times("--from", "host", "--from", "0.5") == [0.625]
+    text = run("decode", "--from", "0.5", "--to", "1", stdin=CAPTURE).text
+    assert "note" not in text and "0.625000 s" in text
+
+
+def test_csv_counts_from_the_first_session() -> None:
+    later = session(1_700_000_010) + record(FROM_BOARD, 0.5, ANGLES)
+    rows = run("decode", "--format", "csv", "-m", "GetAngles", stdin=CAPTURE + later).text
+    assert [line.split(",")[0] for line in rows.splitlines()] == [
+        *("time[s]", "1.750000", "1.750000", "10.500000")
+    ]
+    # Times are selected as they are shown there.
+    assert [line["session"] for line in decode(CAPTURE + later, "--from", "2")] == [1]
+
+
+def test_csv_with_other_fields_than_at_first() -> None:
+    def exchange(at: float, flags: int, answer: bytes) -> bytes:
+        request = frame(88, struct.pack("<I", flags) + bytes(6))
+        return record(TO_BOARD, at, request) + record(FROM_BOARD, at, frame(88, answer))
+
+    changing = exchange(1, 0x10, bytes(8)) + exchange(2, 0x11, bytes(14))
+    options = ("--format", "csv", "-m", "RealtimeDataCustom")
+    result = run("decode", *options, stdin=session() + changing)
+    assert result.status == 1 and "has the columns of its first frame" in result.error
+    later = run("decode", *options, "--from", "1.5", stdin=session() + changing)
+    assert later.status == 0 and len(later.text.splitlines()[1].split(",")) == 8
 
 
 def test_sessions_do_not_mix() -> None:
@@ -203,14 +244,25 @@ def end_of_record(time: float) -> int:
     return starts[starts.index(at) + 1]
 
 
-def test_a_damaged_session_costs_no_other() -> None:
+def test_damage_costs_one_record() -> None:
     damaged = bytearray(CAPTURE)
-    damaged[30] ^= 1
+    damaged[record_ends()[1] + 2] ^= 1  # the size of the first request
     result = run("decode", "--format", "jsonl", stdin=bytes(damaged) + CAPTURE)
     assert result.status == 1
-    assert f"{len(CAPTURE) - 24} bytes from offset 24 are damaged" in result.error
-    assert keys(result.objects, "session", "time")[0] == (1, 0.25)
-    assert len(result.objects) == 4
+    assert f"bytes from offset {record_ends()[1]} are damaged" in result.error
+    both = decode(CAPTURE + CAPTURE)
+    assert keys(result.objects, "session", "time") == keys(both, "session", "time")[1:]
+
+
+def test_a_damaged_header_costs_no_other_session() -> None:
+    damaged = bytearray(CAPTURE)
+    damaged[12] ^= 1
+    result = run("decode", "--format", "jsonl", stdin=CAPTURE + bytes(damaged) + CAPTURE)
+    assert result.status == 1
+    assert f"{len(CAPTURE)} bytes from offset {len(CAPTURE)} are damaged" in result.error
+    assert keys(result.objects, "session", "time") == keys(
+        decode(CAPTURE + CAPTURE), "session", "time"
+    )
 
 
 def test_times_out_of_all_bounds() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import os
 import random
 import re
 import struct
@@ -51,7 +52,7 @@ def test_what_is_nearly_a_frame_of_the_second_framing_is_explained() -> None:
     for data, reason in (
         (motors_on[:-1] + b"\x0b", "but the CRC-16 is 0x0b44, not 0x0a44"),
         (motors_on[:-2], "but the CRC-16, 0x0a44, is missing at the end"),
-        (motors_on[:-1], "but the last 1 of its 6 bytes are missing"),
+        (motors_on[:-1], "but the last of its 6 bytes is missing"),
     ):
         result = run("decode", stdin=data)
         assert result.status == 1 and reason in result.text
@@ -310,8 +311,7 @@ def test_explanations_do_not_depend_on_how_the_bytes_arrive(tmp_path: Path) -> N
 @pytest.mark.parametrize(
     "data, options, guess",
     [
-        (b"3e 49 00 49 00\n", [], "this looks like hex text: use --hex"),
-        (b"# a capture\n0x3e,0x49", [], "this looks like hex text: use --hex"),
+        (b"3e 49 00 49 00\n", ["--raw"], "this looks like hex text: use --hex"),
         (b"Hello, world", [], "this is text, but not hex"),
         (b'{"message":"MotorsOn","fields":{}}\n', [], "use sbgc encode"),
         (gzip.compress(GET_ANGLES), [], "this is compressed: unpack it first"),
@@ -323,8 +323,7 @@ def test_input_without_a_frame(data: bytes, options: list[str], guess: str) -> N
     for form in ("text", "jsonl"):
         result = run("decode", "--format", form, *options, stdin=data)
         assert result.status == 1
-        size = len(bytes.fromhex(data.decode())) if options else len(data)
-        assert result.error.startswith(f"sbgc: found no frame in {size} bytes; ")
+        assert result.error.startswith(f"sbgc: found no frame in {len(data)} bytes; ")
         assert guess in result.error
         assert form == "text" or result.out == b""
 
@@ -338,8 +337,45 @@ def test_noise_is_not_explained_as_frames() -> None:
 
 
 def test_raw_bytes_are_no_hex_text() -> None:
-    assert "omit --hex for raw bytes" in run("decode", "--hex", stdin=GET_ANGLES).error
-    assert "without --hex" not in run("decode", "--hex", stdin="3e 49 zz").error
+    assert "for raw bytes, use --raw" in run("decode", "--hex", stdin=GET_ANGLES).error
+    assert "--raw" not in run("decode", "--hex", stdin="3e 49 zz").error
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["3e 49 00 49 00\n", "# a capture\n0x3e,0x49, 00,\n49 00", "3E4900", "\n\n3e:49:00:49:00"],
+)
+def test_hex_text_is_recognized(text: str) -> None:
+    assert run("decode", stdin=text) == run("decode", "--hex", stdin=text)
+    if text.startswith("3e"):
+        assert decode_one(text)["message"] == "GetAnglesRequest"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["{0x3E, 0x49, 0x00, 0x49, 0x00};", "[3e][49] (00) 49 00", r'"\x3e\x49\x00\x49\x00"'],
+)
+def test_bytes_of_source_code_are_recognized(text: str) -> None:
+    assert decode_one(text)["message"] == "GetAnglesRequest"
+
+
+def test_a_short_body_shows_the_fields_that_arrived() -> None:
+    body = struct.pack("<9h", *range(100, 1000, 100))
+    for size in range(18):
+        lines = run("decode", "--from", "board", stdin=frame(73, body[:size])).text.splitlines()
+        assert "error: The body ends before this field does. (too_short, " in lines[1]
+        shown = [int(line.split()[1]) for line in lines[3:-1]]
+        assert shown == list(range(100, 1000, 100))[: size // 2]
+    (line,) = decode(frame(73, body[:5]), "--from", "board", "--real")
+    assert line["body"] == body[:5].hex() and "fields" not in line
+    assert [value["raw"] for value in line["values"].values()] == [100, 200]
+    row = run("decode", "--format", "csv", "--from", "board", stdin=frame(73, body[:5])).text
+    assert row.splitlines()[1].endswith("," * 7) and "2.197265625" in row
+    for condition, count in (("roll.imu_angle=raw:100", 1), ("pitch.imu_angle=0", 0)):
+        options = ("--from", "board", "-w", condition)
+        assert len(decode(frame(73, body[:5]), *options)) == count
+        text = run("decode", *options, stdin=frame(73, body[:5])).text
+        assert text.endswith("none of them is selected\n") == (count == 0)
 
 
 def test_empty_input() -> None:
@@ -455,6 +491,15 @@ def test_a_failed_command_has_the_name_of_a_command() -> None:
     assert "CMD_CONTROL" in error and "CMD_CONFIRM" not in error
 
 
+def test_a_body_too_short_for_every_form() -> None:
+    """What arrived is shown as in the next longer form."""
+    text = run("decode", "--from", "host", stdin=frame(67, bytes([1, 2, 3, 4]))).text
+    assert "(unknown_form, offset 0, valid: 13, 15)" in text
+    assert re.search(r"control_mode +1 +MODE_SPEED\n +axes\.roll\.speed +770 ", text)
+    (line,) = decode(frame(67, bytes([1, 2, 3, 4])), "--from", "host", "--real")
+    assert line["message"] is None and "values" not in line
+
+
 def test_text() -> None:
     """The text form of a few frames, as people read it. After an intended change, update it with:
     sbgc decode --hex tests/tools/capture.hex > tests/tools/capture.txt"""
@@ -463,3 +508,113 @@ def test_text() -> None:
     assert result.status == 0
     assert result.text == (folder / "capture.txt").read_text(encoding="utf-8")
     assert run("decode", "--hex", str(folder / "capture.hex")) == result, "text is the default"
+
+
+def control(yaw: int) -> bytes:
+    return frame(67, bytes([2]) + struct.pack("<6h", 0, 0, 0, -100, 0, yaw))
+
+
+FRAMES = GET_ANGLES + control(10) + frame(73, struct.pack("<9h", *range(9))) + control(4096)
+
+
+@pytest.mark.parametrize(
+    "options, offsets",
+    [
+        (["-m", "GetAngles"], [23]),
+        (["-m", "CMD_GET_ANGLES"], [0, 23]),
+        (["-m", "get_angles"], [0, 23]),
+        (["-m", "67"], [5, 46]),
+        (["-m", "67", "-m", "GetAngles"], [5, 23, 46]),
+        (["-w", "yaw.angle = 90deg"], [46]),
+        (["-w", "axes.yaw.angle != 90deg"], [5]),
+        (["-w", "yaw.angle > 0"], [5, 46]),
+        (["-w", "yaw.angle>=raw:11"], [46]),
+        (["-w", "yaw.angle<raw:11"], [5]),
+        # Any axis.
+        (["-w", "imu_angle = raw:3"], [23]),
+        (["-w", "axes.roll.angle=0", "-m", "67"], [5, 46]),
+    ],
+)
+def test_filters(options: list[str], offsets: list[int]) -> None:
+    assert [line["offset"] for line in decode(FRAMES, *options)] == offsets
+    text = run("decode", *options, stdin=FRAMES).text
+    assert [int(at) for at in re.findall(r"^@(\d+)", text, re.MULTILINE)] == offsets
+
+
+def test_flags_are_filtered_one_by_one() -> None:
+    both, one, none = (frame(86, bytes(4) + bytes([flags]) + bytes(13)) for flags in (3, 2, 0))
+    stream = both + one + none
+    name = "board_features & BOARD_FEATURE_BAT_MONITORING"
+    assert [line["offset"] for line in decode(stream, "-w", name)] == [0, len(both)]
+    name = "board_features & BOARD_FEATURE_3AXIS"
+    assert [line["offset"] for line in decode(stream, "-w", name)] == [0]
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        (["-m", "GetAngels"], "no message 'GetAngels'; did you mean"),
+        (["-m", "300"], "no message '300'"),
+        (["-w", "imu_angel=3"], "no message has a field 'imu_angel'; did you mean 'imu_angle'"),
+        (["-w", "imu_angle"], "is no condition"),
+        (["-w", "mode=MODE_SPEEED"], "'MODE_SPEEED' is not a name of"),
+        (["-w", "cycle_time > 70000"], "70000 is outside of 0 us to 65535 us"),
+        (["-w", "config > 3"], "is a group; name one of its fields"),
+        (["-m", "CMD_CONTROL", "-w", "cycle_time > 7"], "the selected messages have no such field"),
+        (["-w", "=3"], "is no condition"),
+        (["--to", "1"], "only a capture has times"),
+        (["--from", "board", "--from", "3s"], "only a capture has times"),
+        (["--to", "later"], "'later' is not a time"),
+        (["--from", "board", "--from", "host"], "--from takes one sender and one time"),
+        (["--from", "3", "--to", "1"], "the time of --from is after that of --to"),
+        (["--real"], "--real is for --format jsonl"),
+    ],
+)
+def test_filters_that_cannot_be(options: list[str], words: str) -> None:
+    result = run("decode", *options, stdin=FRAMES)
+    assert result.status == 2 and words in result.error and result.out == b""
+
+
+def test_csv() -> None:
+    rows = run("decode", "--format", "csv", "-m", "GetAngles", stdin=FRAMES * 2).text.splitlines()
+    header = rows[0].split(",")
+    assert header[:3] == ["offset", "axes.roll.imu_angle[deg]", "axes.roll.rc_target_angle[deg]"]
+    assert len(rows) == 3 and all(len(row.split(",")) == len(header) == 10 for row in rows)
+    values = [float(value) for value in rows[2].split(",")]
+    assert values[0] == len(FRAMES) + 23
+    scales = [360 / 2**14, 360 / 2**14, 0.1220740379]
+    assert values[1:] == pytest.approx([i * scales[i % 3] for i in range(9)], rel=1e-6)
+    mixed = run("decode", "--format", "csv", stdin=FRAMES)
+    assert mixed.status == 1 and "choose with --message" in mixed.error
+
+
+def test_real_values() -> None:
+    (line,) = decode(control(4096), "--real")
+    assert line["values"]["axes.yaw.angle"] == {"raw": 4096, "real": 90.0, "unit": "deg"}
+    assert line["values"]["control_mode"] == {"raw": 2, "text": "MODE_ANGLE"}
+    plain = decode_one(control(4096))
+    assert {key: line[key] for key in plain} == plain and list(line)[-1] == "values"
+
+
+def test_colors_only_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    def on_a_terminal() -> str:
+        outside, inside = os.openpty()
+        run("decode", "--hex", stdin=FRAMES.hex(), stdout=inside)
+        os.close(inside)
+        shown = b""
+        try:
+            while block := os.read(outside, 65536):
+                shown += block
+        except OSError:  # the end
+            pass
+        os.close(outside)
+        return shown.decode().replace("\r\n", "\n")
+
+    plain = run("decode", "--hex", stdin=FRAMES.hex()).text
+    assert "\x1b" not in plain
+    monkeypatch.setenv("TERM", "xterm")
+    colored = on_a_terminal()
+    assert "\x1b[1mCMD_CONTROL\x1b[0m" in colored
+    assert re.sub(r"\x1b\[\d*m", "", colored) == plain
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert on_a_terminal() == plain

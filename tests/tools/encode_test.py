@@ -298,3 +298,38 @@ def test_texts_that_are_not_utf8() -> None:
 def test_empty_input() -> None:
     assert run("encode").out == b""
     assert decode(run("encode", stdin="\n \n\t\n").out) == []
+
+
+def test_names_instead_of_numbers() -> None:
+    line = json.loads(changed(CONTROL, "control_mode", "MODE_ANGLE|CONTROL_FLAG_AUTO_TASK"))
+    by_name = run("encode", stdin=json.dumps(line))
+    assert by_name.status == 0, by_name
+    assert by_name.out == run("encode", stdin=changed(CONTROL, "control_mode", 0x42)).out
+    line["fields"]["control_mode"] = ["MODE_ANGLE", "CONTROL_FLAG_AUTO_TASK"]
+    assert run("encode", stdin=json.dumps(line)).out == by_name.out
+    beep = json.loads(changed(BEEP, "mode", "BEEPER_MODE_CUSTOM_MELODY"))
+    assert run("encode", stdin=json.dumps(beep)).out == run("encode", stdin=json.dumps(BEEP)).out
+    assert "did you mean 'MODE_ANGLE'" in refusal(changed(CONTROL, "control_mode", "MODE_ANGEL"))
+    error = refusal(changed(CONTROL, "axes.pitch.angle", "-30deg"))
+    assert "axes.pitch.angle" in error, "quantities are raw integers"
+
+
+def test_names_of_the_document() -> None:
+    assert run("encode", stdin='{"message":"CMD_MOTORS_ON","fields":{}}').out[:2] == b">M"
+    assert run("encode", stdin='{"message":"get_angles","fields":{}}').out == frame(73)
+    answer = {"message": "CMD_GET_ANGLES", "direction": "from_board", "fields": {}}
+    assert "axes" in refusal(json.dumps(answer)), "the message of the board has fields"
+    ext = {"message": "CMD_MOTORS_OFF", "fields": {"mode": "BRAKE"}}
+    assert run("encode", stdin=json.dumps(ext)).out == frame(109, b"\x01")
+    assert "'CMD_MOTORS_ON'" in refusal('{"message":"CMD_MOTOR_ON","fields":{}}')
+
+
+def test_defaults() -> None:
+    short = {"message": "Control", "fields": {"axes": {"pitch": {"angle": -1365}}}}
+    assert "missing" in refusal(json.dumps(short))
+    whole = changed(CONTROL, "axes.pitch.angle", -1365)
+    expected = run("encode", stdin=changed(json.loads(whole), "control_mode", 0)).out
+    assert run("encode", "--defaults", stdin=json.dumps(short)).out == expected
+    assert run("encode", "--defaults", stdin='{"message":"get_angles"}').out == frame(73)
+    unknown = {"message": "Control", "fields": {"axis": 1}}
+    assert run("encode", "--defaults", stdin=json.dumps(unknown)).status == 1

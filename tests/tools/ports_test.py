@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -13,13 +14,15 @@ from sbgc_command import PROGRAM, run
 # A separate mount namespace, in which file systems can be mounted over others.
 UNSHARE = ["unshare", "--mount"] + (["--map-root-user"] if os.geteuid() != 0 else [])
 NO_PORTS = "No serial ports found.\n"
+LIST = '{"format": "sbgc-ports", "version": 1, "ports": [%s]}'
 
 
 def test_ports_are_listed() -> None:
     text = run("ports")
     assert text.status == 0 and text.text
-    ports = json.loads(run("ports", "--format", "json").text)
-    assert isinstance(ports, list)
+    listed = json.loads(run("ports", "--format", "json").text)
+    assert (listed["format"], listed["version"]) == ("sbgc-ports", 1)
+    ports = listed["ports"]
     for port in ports:
         assert port["name"] in text.text
         assert set(port) == {"name", "description", "usb"}
@@ -39,4 +42,28 @@ def test_a_system_without_sys_has_no_ports() -> None:
     done = subprocess.run(
         [*UNSHARE, "sh", "-c", script, "sh", PROGRAM], capture_output=True, text=True, check=False
     )
-    assert (done.returncode, done.stdout, done.stderr) == (0, NO_PORTS + "[]\n", "")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(NO_PORTS)
+    assert json.loads(done.stdout.removeprefix(NO_PORTS))["ports"] == []
+
+
+@pytest.mark.parametrize(
+    ("content", "repeats", "words"),
+    [
+        (LIST % '{"name": "/dev/a"}, {"name": 5}', 1, "port 2 has unexpected values"),
+        ('{"name": "/dev/a"}', 1, "not a list of ports"),
+        ('[{"name": "/dev/a"}]', 1, "not a list of ports"),
+        (LIST.replace("1", "2") % "", 1, "not a list of ports"),
+        ("[", 2_000_000, "ports.json"),
+    ],
+)
+def test_a_wrong_list_is_explained(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, content: str, repeats: int, words: str
+) -> None:
+    file = tmp_path / "ports.json"
+    file.write_text(content * repeats)
+    monkeypatch.setenv("SBGC_PORTS", str(file))
+    result = run("ports")
+    assert result.status == 1
+    assert words in result.error
+    assert "json.exception" not in result.error

@@ -44,9 +44,12 @@ def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None)
         check=False,
     )
     result = Result(done.returncode, done.stdout or b"", done.stderr.decode())
-    assert result.status in (0, 1, 2), result
+    assert result.status in (0, 1, 2, 3), result
     assert not CRASH.search(result.error), result
-    assert (result.status == 0) == (result.error == ""), result
+    assert result.status != 2 or result.error, result
+    # Commands for a board also report progress there.
+    if arguments and arguments[0] in ("decode", "encode", "ports"):
+        assert (result.status == 0) == (result.error == ""), result
     return result
 
 

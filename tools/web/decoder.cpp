@@ -21,9 +21,9 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text_output.hpp>
 
-#include "../decoded_frame.hpp"
-#include "../hex_text.hpp"
-#include "../rejected_candidates.hpp"
+#include "frames/decoded_frame.hpp"
+#include "frames/hex_text.hpp"
+#include "frames/rejected_candidates.hpp"
 
 namespace sbgc::tools {
 

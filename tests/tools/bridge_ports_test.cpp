@@ -1,0 +1,586 @@
+// Tests of the core of the bridge, with a board's side that the tests play.
+
+#include "share/bridge_ports.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+
+namespace sbgc::tools {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Sent {
+  std::uint64_t tag{};
+  RawRequest request{};
+};
+
+class Line final : public BridgeLine {
+ public:
+  void send(std::uint64_t tag, RawRequest request) override {
+    sent.push_back({tag, std::move(request)});
+  }
+  void take_line() override { is_taken = true; }
+  void write_raw(std::vector<std::uint8_t> bytes) override {
+    raw.insert(raw.end(), bytes.begin(), bytes.end());
+    waiting += bytes.size();
+  }
+  std::size_t raw_waiting() const override { return waiting; }
+  void check() override { ++checks; }
+  void give_line_back() override { is_taken = false; }
+
+  std::vector<Sent> sent;
+  bool is_taken = false;
+  Bytes raw;
+  std::size_t waiting = 0;  // bytes that have not been sent; a test says when they are
+  int checks = 0;
+};
+
+template <class M>
+Bytes frame_of(const M& message, Framing framing = basic_framing) {
+  Bytes bytes(max_frame_size);
+  bytes.resize(encode_frame(framing, message, bytes).size);
+  return bytes;
+}
+
+msg::DataStreamInterval stream(std::uint16_t interval,
+                               msg::CommandFromBoard what = msg::RealtimeData3::command) {
+  msg::DataStreamInterval request;
+  request.cmd_id = what;
+  request.interval_ms = msg::Milliseconds(interval);
+  return request;
+}
+
+/// A stream of RealtimeDataCustom with these contents.
+msg::DataStreamInterval custom_stream(std::uint16_t interval, msg::RealtimeDataCustomFlag flag) {
+  msg::DataStreamInterval request = stream(interval, msg::RealtimeDataCustom::command);
+  request.config.flags = msg::RealtimeDataCustomFlags(flag);
+  return request;
+}
+
+/// A frame with a body of zeros.
+Bytes sample_of(msg::CommandFromBoard what, std::size_t size) {
+  Bytes bytes(max_frame_size);
+  const Bytes body(size);
+  bytes.resize(write_frame(basic_framing, static_cast<std::uint8_t>(what), body, bytes).size);
+  return bytes;
+}
+
+class Bridge : public ::testing::Test {
+ protected:
+  std::size_t join() {
+    wakes.push_back(0);
+    return *ports.connect(false, [this, index = wakes.size() - 1] { ++wakes[index]; });
+  }
+  static msg::Confirm confirmation_of_stream() {
+    msg::Confirm confirmation;
+    confirmation.cmd = msg::DataStreamInterval::command;
+    return confirmation;
+  }
+  template <class M>
+  void ask(std::size_t port, const M& request, Framing framing = basic_framing) {
+    ports.receive(port, frame_of(request, framing));
+  }
+  /// The board answers a request.
+  template <class M>
+  void answer(const Sent& sent, const M& message) {
+    const Bytes bytes = frame_of(message);
+    const Frame frame = frame_at(bytes.data());
+    ports.answered(sent.tag, frame);
+    ports.arrived({.frame = frame, .belongs_to_call = true});
+    ports.ended(sent.tag, false);
+  }
+  /// The board sends a message by itself.
+  template <class M>
+  void send(const M& message, bool is_late = false) {
+    const Bytes bytes = frame_of(message);
+    ports.arrived({.frame = frame_at(bytes.data()), .is_late = is_late});
+  }
+  Bytes read(std::size_t port) {
+    const auto waiting = ports.output(port);
+    Bytes bytes(waiting.begin(), waiting.end());
+    ports.take(port, bytes.size());
+    return bytes;
+  }
+  /// The intervals that the board was asked for, from the oldest.
+  std::vector<int> intervals() {
+    std::vector<int> result;
+    for (const Sent& one : line.sent) {
+      msg::DataStreamInterval request;
+      if (decode({one.request.body.data(), one.request.body.size()}, request)) {
+        result.push_back(request.interval_ms.raw());
+      }
+    }
+    return result;
+  }
+
+  Line line;
+  Instant time{1'000'000};
+  std::vector<std::string> logged;
+  BridgePorts ports{line, [this] { return time; },
+                    [this](const std::string& text) { logged.push_back(text); }};
+  std::vector<int> wakes;
+};
+
+TEST_F(Bridge, EachOfTwoHostsGetsItsOwnAnswer) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, msg::GetAnglesRequest{});
+  ask(second, msg::GetAnglesRequest{});
+  ASSERT_THAT(line.sent, SizeIs(2));
+  msg::GetAngles one;
+  one.axes.yaw.imu_angle = 10_deg;
+  msg::GetAngles two;
+  two.axes.yaw.imu_angle = 20_deg;
+  answer(line.sent[0], one);
+  EXPECT_EQ(read(first), frame_of(one));
+  EXPECT_THAT(read(second), IsEmpty());
+  answer(line.sent[1], two);
+  EXPECT_EQ(read(second), frame_of(two));
+  EXPECT_THAT(read(first), IsEmpty());
+}
+
+TEST_F(Bridge, BodiesPassUnchanged) {
+  const std::size_t host = join();
+  msg::Control control;
+  control.axes.pitch.angle = -30_deg;
+  ask(host, control);
+  ASSERT_THAT(line.sent, SizeIs(1));
+  const RawRequest& request = line.sent[0].request;
+  EXPECT_EQ(request.id, static_cast<std::uint8_t>(msg::Control::command));
+  const Bytes frame = frame_of(control);
+  EXPECT_TRUE(std::equal(request.body.begin(), request.body.end(), frame.begin() + 4));
+}
+
+TEST_F(Bridge, UnknownRequestsPassToo) {
+  const std::size_t host = join();
+  Bytes bytes(max_frame_size);
+  const Bytes body{1, 2, 3};
+  bytes.resize(write_frame(basic_framing, 249, body, bytes).size);
+  ports.receive(host, bytes);
+  ASSERT_THAT(line.sent, SizeIs(1));
+  EXPECT_EQ(line.sent[0].request.id, 249);
+  EXPECT_FALSE(line.sent[0].request.policy.retry_is_safe);
+  // Its response is whatever has the same id.
+  ports.answered(line.sent[0].tag, frame_at(bytes.data()));
+  EXPECT_EQ(read(host), bytes);
+}
+
+TEST_F(Bridge, TheAnswerHasTheFramingOfTheHost) {
+  const std::size_t host = join();
+  ask(host, msg::GetAnglesRequest{}, Framing::v2);
+  answer(line.sent.at(0), msg::GetAngles{});
+  EXPECT_EQ(read(host), frame_of(msg::GetAngles{}, Framing::v2));
+}
+
+TEST_F(Bridge, ARequestThatFailsHasNoAnswer) {
+  const std::size_t host = join();
+  ask(host, msg::GetAnglesRequest{});
+  EXPECT_FALSE(ports.is_quiet(host));
+  ports.ended(line.sent.at(0).tag, false);
+  EXPECT_THAT(read(host), IsEmpty());
+  EXPECT_TRUE(ports.is_quiet(host));
+}
+
+TEST_F(Bridge, UnsolicitedMessagesGoToAll) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  send(msg::Reset{});
+  EXPECT_EQ(read(first), frame_of(msg::Reset{}));
+  EXPECT_EQ(read(second), frame_of(msg::Reset{}));
+  send(msg::GetAngles{}, true);
+  EXPECT_THAT(read(first), IsEmpty()) << "a late response concerns nobody";
+}
+
+TEST_F(Bridge, AConfirmationGoesToTheOneWhoAsked) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, msg::MotorsOn{});
+  ports.ended(line.sent.at(0).tag, false);  // its confirmation is not certain
+  msg::Confirm confirmation;
+  confirmation.cmd = msg::MotorsOn::command;
+  send(confirmation);
+  EXPECT_EQ(read(first), frame_of(confirmation));
+  EXPECT_THAT(read(second), IsEmpty());
+}
+
+TEST_F(Bridge, TheBoardGetsTheShortestInterval) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, stream(100));
+  ask(second, stream(20));
+  ask(first, stream(50));
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 20));
+  ask(second, stream(0));
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 50));
+  ask(first, stream(0));
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 50, 0));
+}
+
+TEST_F(Bridge, AHostThatLeavesEndsItsShare) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, stream(100));
+  ask(second, stream(20));
+  ports.disconnect(second);
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 100));
+  ports.disconnect(first);
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 100, 0));
+}
+
+TEST_F(Bridge, EachHostGetsItsOwnRate) {
+  const std::size_t fast = join();
+  const std::size_t slow = join();
+  const std::size_t other = join();
+  ask(fast, stream(20));
+  ask(slow, stream(50));
+  for (int i = 0; i < 100; ++i) send(msg::RealtimeData3{});
+  const std::size_t size = frame_of(msg::RealtimeData3{}).size();
+  EXPECT_EQ(read(fast).size(), 100 * size);
+  EXPECT_EQ(read(slow).size(), 40 * size);
+  EXPECT_THAT(read(other), IsEmpty());
+}
+
+TEST_F(Bridge, AnIntervalOfOneIsEveryCycle) {
+  const std::size_t fast = join();
+  const std::size_t slow = join();
+  ask(fast, stream(1));
+  ask(slow, stream(20));
+  for (int i = 0; i < 1250; ++i) send(msg::RealtimeData3{});  // in a second
+  EXPECT_EQ(read(slow).size(), 50 * frame_of(msg::RealtimeData3{}).size());
+}
+
+TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, custom_stream(20, Flag::imu_angles));
+  ask(second, custom_stream(20, Flag::target_angles));
+  EXPECT_THAT(line.sent, SizeIs(1));
+  msg::ErrorExt error;
+  error.cmd_id = msg::DataStreamInterval::command;
+  error.error_code = msg::BoardErrorCode::temporary;
+  EXPECT_EQ(read(second), frame_of(error));
+  ASSERT_THAT(logged, SizeIs(1));
+  EXPECT_THAT(logged[0], testing::HasSubstr("another configuration"));
+  answer(line.sent[0], confirmation_of_stream());
+  read(first);
+  // Both have a time and three angles.
+  const Bytes sample = sample_of(msg::RealtimeDataCustom::command, 8);
+  ports.arrived({.frame = frame_at(sample.data())});
+  EXPECT_EQ(read(first), sample);
+  EXPECT_THAT(read(second), IsEmpty());
+
+  // The same configuration is shared.
+  ask(second, custom_stream(40, Flag::imu_angles));
+  EXPECT_THAT(intervals(), ElementsAre(20, 20));
+  ask(second, custom_stream(0, Flag::imu_angles));
+
+  // When the first one has ended, another one may start; the last samples of the first are for
+  // nobody.
+  ports.disconnect(first);
+  ask(second, custom_stream(20, Flag::target_angles));
+  ports.arrived({.frame = frame_at(sample.data())});
+  EXPECT_THAT(read(second), IsEmpty());
+  answer(line.sent.back(), confirmation_of_stream());
+  EXPECT_EQ(read(second), frame_of(confirmation_of_stream()));
+  ports.arrived({.frame = frame_at(sample.data())});
+  EXPECT_EQ(read(second), sample);
+}
+
+TEST_F(Bridge, AConfigurationThatTheBoardRefusesIsNotRunning) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  const std::size_t host = join();
+  ask(host, custom_stream(20, Flag::imu_angles));
+  msg::ErrorExt error;
+  error.cmd_id = msg::DataStreamInterval::command;
+  error.error_code = msg::BoardErrorCode::wrong_params;
+  answer(line.sent[0], error);
+  EXPECT_EQ(read(host), frame_of(error));
+  ask(host, custom_stream(20, Flag::target_angles));
+  EXPECT_THAT(line.sent, SizeIs(2));
+}
+
+TEST_F(Bridge, StreamsAreStartedAgain) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, stream(100));
+  ask(second, stream(20));
+  ask(second, stream(30, msg::RealtimeData4::command));
+  line.sent.clear();
+  ports.restart_streams();
+  EXPECT_THAT(intervals(), testing::UnorderedElementsAre(20, 30));
+}
+
+TEST_F(Bridge, AnAnswerThatMayBeASampleIsBoth) {
+  const std::size_t asking = join();
+  const std::size_t listening = join();
+  ask(listening, stream(20));
+  ask(asking, msg::RealtimeData3Request{});
+  const Sent& sent = line.sent.back();
+  const Bytes bytes = frame_of(msg::RealtimeData3{});
+  ports.answered(sent.tag, frame_at(bytes.data()));
+  ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .may_be_sample = true});
+  ports.ended(sent.tag, false);
+  EXPECT_EQ(read(asking), bytes);
+  EXPECT_EQ(read(listening), bytes);
+}
+
+TEST_F(Bridge, AHostThatDoesNotReadDisturbsNoOther) {
+  const std::size_t deaf = join();
+  const std::size_t other = join();
+  ask(deaf, stream(20));
+  ask(other, stream(20));
+  const std::size_t size = frame_of(msg::RealtimeData3{}).size();
+  for (int i = 0; i < 5000; ++i) {
+    send(msg::RealtimeData3{});
+    EXPECT_EQ(read(other).size(), size);
+  }
+  EXPECT_LE(ports.output(deaf).size(), BridgePorts::max_output);
+  EXPECT_GT(ports.counters()[0].dropped, 4000U);
+  EXPECT_EQ(ports.counters()[1].dropped, 0U);
+  // It can still ask, and gets its answer.
+  ask(deaf, msg::GetAnglesRequest{});
+  const std::size_t before = ports.output(deaf).size();
+  answer(line.sent.back(), msg::GetAngles{});
+  EXPECT_EQ(ports.output(deaf).size(), before + frame_of(msg::GetAngles{}).size());
+}
+
+TEST_F(Bridge, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
+  const std::size_t host = join();
+  int asked = 0;
+  while (ports.room(host) != 0) {
+    ask(host, msg::GetAnglesRequest{});
+    answer(line.sent.back(), msg::GetAngles{});
+    ASSERT_LT(++asked, 100000);
+  }
+  EXPECT_LE(ports.output(host).size(), BridgePorts::max_output + max_frame_size);
+  read(host);
+  EXPECT_NE(ports.room(host), 0U);
+}
+
+TEST_F(Bridge, AHostThatAsksTooFastIsReadLater) {
+  const std::size_t host = join();
+  const Bytes frame = frame_of(msg::GetAnglesRequest{});
+  Bytes all;
+  while (all.size() < 10000) all.insert(all.end(), frame.begin(), frame.end());
+  for (std::size_t at = 0; ports.room(host) != 0;) {
+    const std::size_t size = ports.room(host);
+    ports.receive(host, std::span(all).subspan(at, size));
+    at += size;
+  }
+  EXPECT_EQ(ports.room(host), 0U);
+  EXPECT_THAT(line.sent, SizeIs(BridgePorts::max_requests));
+  const int before = wakes[0];
+  ports.ended(line.sent.front().tag, false);
+  EXPECT_NE(ports.room(host), 0U);
+  EXPECT_GT(wakes[0], before);
+}
+
+TEST_F(Bridge, TheAnswerForAHostThatHasLeftIsForNobody) {
+  const std::size_t host = join();
+  ask(host, msg::GetAnglesRequest{});
+  ports.disconnect(host);
+  const std::size_t next = join();
+  EXPECT_EQ(next, host) << "this test needs the same port";
+  answer(line.sent.at(0), msg::GetAngles{});
+  EXPECT_THAT(read(next), IsEmpty());
+  EXPECT_TRUE(ports.is_quiet(next));
+}
+
+TEST_F(Bridge, AHostThatRestartsTheBoardHasTheLineForItself) {
+  const std::size_t other = join();
+  const std::size_t host = join();
+  ask(other, msg::GetAnglesRequest{});
+  ask(host, msg::BootMode3{});
+  EXPECT_FALSE(line.is_taken) << "another request has not ended";
+  EXPECT_EQ(ports.room(host), 0U);
+  EXPECT_EQ(ports.room(other), 0U);
+  answer(line.sent.at(0), msg::GetAngles{});
+  EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
+  EXPECT_TRUE(line.is_taken);
+  EXPECT_EQ(ports.exclusive_host(), host);
+  EXPECT_EQ(line.raw, frame_of(msg::BootMode3{}));
+  EXPECT_EQ(ports.room(other), 0U);
+  line.raw.clear();
+  const Bytes sync{0x7F, 0x00, '>', 0xFF};
+  ports.receive(host, sync);
+  EXPECT_EQ(line.raw, sync);
+  const Bytes acknowledgement{0x79, 0x1F};
+  ports.raw_arrived(acknowledgement);
+  EXPECT_EQ(read(host), acknowledgement);
+  EXPECT_THAT(read(other), IsEmpty());
+  // New firmware introduces itself, some seconds later.
+  const Bytes introduction = frame_of(msg::BoardInfo{});
+  ports.raw_arrived(introduction);
+  ports.tick();
+  EXPECT_TRUE(line.is_taken) << "that was the board before the restart";
+  read(host);
+  time = time + seconds(20);
+  ports.raw_arrived(introduction);
+  EXPECT_EQ(read(host), introduction);
+  ports.tick();
+  EXPECT_FALSE(line.is_taken);
+  EXPECT_NE(ports.room(other), 0U);
+}
+
+TEST_F(Bridge, AfterAPlainRestartTheLineIsGivenBackSoon) {
+  const std::size_t host = join();
+  ask(host, msg::ResetRequest{});
+  EXPECT_TRUE(line.is_taken);
+  time = time + seconds(4);
+  ports.tick();
+  EXPECT_TRUE(line.is_taken);
+  time = time + seconds(2);
+  ports.tick();
+  EXPECT_FALSE(line.is_taken);
+}
+
+TEST_F(Bridge, ABootloaderMayTakeItsTime) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  ports.receive(host, Bytes{0x7F});
+  time = time + seconds(50);
+  ports.tick();
+  EXPECT_TRUE(line.is_taken);
+  time = time + seconds(20);
+  ports.tick();
+  EXPECT_FALSE(line.is_taken);
+}
+
+TEST_F(Bridge, TheLastSamplesOfAStreamAreForNobody) {
+  const std::size_t host = join();
+  const std::size_t other = join();
+  ask(host, stream(20));
+  ports.disconnect(host);
+  send(msg::RealtimeData3{});
+  EXPECT_THAT(read(other), IsEmpty());
+}
+
+TEST_F(Bridge, ASilentStreamIsStartedAgain) {
+  const std::size_t host = join();
+  ask(host, stream(20));
+  time = time + seconds(2);
+  send(msg::RealtimeData3{});
+  time = time + seconds(2);
+  ports.tick();
+  EXPECT_THAT(intervals(), ElementsAre(20));
+  time = time + seconds(2);
+  ports.tick();
+  ports.tick();
+  EXPECT_THAT(intervals(), ElementsAre(20, 20));
+}
+
+TEST_F(Bridge, ABoardThatIsSilentAfterARestartOfItsStreamIsChecked) {
+  const std::size_t host = join();
+  ask(host, stream(20));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(line.checks, 0);
+    time = time + seconds(4);
+    ports.tick();
+  }
+  EXPECT_EQ(line.checks, 1);
+}
+
+TEST_F(Bridge, ABoardThatConfirmsASilentStreamIsNotChecked) {
+  const std::size_t host = join();
+  ask(host, stream(20));
+  for (int i = 0; i < 5; ++i) {
+    time = time + seconds(4);
+    ports.tick();
+    time = time + seconds(1);
+    answer(line.sent.back(), confirmation_of_stream());
+  }
+  EXPECT_EQ(line.checks, 0);
+}
+
+TEST_F(Bridge, ABoardThatAnswersNoRequestIsChecked) {
+  const std::size_t host = join();
+  const auto ask_in_vain = [&] {
+    ask(host, msg::GetAnglesRequest{});
+    ports.ended(line.sent.back().tag, true);
+    ports.tick();
+  };
+  ask_in_vain();
+  ask_in_vain();
+  send(msg::Reset{});
+  ask_in_vain();
+  ask_in_vain();
+  EXPECT_EQ(line.checks, 0);
+  ask_in_vain();
+  EXPECT_EQ(line.checks, 1);
+}
+
+TEST_F(Bridge, AHostWithTheLineForItselfSendsNoFasterThanTheLine) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  std::size_t sent = 0;
+  for (; ports.room(host) != 0; sent += ports.room(host)) {
+    ASSERT_LE(sent, 10'000U);
+    ports.receive(host, Bytes(ports.room(host), 0x7F));
+  }
+  EXPECT_LE(line.waiting, BridgePorts::max_raw);
+  const int before = wakes[0];
+  line.waiting = 0;
+  ports.raw_sent();
+  EXPECT_NE(ports.room(host), 0U);
+  EXPECT_GT(wakes[0], before);
+}
+
+TEST_F(Bridge, TheBytesForAHostWithTheLineForItselfAreLimited) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  for (int i = 0; i < 1000; ++i) ports.raw_arrived(Bytes(1000));
+  EXPECT_LE(ports.output(host).size(), BridgePorts::max_output);
+  EXPECT_GT(ports.counters()[0].dropped, 0U);
+}
+
+TEST_F(Bridge, AHostThatLeavesGivesTheLineBack) {
+  const std::size_t host = join();
+  const std::size_t other = join();
+  ask(host, msg::BootMode3{});
+  EXPECT_TRUE(line.is_taken);
+  ports.disconnect(host);
+  EXPECT_FALSE(line.is_taken);
+  EXPECT_NE(ports.room(other), 0U);
+}
+
+TEST_F(Bridge, ALostLineIsNobodysAnyMore) {
+  const std::size_t host = join();
+  const std::size_t other = join();
+  ask(host, msg::BootMode3{});
+  ports.line_lost();
+  EXPECT_FALSE(ports.exclusive_host());
+  EXPECT_NE(ports.room(other), 0U);
+}
+
+TEST_F(Bridge, PlacesAreLimited) {
+  for (std::size_t i = 0; i < BridgePorts::max_hosts; ++i) EXPECT_TRUE(ports.connect(false, {}));
+  EXPECT_FALSE(ports.connect(false, {}));
+}
+
+TEST_F(Bridge, NoiseIsNoRequest) {
+  const std::size_t host = join();
+  Bytes bytes{0x7F, 0x00, '>', 1, 2, 3, 4};
+  const Bytes frame = frame_of(msg::GetAnglesRequest{});
+  bytes.insert(bytes.end(), frame.begin(), frame.end());
+  ports.receive(host, bytes);
+  EXPECT_THAT(line.sent, SizeIs(1));
+}
+
+}  // namespace
+}  // namespace sbgc::tools

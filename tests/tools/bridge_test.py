@@ -1,0 +1,444 @@
+"""Tests of sbgc bridge with several hosts at one emulated gimbal."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import struct
+import subprocess
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import PROGRAM, frame, run
+from web_socket import WebSocket
+
+GET_ANGLES = 73
+BOARD_INFO = 86
+DATA_STREAM_INTERVAL = 85
+REALTIME_DATA_3 = 23
+
+
+PLACES = ("--tcp", "--udp", "--pty", "--ws")
+
+
+class Bridge:
+    """A running `sbgc bridge`."""
+
+    def __init__(self, address: str, *places: str) -> None:
+        self.process = subprocess.Popen(
+            [PROGRAM, "bridge", address, *places],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert self.process.stdout is not None
+        self.addresses = []
+        for _ in range(sum(place in PLACES for place in places)):
+            line = self.process.stdout.readline()
+            assert line.startswith("bridge: "), (line, self.process.stderr)
+            self.addresses.append(line.split(": ", 1)[1].split()[0])
+        self.address = self.addresses[0]
+
+    def wait_for(self, words: str) -> None:
+        assert self.process.stderr is not None
+        while words not in (line := self.process.stderr.readline()):
+            assert line, words
+
+    def stop(self) -> None:
+        self.process.send_signal(signal.SIGINT)
+        self.process.communicate(timeout=20)
+        assert self.process.returncode == 0
+
+
+@contextmanager
+def bridge_to(address: str, *places: str) -> Iterator[Bridge]:
+    bridge = Bridge(address, *(places or ("--tcp", "0")))
+    try:
+        yield bridge
+    finally:
+        bridge.stop()
+
+
+class Host:
+    """A program at the bridge."""
+
+    def __init__(self, address: str) -> None:
+        _, host, port = address.split(":")
+        self.socket = socket.create_connection((host, int(port)), timeout=20)
+        self.stream = self.socket.makefile("rb")
+
+    def send(self, command: int, body: bytes = b"") -> None:
+        self.socket.sendall(frame(command, body))
+
+    def receive(self) -> tuple[int, bytes]:
+        header = self.stream.read(4)
+        assert header[0:1] == b">"
+        body = self.stream.read(header[2])
+        checksum = self.stream.read(1)
+        assert checksum == bytes([sum(body) % 256])
+        return header[1], body
+
+    def receive_samples(self, count: int) -> None:
+        while count:
+            count -= self.receive()[0] == REALTIME_DATA_3
+
+    def ask(self, command: int, body: bytes = b"") -> bytes:
+        self.send(command, body)
+        answer, data = self.receive()
+        assert answer == command
+        return data
+
+    def close(self) -> None:
+        self.stream.close()
+        self.socket.close()
+
+
+@pytest.fixture(scope="module", params=["tcp", "pty"])
+def bridge(request: pytest.FixtureRequest) -> Iterator[Bridge]:
+    options = ("--pty",) if request.param == "pty" else ()
+    with emulated_gimbal(*options) as gimbal, bridge_to(gimbal.address) as running:
+        yield running
+
+
+def test_two_hosts_that_ask_at_once(bridge: Bridge) -> None:
+    """Each gets exactly its own answers, in its own order."""
+    hosts = [Host(bridge.address) for _ in range(2)]
+    counts = [0, 0]
+
+    def ask_often(index: int) -> None:
+        for i in range(50):
+            command = (GET_ANGLES, BOARD_INFO)[(i + index) % 2]
+            hosts[index].ask(command)
+            counts[index] += 1
+
+    threads = [threading.Thread(target=ask_often, args=(index,)) for index in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=30)
+    assert counts == [50, 50]
+    for host in hosts:  # nothing more has come
+        host.socket.settimeout(0.05)
+        with pytest.raises(TimeoutError):
+            host.socket.recv(1)
+        host.close()
+
+
+def stream_request(interval: int) -> bytes:
+    return struct.pack("<BH18x", REALTIME_DATA_3, interval)
+
+
+def test_streams_go_to_those_who_asked_at_their_rates(bridge: Bridge) -> None:
+    fast, slow, other = (Host(bridge.address) for _ in range(3))
+    slow.send(DATA_STREAM_INTERVAL, stream_request(100))
+    fast.send(DATA_STREAM_INTERVAL, stream_request(20))
+    fast.receive_samples(40)
+    slow.send(BOARD_INFO)
+    slow_samples = 0
+    while (received := slow.receive()[0]) != BOARD_INFO:
+        slow_samples += received == REALTIME_DATA_3
+    assert 5 <= slow_samples <= 12
+    assert other.ask(BOARD_INFO)
+    # The one who leaves ends its share, the other one keeps its stream.
+    fast.close()
+    slow.receive_samples(3)
+    slow.close()
+    other.close()
+
+
+def test_the_command_works_over_the_bridge(bridge: Bridge) -> None:
+    assert run("info", "-p", bridge.address).status == 0
+    result = run("stream", "RealtimeData4", "-p", bridge.address, "--for", "200ms", "--rate", "50")
+    assert result.status == 0
+    assert len(result.text.splitlines()) > 5
+
+
+def test_a_host_that_does_not_read_blocks_no_other(bridge: Bridge) -> None:
+    deaf, other = Host(bridge.address), Host(bridge.address)
+    deaf.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    deaf.send(DATA_STREAM_INTERVAL, stream_request(1))
+    # It asks until the system takes no more.
+    deaf.socket.setblocking(False)
+    requests = frame(BOARD_INFO) * 1000
+    with pytest.raises(BlockingIOError):
+        while True:
+            deaf.socket.send(requests)
+    for _ in range(20):
+        assert other.ask(GET_ANGLES)
+    deaf.close()
+    other.close()
+
+
+def test_several_places() -> None:
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--tcp", "0", "--udp", "0", "--pty") as bridge:
+            assert len(bridge.addresses) == 3
+            for address in bridge.addresses:
+                result = run("info", "-p", address)
+                assert result.status == 0, result
+
+
+def test_hosts_stay_when_the_gimbal_is_started_again() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+        host = Host(bridge.address)
+        host.send(DATA_STREAM_INTERVAL, stream_request(20))
+        host.receive_samples(3)
+        gimbal.kill()
+        bridge.wait_for("connecting again")
+        port = gimbal.address.rsplit(":", 1)[1]
+        with emulated_gimbal("--tcp", port):
+            host.receive_samples(3)
+            host.close()
+
+
+def test_a_host_that_restarts_the_board_has_the_line_for_itself() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--tcp", "0") as bridge:
+        assert run("reset", "-p", bridge.address, "--yes").status == 0
+        assert run("info", "-p", bridge.address, "--timeout", "20").status == 0
+        bridge.process.send_signal(signal.SIGINT)
+        _, log = bridge.process.communicate(timeout=20)
+    assert "has the line for itself while the board restarts" in log
+    assert "the line is opened again for all hosts" in log
+    assert "unplugged" not in log
+
+
+def test_it_shows_who_comes_and_goes() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+        host = Host(bridge.address)
+        bridge.wait_for("is host 0")
+        host.close()
+        bridge.wait_for("has left")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["tcp:127.0.0.1:9", "--tcp", "0"], 1, "refused"),
+        (["tcp:127.0.0.1:9"], 2, "--tcp"),
+        (["tcp:127.0.0.1:9", "--tcp", "port"], 2, "port"),
+        (["tcp:127.0.0.1:9", "--tcp", "0", "-p", "tcp:127.0.0.1:10"], 2, "given twice"),
+        (["tcp:127.0.0.1:9", "--tcp", "0", "--origin", "http://localhost"], 2, "is for --ws"),
+        (["tcp:127.0.0.1:9", "--tcp", "0", "--token", "0123456789"], 2, "is for --ws"),
+        (["tcp:127.0.0.1:9", "--ws", "0", "--token", "short"], 2, "at least 8 letters"),
+        (["tcp:127.0.0.1:9", "--ws", "0", "--origin", "http://localhost/"], 2, "not the origin"),
+        (["tcp:127.0.0.1:9", "--ws", "0", "--origin", "localhost"], 2, "not the origin"),
+    ],
+)
+def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -> None:
+    result = run("bridge", *arguments)
+    assert result.status == status
+    assert words in result.error
+
+
+def test_a_web_page_is_no_program() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+        page = Host(bridge.address)
+        page.socket.sendall(b"POST / HTTP/1.1\r\n\r\n" + frame(BOARD_INFO))
+        bridge.wait_for("refused: it sent an HTTP request")
+        page.close()
+
+
+class SilentLine:
+    """A TCP server between the bridge and a gimbal that can stop to pass bytes."""
+
+    def __init__(self, address: str) -> None:
+        self.gimbal = address.split(":")[1:]
+        self.server = socket.create_server(("127.0.0.1", 0))
+        self.address = f"tcp:127.0.0.1:{self.server.getsockname()[1]}"
+        self.is_silent = False
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self) -> None:
+        while True:
+            try:
+                client, _ = self.server.accept()
+            except OSError:
+                return
+            board = socket.create_connection((self.gimbal[0], int(self.gimbal[1])))
+            for pair in ((client, board), (board, client)):
+                threading.Thread(target=self.pass_on, args=pair, daemon=True).start()
+
+    def pass_on(self, source: socket.socket, target: socket.socket) -> None:
+        was_silent = False  # stays so for this connection
+        try:
+            while data := source.recv(4096):
+                was_silent = was_silent or self.is_silent
+                if not was_silent:
+                    target.sendall(data)
+        except OSError:
+            pass
+        target.close()
+
+
+def test_a_line_that_dies_silently_is_replaced() -> None:
+    with emulated_gimbal() as gimbal:
+        line = SilentLine(gimbal.address)
+        with bridge_to(line.address) as bridge:
+            host = Host(bridge.address)
+            assert host.ask(BOARD_INFO)
+            line.is_silent = True
+            for _ in range(3):
+                host.send(GET_ANGLES)
+            bridge.wait_for("does not respond")
+            line.is_silent = False
+            bridge.wait_for("TCP connection")
+            assert host.ask(BOARD_INFO)
+            host.close()
+        line.server.close()
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["bridge", "--tcp", "0"],
+        ["stream", "RealtimeData4"],
+        ["record", "out.capture", "--stream", "RealtimeData4"],
+    ],
+)
+def test_ctrl_c_ends_the_connecting(command: list[str], tmp_path: Path) -> None:
+    """The line is open, but nobody answers."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        address = f"tcp:127.0.0.1:{server.getsockname()[1]}"
+        with subprocess.Popen(
+            [PROGRAM, *command, "-p", address],
+            cwd=tmp_path,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        ) as process:
+            line, _ = server.accept()
+            assert line.recv(100)
+            process.send_signal(signal.SIGINT)
+            # A shell says 130 for both.
+            assert process.wait(timeout=3) in (130, -signal.SIGINT)
+            line.close()
+
+
+def test_a_place_in_use() -> None:
+    with emulated_gimbal() as gimbal:
+        port = gimbal.address.rsplit(":", 1)[1]
+        result = run("bridge", gimbal.address, "--tcp", port)
+        assert result.status == 1
+        assert "cannot listen" in result.error
+
+
+TOKEN = "correct-horse"
+
+
+@pytest.fixture(scope="module")
+def web() -> Iterator[Bridge]:
+    options = ("--token", TOKEN, "--origin", "http://localhost:8000")
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--tcp", "0", "--ws", "0", *options) as bridge:
+            yield bridge
+
+
+def web_address(bridge: Bridge) -> str:
+    return bridge.addresses[1]
+
+
+@pytest.mark.parametrize(
+    ("query", "origin", "protocols", "status"),
+    [
+        (f"?token={TOKEN}", None, None, 101),
+        (f"?a=b&token={TOKEN}", None, None, 101),
+        ("", None, f"sbgc, token.{TOKEN}", 101),
+        (f"?token={TOKEN}", "http://localhost:8000", None, 101),
+        (f"?token={TOKEN}", "http://evil.example", None, 403),
+        (f"?token={TOKEN}", "null", None, 403),
+        ("", "http://localhost:8000", None, 401),
+        ("", None, None, 401),
+        ("?token=", None, None, 401),
+        (f"?token={TOKEN}x", None, None, 401),
+        (f"?token={TOKEN[:-1]}", None, None, 401),
+        ("", None, "sbgc, token.wrong", 401),
+        ("", None, f"token.{TOKEN}", 400),
+    ],
+)
+def test_only_those_who_may_connect_over_a_web_socket(
+    web: Bridge, query: str, origin: str | None, protocols: str | None, status: int
+) -> None:
+    connection = WebSocket(web_address(web), query, origin, protocols)
+    assert connection.status == status
+    if protocols is not None and status == 101:
+        assert connection.headers["sec-websocket-protocol"] == "sbgc"
+    connection.close()
+
+
+def test_a_web_socket_is_a_host_like_others(web: Bridge) -> None:
+    page = WebSocket(web_address(web), f"?token={TOKEN}")
+    host = Host(web.address)
+    request = frame(BOARD_INFO)
+    page.send(request[:3])
+    page.send(request[3:] + frame(GET_ANGLES))
+    data = b""
+    while len(data) < 4 or len(data) < 5 + data[2] + 5 + 18:
+        opcode, message = page.receive()
+        assert opcode == 2
+        data += message
+    assert data[1] == BOARD_INFO and data[5 + data[2] + 1] == GET_ANGLES
+    assert host.ask(BOARD_INFO) == data[4 : 4 + data[2]]
+    page.close()
+    host.close()
+
+
+def test_text_and_long_messages_end_a_web_socket(web: Bridge) -> None:
+    for data, opcode in ((b"hello", 1), (bytes(20000), 2)):
+        page = WebSocket(web_address(web), f"?token={TOKEN}")
+        page.send(data, opcode)
+        assert page.receive()[0] == 8  # close
+        page.close()
+
+
+def test_what_is_no_web_socket_is_refused(web: Bridge) -> None:
+    host, port = web_address(web).removeprefix("ws://").split("/")[0].rsplit(":", 1)
+    with socket.create_connection((host, int(port)), timeout=20) as connection:
+        connection.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+        assert b"426" in connection.recv(1000).splitlines()[0]
+
+
+def test_idle_connections_keep_no_web_socket_out(web: Bridge) -> None:
+    host, port = web_address(web).removeprefix("ws://").split("/")[0].rsplit(":", 1)
+    idle = [socket.create_connection((host, int(port)), timeout=20) for _ in range(100)]
+    page = WebSocket(web_address(web), f"?token={TOKEN}")
+    assert page.status == 101
+    idle[0].settimeout(20)
+    assert idle[0].recv(1) == b""  # the oldest had to leave
+    for one in idle:
+        one.close()
+    page.close()
+
+
+def test_only_so_many_web_sockets() -> None:
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
+            pages = [WebSocket(bridge.address, f"?token={TOKEN}") for _ in range(17)]
+            assert [page.status for page in pages] == [101] * 16 + [503]
+            for page in pages:
+                page.close()
+
+
+def test_the_token_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SBGC_TOKEN", TOKEN)
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--ws", "0") as bridge:
+        assert TOKEN not in bridge.addresses[0]
+        page = WebSocket(bridge.addresses[0], f"/?token={TOKEN}")
+        assert page.status == 101
+        page.close()
+    monkeypatch.setenv("SBGC_TOKEN", "short")
+    result = run("bridge", "tcp:127.0.0.1:9", "--ws", "0")
+    assert result.status == 2 and "SBGC_TOKEN: a token has at least 8" in result.error
+
+
+def test_a_token_is_made_and_printed() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--ws", "0") as bridge:
+        address = bridge.addresses[0]
+        token = address.split("?token=")[1]
+        assert len(token) == 32
+        page = WebSocket(address, f"?token={token}")
+        assert page.status == 101
+        page.close()

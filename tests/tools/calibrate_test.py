@@ -1,0 +1,112 @@
+"""Calibrations with the sbgc command."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import signal
+import subprocess
+from collections.abc import Iterator
+
+import pytest
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import MODEL, PROGRAM, Result, run
+
+
+@pytest.fixture(name="gimbal", scope="module")
+def one_gimbal() -> Iterator[EmulatedGimbal]:
+    with emulated_gimbal("--board", "3.6", "--firmware", "2.70b0") as gimbal:
+        yield gimbal
+
+
+def calibrate(gimbal: EmulatedGimbal, *arguments: str) -> Result:
+    return run("calibrate", *arguments, "-p", gimbal.address)
+
+
+def test_the_gyroscope(gimbal: EmulatedGimbal) -> None:
+    result = calibrate(gimbal, "gyro", "--yes")
+    assert (result.status, result.out) == (0, b"")
+    text = " ".join(result.error.split())
+    request = next(m for m in MODEL["messages"] if m["name"] == "CalibGyro")
+    assert request["preparation"] in text, "how to hold the camera"
+    assert "the change survives a restart" in text
+    assert "restarts" not in text and "deletes" not in text
+    assert text.endswith("The calibration is done.")
+
+
+def test_progress_on_a_terminal(gimbal: EmulatedGimbal) -> None:
+    process, screen = pty.fork()
+    if process == 0:
+        short = ("imu_idx=MAIN", "time_ms=2500")
+        os.execv(PROGRAM, [PROGRAM, "calibrate", "gyro", *short, "--yes", "-p", gimbal.address])
+    shown = b""
+    try:
+        while part := os.read(screen, 4096):
+            shown += part
+    except OSError:
+        pass  # the other side is closed
+    assert os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]) == 0
+    percents = [int(text) for text in re.findall(rb"s: (\d+) %", shown)]
+    assert percents == sorted(percents) and len(set(percents)) > 2, shown
+
+
+def test_ctrl_c_says_that_the_board_goes_on() -> None:
+    arguments = ("calibrate", "gyro", "--imu", "frame", "--yes", "-v")
+    with emulated_gimbal() as gimbal:
+        with subprocess.Popen(
+            [PROGRAM, *arguments, "-p", gimbal.address], stderr=subprocess.PIPE
+        ) as process:
+            assert process.stderr is not None
+            for line in process.stderr:  # the frames are printed
+                if b"CMD_CONFIRM" in line:
+                    break
+            process.send_signal(signal.SIGINT)
+            error = process.stderr.read().decode()
+            assert process.wait(30) == 130
+        assert "no command stops a calibration: the board goes on" in " ".join(error.split())
+        busy = calibrate(gimbal, "mag", "--yes")
+        assert busy.status == 1 and "WRONG_STATE" in busy.error, "it does go on"
+
+
+def test_a_calibration_that_does_not_report_its_end(gimbal: EmulatedGimbal) -> None:
+    result = calibrate(gimbal, "battery", "--voltage", "12.6V", "--yes")
+    assert result.status == 0
+    assert "it does not report the end" in result.error
+
+
+def test_one_that_moves_the_motors_says_so() -> None:
+    result = run("calibrate", "poles", "-p", "tcp:127.0.0.1:1")
+    text = " ".join(result.error.split())
+    assert result.status == 1 and "add --yes" in text
+    assert "The camera can move" in text and "fasten the frame" in text
+
+
+def test_other_actions_say_what_they_do() -> None:
+    result = run("calibrate", "gyro", "imu_idx=MAIN", "action=RESET", "-p", "tcp:127.0.0.1:1")
+    text = " ".join(result.error.split())
+    assert result.status == 1
+    assert "The board restarts" in text and "It deletes stored data" in text
+
+
+def test_the_list() -> None:
+    names = [line.split()[0] for line in run("calibrate", "--list").text.splitlines()]
+    assert {"gyro", "acc", "mag", "encoders", "poles", "battery"} < set(names)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ((), "calibrate --list"),
+        (("gyr",), "did you mean 'gyro'?"),
+        (("gyro", "--imu", "left", "--yes"), "left"),
+        (("battery", "--yes"), "FIELD=VALUE"),
+        (("battery", "--voltage", "12.6A", "--yes"), "'A' is not its unit"),
+        (("poles", "--imu", "main", "--yes"), "imu_idx"),
+        (("cogging", "axes=ROLL", "--yes"), "iterations_num: 0 is below 2"),
+    ],
+)
+def test_wrong_usage(arguments: tuple[str, ...], words: str) -> None:
+    result = run("calibrate", *arguments, "-p", "tcp:127.0.0.1:1")
+    assert result.status == 2
+    assert words in " ".join(result.error.split())

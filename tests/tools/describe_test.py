@@ -1,0 +1,115 @@
+"""Tests of sbgc describe, against the exported model."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+
+import pytest
+
+from sbgc_command import MODEL, PROGRAM, run
+
+
+def described(word: str) -> str:
+    result = run("describe", word)
+    assert result.status == 0, result
+    return result.text
+
+
+def words_of(text: str) -> str:
+    return " ".join(text.split())
+
+
+def test_a_command_with_all_its_messages() -> None:
+    text = described("CMD_CONTROL")
+    assert text.startswith("CMD_CONTROL  id 67, control\n")
+    for words in (
+        "Control to the board, 13 bytes",
+        "ControlExt to the board, 15 bytes",
+        "axes.roll|pitch|yaw.speed",
+        "MODE_ANGLE 2",
+        "0.122074 deg/s each",
+        "at 1, 5, 9",
+        "since firmware 2.55b5",
+        "moves.",
+    ):
+        assert words in words_of(text), words
+    assert described("cmd_control") == text
+    assert described("Control") != text, "this is the name of one message"
+    assert text in described("67"), "and two commands share the id"
+
+
+@pytest.mark.parametrize(
+    "chunk", [MODEL["messages"][start::8] for start in range(8)], ids=lambda chunk: chunk[0]["name"]
+)
+def test_every_message_has_its_facts(chunk: list[dict]) -> None:
+    for message in chunk:
+        text = words_of(described(message["name"]))
+        assert message["command"] in text and f"id {message['id']}" in text
+        assert words_of(message["summary"]) in text
+        assert words_of(message["description"] or "") in text
+        for name in (message["response"] or {"messages": []})["messages"]:
+            assert name in text
+        for leaf in message["layout"]:
+            assert words_of(leaf["summary"]) in text, leaf["path"]
+
+
+@pytest.mark.parametrize(
+    "word, words",
+    [
+        ("MODE_ANGLE", ["ControlModeKind", "2: Go to", "Used in", "Control.control_mode"]),
+        ("ControlModeKind", ["MODE_NO_CONTROL", "MODE_SPEED"]),
+        ("RcMode", ["RC_MODE_SPEED", "inverted"]),
+        ("LPF_FREQ_ROLL", ["adjustable variable 45", "10 to 400 Hz"]),
+        ("rc_min_angle", ["ReadParams3.rc.roll.rc_min_angle", "-720 to 720 deg"]),
+        ("pitch.rc_min_angle", ["ReadParams3.rc.pitch.rc_min_angle"]),
+        ("SPEED_PITCH", ["Control.axes.pitch.speed"]),
+        ("storage", ["CMD_EEPROM_READ"]),
+        ("0x49", ["CMD_GET_ANGLES"]),
+        # A flag, and fields with the same name.
+        ("control_mode", ["ExtMotorsStateFields flags", "ControlExt.control_mode Mode of each"]),
+        ("Control.axes", ["field of 1 message", "Control.axes Target of each axis"]),
+        ("control.pitch.angle", ["field of 1 message", "Control.axes.pitch.angle"]),
+        ("73", ["CMD_GET_ANGLES", "GetAnglesRequest"]),
+    ],
+)
+def test_other_words(word: str, words: list[str]) -> None:
+    text = words_of(described(word))
+    for one in words:
+        assert one in text
+
+
+def test_everything_by_family() -> None:
+    text = run("describe").text
+    for command in MODEL["commands"]:
+        assert f"  {command['name']} " in text or f"  {command['name']}\n" in text
+
+
+@pytest.mark.parametrize(
+    "word, suggestion",
+    [
+        ("CMD_CONTRL", "'CMD_CONTROL'"),
+        ("cmd_contrl", "'CMD_CONTROL'"),
+        ("rc_min_angl", "'rc_min_angle'"),
+        ("MODE_ANGEL", "'MODE_ANGLE'"),
+        ("zzzzzzz", "lists the commands"),
+        ("300", "300"),
+    ],
+)
+def test_typos(word: str, suggestion: str) -> None:
+    result = run("describe", word)
+    assert result.status == 1 and result.out == b""
+    assert suggestion in result.error
+
+
+@pytest.mark.parametrize("width", [60, 80, 120])
+def test_lines_wrap_at_the_width(width: int) -> None:
+    text = subprocess.run(
+        [PROGRAM, "describe", "CMD_READ_PARAMS_3"],
+        env={**os.environ, "COLUMNS": str(width)},
+        capture_output=True,
+        check=True,
+    ).stdout.decode()
+    long = [line for line in text.splitlines() if len(line) > width and " " in line.strip()]
+    assert not long
+    assert "\x1b" not in text, "no colors without a terminal"

@@ -1,0 +1,172 @@
+"""Tests of sbgc info, and of how commands find their gimbal."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import MODEL, decode, run
+
+PortsFile = Callable[..., None]
+
+
+@pytest.fixture(name="list_ports")
+def listing_of_ports(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> PortsFile:
+    """Returns a function that replaces the ports of this machine."""
+
+    def replace(*names: str, usb: bool = True) -> None:
+        identity = {"vendor_id": 0x10C4, "product_id": 0xEA60, "serial_number": "1"}
+        ports = [{"name": name, "usb": identity if usb else None} for name in names]
+        document = {"format": "sbgc-ports", "version": 1, "ports": ports}
+        (tmp_path / "ports.json").write_text(json.dumps(document))
+
+    monkeypatch.setenv("SBGC_PORTS", str(tmp_path / "ports.json"))
+    return replace
+
+
+def test_text_and_json() -> None:
+    with emulated_gimbal("--firmware", "2.59") as gimbal:
+        info = json.loads(run("info", "--format", "json", "-p", gimbal.address).text)
+        text = run("info", "-p", gimbal.address).text
+    assert (info["format"], info["version"]) == ("sbgc-info", 1)
+    assert (info["board"], info["firmware"]) == ("3.0", "2.59")
+    assert info["line"]["responses"] == info["line"]["requests"] == 20
+    times = info["line"]["round_trip_ms"]
+    assert 0 < times["min"] <= times["median"] <= times["max"] < 1000
+    flags = {v["name"] for e in MODEL["enums"] if e["name"] == "BoardFeature" for v in e["values"]}
+    assert flags <= set(info["features"]) | set(info["missing_features"])
+    assert "BOARD_FEATURE_ENCODERS" in info["features"]
+    assert "CMD_CONTROL_CONFIG" in info["unsupported_commands"]
+    assert "CMD_CONTROL" not in info["unsupported_commands"]
+    words = text.split()
+    for name in (*info["missing_features"], *info["unsupported_commands"]):
+        assert name in words or name + "," in words
+    assert all(len(line) <= 80 for line in text.splitlines())
+
+
+def test_the_only_gimbal_is_used(list_ports: PortsFile) -> None:
+    with emulated_gimbal("--pty") as gimbal:
+        list_ports(gimbal.address)
+        assert f"serial port {gimbal.address}" in run("info").text
+
+
+def test_several_gimbals_are_listed(list_ports: PortsFile) -> None:
+    with emulated_gimbal("--pty") as one, emulated_gimbal("--pty", "--firmware", "2.70") as two:
+        list_ports(one.address, two.address)
+        result = run("info")
+    assert result.status == 1
+    assert f"{one.address}  board 3.0, firmware 2.59" in result.error
+    assert f"{two.address}  board 3.6, firmware 2.70" in result.error
+
+
+def test_no_gimbal(list_ports: PortsFile, tmp_path: Path) -> None:
+    list_ports()
+    assert "there are no serial ports to search" in run("info").error
+    list_ports(str(tmp_path / "nothing"))
+    result = run("info")
+    assert result.status == 1 and "found no gimbal; use --port" in result.error
+    assert str(tmp_path / "nothing") in result.error
+    (tmp_path / "ports.json").write_text("{")
+    assert run("info").status == 1
+
+
+def test_an_adapter_is_preferred(list_ports: PortsFile, tmp_path: Path) -> None:
+    with emulated_gimbal("--pty") as gimbal:
+        list_ports(gimbal.address, usb=False)
+        assert run("info").status == 0
+        listed = json.loads((tmp_path / "ports.json").read_text())
+        adapter = {"name": str(tmp_path / "absent"), "usb": {"vendor_id": 1, "product_id": 2}}
+        listed["ports"].append(adapter)
+        (tmp_path / "ports.json").write_text(json.dumps(listed))
+        assert gimbal.address not in run("info").error
+
+
+def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "config.toml"
+    monkeypatch.setenv("SBGC_CONFIG", str(file))
+    with emulated_gimbal() as gimbal:
+        file.write_text(f'# mine\n[gimbal.front]\nport = "{gimbal.address}"\nattempts = 5\n')
+        for arguments in (["-g", "front", "info"], ["info", "--gimbal", "front"]):
+            assert run(*arguments).status == 0
+    result = run("info", "-g", "frnt")
+    assert result.status == 2 and "did you mean 'front'?" in result.error
+    assert run("info", "-g", "front", "-p", "tcp:x:1").status == 2
+
+
+@pytest.mark.parametrize(
+    "text, reason",
+    [
+        ("[gimbal.front]\nattempts = 3\n", "gimbal 'front' has no port"),
+        ('[gimbal.front]\nport = "x"\nattempt = 3\n', "unknown key 'attempt' of gimbal 'front'"),
+        ('[gimbal.front]\nport = "x"\nattempts = many\n', "it must be a number from 1 to 100"),
+        ('[gimbal.front]\nport = "x"\ntimeout = 0\n', "'timeout' of gimbal 'front' is '0'"),
+        ('port = "x"\n', "'port' is not in a section [gimbal.NAME]"),
+        ('[camera.front]\nport = "x"\n', "is not in a section [gimbal.NAME]"),
+        ('[gimbal.front]\nport = ["x", "y"]\n', "'port' of gimbal 'front' must have one value"),
+    ],
+)
+def test_mistakes_in_the_configuration(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, reason: str
+) -> None:
+    file = tmp_path / "config.toml"
+    file.write_text(text)
+    monkeypatch.setenv("SBGC_CONFIG", str(file))
+    result = run("info", "-g", "front")
+    assert result.status == 1 and str(file) in result.error and reason in result.error
+
+
+def test_verbose_prints_the_frames() -> None:
+    with emulated_gimbal() as gimbal:
+        result = run("info", "-v", "-p", gimbal.address)
+    times = [float(time) for time in re.findall(r"^([\d.]+) s  CMD_", result.error, re.MULTILINE)]
+    assert len(times) >= 40 and times == sorted(times)
+    assert re.search(r"CMD_BOARD_INFO \(86\)  host to board, 0 bytes", result.error)
+    assert re.search(r"^    firmware_ver +2590  2.59$", result.error, re.MULTILINE)
+    assert "firmware_ver" not in result.text
+
+
+def test_traffic_is_captured(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal:
+        assert run("info", "--capture", str(tmp_path / "c"), "-p", gimbal.address).status == 0
+    lines = decode((tmp_path / "c").read_bytes())
+    assert {line["direction"] for line in lines} == {"to_board", "from_board"}
+
+
+def test_a_slow_line_needs_longer_attempts() -> None:
+    """Every answer takes 700 ms, longer than the protocol's time for an attempt."""
+    with emulated_gimbal("--delay", "1:700") as gimbal:
+        options = ["send", "CMD_GET_ANGLES", "--attempts", "1", "-p", gimbal.address]
+        assert run(*options).status == 1
+        assert run(*options, "--attempt-time", "3").status == 0
+
+
+def test_options_of_a_gimbal_have_to_be_of_use() -> None:
+    result = run("-p", "/dev/ttyUSB0", "decode", stdin=b"")
+    assert result.status == 2
+    assert "--port is not for `sbgc decode`, which does not talk to a gimbal" in result.error
+
+
+@pytest.mark.parametrize(
+    "address, status, reason",
+    [
+        ("tcp:127.0.0.1:1", 1, "refused the connection"),
+        ("ttyUSB0", 2, "a port is written with its path, such as /dev/ttyUSB0"),
+        ("/dev/null", 1, "is not a serial port"),
+        ("tpc:a:1", 2, "unknown kind 'tpc'"),
+    ],
+)
+def test_addresses_without_a_gimbal(address: str, status: int, reason: str) -> None:
+    result = run("info", "-p", address)
+    assert result.status == status and reason in result.error, result
+
+
+def test_a_silent_board() -> None:
+    gimbal = EmulatedGimbal("--silence", "0:1000")
+    result = run("info", "--timeout", "0.5", "-p", gimbal.address)
+    gimbal.kill()
+    assert result.status == 1 and "no board found on" in result.error

@@ -1,0 +1,154 @@
+"""Tests of sbgc monitor, in terminals of different sizes."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import run
+from screens import Terminal, terminal
+
+KEYS = "1-4, Tab: page   p: pause"
+
+
+def begin(shell: Terminal, gimbal: EmulatedGimbal) -> list[str]:
+    shell.run("monitor", "-p", gimbal.address)
+    return shell.wait("motor power")
+
+
+def angle(lines: list[str], axis: str) -> float:
+    (line,) = [line for line in lines if re.match(rf"  {axis} +-?\d", line)][:1]
+    return float(line.split()[1])
+
+
+def test_pages_at_80x24(tmp_path: Path) -> None:
+    with emulated_gimbal("--firmware", "2.70") as gimbal, terminal(tmp_path) as shell:
+        lines = begin(shell, gimbal)
+        assert len(lines) == 24 and all(len(line) <= 80 for line in lines)
+        assert "board 3.6, firmware 2.70" in lines[0] and "connected 00:00:0" in lines[0]
+        assert lines[-1].strip().startswith(KEYS)
+        text = "\n".join(lines)
+        assert re.search(r"battery +1[0-9]\.\d\d V", text) and "errors    none" in text
+        shell.press("2")
+        shell.wait(r"pitch power +[\d.]+ %")
+        shell.press("3")
+        lines = shell.wait("axes.roll.acc_data")
+        shell.press("Down")
+        assert "axes.roll.gyro_data" in shell.wait(lambda now: now[3] != lines[3])[3]
+        for _ in range(20):
+            shell.press("PageDown")
+        # The end of the list stays at the end of the screen.
+        lines = shell.wait("motor_out")
+        assert lines[-2].strip() and lines[-1].strip().startswith(KEYS)
+        shell.press("Tab")
+        lines = shell.wait("bytes skipped")
+        assert f"TCP connection to {gimbal.address[4:]}" in "\n".join(lines)
+        assert re.search(r"framing +v2", "\n".join(lines))
+
+
+def test_resizing_while_it_runs(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        begin(shell, gimbal)
+        shell.resize(200, 60)
+        lines = shell.wait(lambda now: now[59].strip().startswith(KEYS))
+        assert re.search(r"connected \d\d:\d\d:\d\d$", lines[0].rstrip())
+        assert len(lines[0].rstrip()) == 199
+        assert any(len(line.rstrip()) > 150 for line in lines[12:58]), "charts fill the screen"
+        shell.press("3")
+        lines = shell.wait("axes.roll.acc_data")
+        assert "axes." in lines[3] and lines[3].count("   ") > 3, "several columns"
+        shell.resize(60, 10)
+        lines = shell.wait(lambda now: len(now) == 10 and now[9].strip().startswith(KEYS))
+        shell.resize(20, 5)
+        shell.wait("too small")
+        shell.resize(80, 24)
+        shell.wait(lambda now: now[23].strip().startswith(KEYS))
+
+
+def test_pause_and_zero(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        begin(shell, gimbal)
+        shell.press("p")
+        paused = shell.wait("PAUSED")
+        assert (
+            run(
+                "send",
+                "CMD_CONTROL",
+                "control_mode=MODE_ANGLE",
+                "axes.pitch.angle=-20deg",
+                "axes.pitch.speed=60deg/s",
+                "--yes",
+                "-p",
+                gimbal.address,
+            ).status
+            == 0
+        )
+        assert abs(angle(paused, "pitch")) < 1
+        shell.press("p")
+        shell.wait(lambda now: angle(now, "pitch") < -19.5)
+        shell.press("z")
+        shell.wait(
+            lambda now: "relative to the zero" in "\n".join(now) and abs(angle(now, "pitch")) < 0.5
+        )
+        shell.press("z")
+        shell.wait(lambda now: angle(now, "pitch") < -19.5)
+
+
+def test_it_connects_again(tmp_path: Path) -> None:
+    gimbal = EmulatedGimbal()
+    port = gimbal.address.rsplit(":", 1)[1]
+    with terminal(tmp_path) as shell:
+        begin(shell, gimbal)
+        gimbal.kill()
+        shell.wait("NOT CONNECTED")
+        with emulated_gimbal("--tcp", port):
+            shell.wait(r"connected 00:00:0\d$")
+            shell.press("4")
+            shell.wait("connection 2")
+
+
+@pytest.mark.parametrize("way", ["q", "C-c", signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+def test_the_terminal_is_restored(tmp_path: Path, way: str | signal.Signals) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        before = shell.state()
+        begin(shell, gimbal)
+        if isinstance(way, str):
+            shell.press(way)
+        else:
+            os.kill(shell.process(), way)
+        # The shell's screen is back, with what was on it. After a kill, its prompt may have been
+        # printed on the other one.
+        lines = shell.wait("monitor -p")
+        assert "motor power" not in "\n".join(lines)
+        assert shell.state() == before
+        assert shell.tmux("display-message", "-p", "#{cursor_flag}#{alternate_on}").strip() == "10"
+
+
+@pytest.mark.parametrize("way", ["q", signal.SIGKILL])
+def test_jog_restores_the_terminal(tmp_path: Path, way: str | signal.Signals) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        before = shell.state()
+        shell.run("jog", "--yes", "-p", gimbal.address)
+        shell.wait("q: quit")
+        if isinstance(way, str):
+            shell.press(way)
+        else:
+            os.kill(shell.process(), way)
+        shell.wait(r"^\$")
+        assert shell.state() == before
+
+
+def test_without_utf8(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, locale="C") as shell:
+        text = "\n".join(begin(shell, gimbal))
+        assert text.isascii() and "####" in text
+
+
+def test_without_a_terminal() -> None:
+    result = run("monitor", "-p", "tcp:127.0.0.1:1")
+    assert result.status == 1 and "monitor needs a terminal" in result.error

@@ -1,0 +1,260 @@
+"""Moving the camera with the sbgc command."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import signal
+import subprocess
+import termios
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from gimbal_observer import Observer, observer_of
+from sbgc_command import PROGRAM, run
+
+
+@pytest.fixture(name="gimbal", scope="module")
+def one_gimbal() -> Iterator[EmulatedGimbal]:
+    with emulated_gimbal() as gimbal:
+        yield gimbal
+
+
+@pytest.fixture(name="observer", scope="module")
+def one_observer(gimbal: EmulatedGimbal) -> Iterator[Observer]:
+    with observer_of(gimbal) as observer:
+        yield observer
+
+
+def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -> None:
+    result = run("move", "--pitch", "-20", "--wait", "--yes", "-p", gimbal.address)
+    assert (result.status, result.out) == (0, b"")
+    assert observer.angles()[1] == pytest.approx(-20, abs=0.7)
+    assert "The camera turns to pitch -20 deg, at up to 10 deg/s." in result.error
+    assert re.search(r"The camera is at pitch -(19\.[5-9]|20\.[0-5]) deg", result.error)
+
+
+def test_a_relative_move_without_waiting(gimbal: EmulatedGimbal, observer: Observer) -> None:
+    before = observer.angles()[2]
+    arguments = ("move", "--yaw", "5", "--relative", "--speed", "30", "--yes")
+    result = run(*arguments, "-p", gimbal.address)
+    assert result.status == 0 and "The camera turns to its target" in result.error
+    assert observer.stands_still_within(5)
+    assert observer.angles()[2] == pytest.approx(before + 5, abs=0.7)
+
+
+@pytest.mark.parametrize("firmware", ["2.43b9", "2.70b0"])
+def test_a_speed_lasts_for_its_time(firmware: str) -> None:
+    with emulated_gimbal("--firmware", firmware) as gimbal, observer_of(gimbal) as observer:
+        before = observer.angles()[2]
+        result = run("speed", "--yaw", "5", "--for", "1s", "--yes", "-p", gimbal.address)
+        assert result.status == 0, result
+        assert not observer.is_turning()
+        assert observer.angles()[2] == pytest.approx(before + 5, abs=2)
+        assert "The camera has stopped" in result.error
+
+
+def test_motors(gimbal: EmulatedGimbal) -> None:
+    off = run("motors", "off", "--yes", "-p", gimbal.address)
+    assert off.status == 0 and "the camera drops to its heavy side" in off.error
+    stuck = run("move", "--pitch", "5", "--yes", "-p", gimbal.address)
+    assert stuck.status == 1 and "the motors are off; `sbgc motors on`" in stuck.error
+    turning = run("speed", "--yaw", "5", "--for", "1s", "--yes", "-p", gimbal.address)
+    assert turning.status == 1 and "the motors are off" in turning.error
+    stopped = run("stop", "-p", gimbal.address)
+    assert stopped.status == 0 and "its motors are off" in stopped.error
+    on = run("motors", "on", "--yes", "-p", gimbal.address)
+    assert on.status == 0 and "the camera jumps to its target angle" in on.error
+
+
+def test_stop_needs_no_arming(gimbal: EmulatedGimbal, observer: Observer) -> None:
+    arguments = ("move", "--yaw", "200", "--speed", "20", "--yes")
+    assert run(*arguments, "-p", gimbal.address).status == 0
+    assert observer.is_turning()
+    assert run("stop", "-p", gimbal.address).status == 0
+    assert not observer.is_turning()
+    assert observer.angles()[2] < 100
+
+
+def test_stop_notices_that_something_else_turns_the_camera() -> None:
+    with emulated_gimbal() as gimbal, emulated_speed(gimbal):
+        result = run("stop", "-p", gimbal.address)
+        assert result.status == 1 and "turns again" in result.error
+
+
+@contextmanager
+def emulated_speed(gimbal: EmulatedGimbal) -> Iterator[None]:
+    """Another program that turns the camera all the time."""
+    arguments = ("speed", "--yaw", "5", "--for", "1m", "--yes", "-p", gimbal.address)
+    with subprocess.Popen([PROGRAM, *arguments], stderr=subprocess.DEVNULL) as process:
+        with observer_of(gimbal) as observer:
+            observer.await_motion()
+        yield
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(10) == 130
+
+
+def test_a_signal_but_ctrl_c_interrupts_a_speed_without_a_time() -> None:
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        terminal = Terminal("speed", "--yaw", "5", "--yes", "-p", gimbal.address)
+        observer.await_motion()
+        os.kill(terminal.process, signal.SIGTERM)
+        assert terminal.status() == 130
+
+
+def test_ctrl_c_ends_jog_with_its_status() -> None:
+    with emulated_gimbal() as gimbal:
+        terminal = Terminal("jog", "--yes", "-p", gimbal.address)
+        terminal.await_text(b"q: quit")
+        terminal.press(b"\x03")
+        assert terminal.status() == 130
+
+
+def test_menu(gimbal: EmulatedGimbal) -> None:
+    listed = run("menu", "--list").text
+    assert re.search(r"^home_position +Return the camera", listed, re.M)
+    for name in ("profile1", "PROFILE1", "MENU_CMD_PROFILE1", "menu_cmd_profile1"):
+        result = run("menu", name, "--yes", "-p", gimbal.address)
+        assert result.status == 0 and "Switch to profile 1." in result.error
+    wrong = run("menu", "profil2")
+    assert wrong.status == 2 and "did you mean 'profile2'?" in wrong.error
+    assert run("menu").status == 2
+
+
+def test_reset_waits_for_the_board(gimbal: EmulatedGimbal) -> None:
+    result = run("reset", "--yes", "-p", gimbal.address)
+    assert result.status == 0 and "The board is back" in result.error
+    assert run("info", "-p", gimbal.address).status == 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("move", "--pitch", "5"),
+        ("speed", "--yaw", "5", "--for", "1s"),
+        ("motors", "on"),
+        ("motors", "off"),
+        ("menu", "profile1"),
+        ("reset",),
+    ],
+)
+def test_nothing_happens_unarmed(arguments: tuple[str, ...]) -> None:
+    """Without a terminal to ask on, and before the board is even looked for."""
+    result = run(*arguments, "-p", "tcp:127.0.0.1:1")
+    assert result.status == 1
+    assert "add --yes" in result.error
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (("move", "--yes"), "--roll, --pitch or --yaw"),
+        (("move", "--yaw", "721", "--yes"), "--yaw: 721 deg is too far"),
+        (("move", "--yaw", "5", "--speed", "0", "--yes"), "--speed must be positive"),
+        (("move", "--yaw", "5", "--speed", "-5", "--yes"), "--speed must be positive"),
+        (("move", "--yaw", "5", "--speed", "0.01", "--yes"), "too slow; the least is 0.12"),
+        (("speed", "--yaw", "4001", "--for", "1s", "--yes"), "--yaw: 4001 deg/s is too fast"),
+        (("speed", "--for", "1s", "--yes"), "--roll, --pitch or --yaw"),
+        (("speed", "--yaw", "5", "--yes"), "--for TIME"),
+        (("speed", "--yaw", "5", "--for", "2d", "--yes"), "'2d' is not a duration"),
+        (("speed", "--yaw", "5", "--for", "-1s", "--yes"), "'-1s' is not a duration"),
+        (("speed", "--yaw", "5", "--for", "0s", "--yes"), "'0s' is not a duration"),
+        (("speed", "--yaw", "5", "--for", "1e3s", "--yes"), "'1e3s' is not a duration"),
+        (("motors", "maybe", "--yes"), "maybe"),
+    ],
+)
+def test_wrong_values(arguments: tuple[str, ...], words: str) -> None:
+    result = run(*arguments)
+    assert result.status == 2
+    assert words in " ".join(result.error.split())
+
+
+# The keyboard
+
+
+class Terminal:
+    """A terminal in which the command runs."""
+
+    def __init__(self, *arguments: str) -> None:
+        self.process, self.screen = pty.fork()
+        if self.process == 0:
+            os.execv(PROGRAM, [PROGRAM, *arguments])
+        self.shown = b""
+
+    def await_text(self, text: bytes) -> None:
+        deadline = time.monotonic() + 30
+        while text not in self.shown:
+            assert time.monotonic() < deadline, self.shown
+            self.shown += os.read(self.screen, 4096)
+
+    def press(self, keys: bytes) -> None:
+        os.write(self.screen, keys)
+
+    def status(self) -> int:
+        """Waits for the end; the screen must be read meanwhile."""
+        try:
+            while part := os.read(self.screen, 4096):
+                self.shown += part
+        except OSError:
+            pass  # the other side is closed
+        return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1])
+
+
+def test_jog_turns_while_a_key_is_held() -> None:
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        terminal = Terminal("jog", "-p", gimbal.address)
+        before = termios.tcgetattr(terminal.screen)
+        terminal.await_text(b"[y/N]")
+        terminal.press(b"y\n")
+        terminal.await_text(b"q: quit")
+        terminal.await_text(b"speed 10 deg/s")
+        assert not termios.tcgetattr(terminal.screen)[3] & (termios.ICANON | termios.ECHO)
+        pressed = time.monotonic()
+        while time.monotonic() < pressed + 1.2:
+            terminal.press(b"\033[C" if int(time.monotonic() * 10) % 2 else b"d")
+            time.sleep(0.03)
+        assert observer.is_turning()
+        assert observer.stands_still_within(2), "the key is no longer held"
+        assert observer.angles()[2] > 5
+        terminal.press(b"+")
+        terminal.await_text(b"speed 20 deg/s")
+        terminal.press(b"w")
+        observer.await_motion()
+        terminal.press(b" ")
+        assert observer.stands_still_within(1)
+        assert observer.angles()[1] > 0
+        terminal.press(b"q")
+        terminal.await_text(b"The camera has stopped")
+        after = termios.tcgetattr(terminal.screen)
+        assert after[:4] == before[:4], "the terminal is restored"
+        assert terminal.status() == 0
+
+
+def test_jog_ends_with_its_terminal() -> None:
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        terminal = Terminal("jog", "--yes", "-p", gimbal.address)
+        terminal.await_text(b"q: quit")
+        terminal.press(b"d")
+        observer.await_motion()
+        terminal.press(b"d" * 20)
+        os.close(terminal.screen)
+        assert observer.stands_still_within(2)
+        status = os.waitstatus_to_exitcode(os.waitpid(terminal.process, 0)[1])
+        assert status in (0, 130)
+
+
+def test_jog_needs_a_terminal() -> None:
+    result = run("jog", "--yes", "-p", "tcp:127.0.0.1:1")
+    assert result.status == 1 and "jog needs a terminal" in result.error
+
+
+def test_a_question_that_is_denied() -> None:
+    terminal = Terminal("move", "--pitch", "5", "-p", "tcp:127.0.0.1:1")
+    terminal.await_text(b"[y/N]")
+    terminal.press(b"\n")
+    assert terminal.status() == 1
+    assert b"not confirmed" in terminal.shown

@@ -1,0 +1,112 @@
+"""Tests of commands whose line vanishes and comes back."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import PROGRAM
+
+
+def ports_file(path: Path, *ports: tuple[str, str]) -> Path:
+    """Writes a list of ports for SBGC_PORTS: names and the serial numbers of their adapters."""
+    usb = {"vendor_id": 0x10C4, "product_id": 0xEA60, "manufacturer": "", "product": "adapter"}
+    listed = [
+        {"name": name, "description": "", "usb": {**usb, "serial_number": number}}
+        for name, number in ports
+    ]
+    document = {"format": "sbgc-ports", "version": 1, "ports": listed}
+    path.write_text(json.dumps(document), encoding="utf-8")
+    return path
+
+
+class Streaming:
+    """A running `sbgc stream` that prints JSON lines."""
+
+    def __init__(self, address: str, environment: dict[str, str] | None = None) -> None:
+        self.process = subprocess.Popen(
+            [PROGRAM, "stream", "RealtimeData4", "--rate", "20", "--format", "jsonl",
+             "--fields", "angle.*", "-p", address],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )  # fmt: skip
+
+    def read(self, count: int = 3) -> None:
+        assert self.process.stdout is not None
+        for _ in range(count):
+            assert json.loads(self.process.stdout.readline())["fields"]
+
+    def wait_for(self, words: str) -> None:
+        assert self.process.stderr is not None
+        seen = []
+        while not seen or words not in seen[-1]:
+            seen.append(self.process.stderr.readline())
+            assert seen[-1], seen
+
+    def finish(self) -> None:
+        self.process.send_signal(signal.SIGINT)
+        self.process.communicate(timeout=20)
+        assert self.process.returncode == 0
+
+
+def test_a_gimbal_that_is_killed_and_started_again() -> None:
+    with emulated_gimbal() as gimbal:
+        streaming = Streaming(gimbal.address)
+        streaming.read()
+        gimbal.kill()
+        streaming.wait_for("connecting again")
+        port = gimbal.address.rsplit(":", 1)[1]
+        with emulated_gimbal("--tcp", port):
+            streaming.wait_for("connected again")
+            streaming.read()
+            streaming.finish()
+
+
+def test_a_gimbal_without_power_for_a_moment(tmp_path: Path) -> None:
+    # The pseudo-terminal of a link has another name, as an adapter that is plugged in again.
+    link = str(tmp_path / "gimbal")
+    with emulated_gimbal("--pty", "--link", link) as gimbal:
+        streaming = Streaming(link)
+        streaming.read()
+        gimbal.kill()
+        streaming.wait_for("connecting again")
+        with emulated_gimbal("--pty", "--link", link):
+            streaming.wait_for("connected again")
+            streaming.read()
+            streaming.finish()
+
+
+def test_an_adapter_under_another_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    ports = tmp_path / "ports.json"
+    monkeypatch.setenv("SBGC_PORTS", str(ports))
+    with emulated_gimbal("--pty") as first, emulated_gimbal("--pty") as second:
+        # Two terminals at once, so that their names differ.
+        ports_file(ports, (first.address, "A"))
+        streaming = Streaming(first.address)
+        streaming.read()
+        first.kill()
+        streaming.wait_for("connecting again")
+        ports_file(ports, ("/dev/pts/nothing", "B"), (second.address, "A"))
+        streaming.wait_for(f"connected again: serial port {second.address}")
+        streaming.read()
+        streaming.finish()
+
+
+def test_another_board_is_not_used() -> None:
+    with emulated_gimbal() as gimbal:
+        streaming = Streaming(gimbal.address)
+        streaming.read()
+        gimbal.kill()
+        streaming.wait_for("connecting again")
+        port = gimbal.address.rsplit(":", 1)[1]
+        # The second of two boards has another serial number.
+        with emulated_gimbal("--tcp", str(int(port) - 1), "--count", "2"):
+            streaming.wait_for("found another board")
+            streaming.finish()

@@ -1,0 +1,139 @@
+"""Tests of sbgc record with a board, and of sbgc replay."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import PROGRAM, decode, run
+
+
+@pytest.fixture(scope="module", params=["tcp", "pty"])
+def gimbal(request: pytest.FixtureRequest) -> Iterator[EmulatedGimbal]:
+    options = ("--pty",) if request.param == "pty" else ()
+    with emulated_gimbal(*options) as running:
+        yield running
+
+
+def messages(capture: bytes) -> Counter[str]:
+    return Counter(line["message"] for line in decode(capture))
+
+
+def test_streams_are_asked_for(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    capture = tmp_path / "capture"
+    result = run(
+        "record", "-p", gimbal.address, str(capture), "--for", "1s",
+        "--stream", "RealtimeData4", "--rate", "20",
+        "--stream", "RealtimeDataCustom:IMU_ANGLES|RC_DATA", "--rate", "10",
+    )  # fmt: skip
+    assert result.status == 0, result
+    assert "recorded in" in result.text
+    counts = messages(capture.read_bytes())
+    assert 15 <= counts["RealtimeData4"] <= 22
+    assert 7 <= counts["RealtimeDataCustom"] <= 12
+
+
+def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    capture = tmp_path / "capture"
+    for _ in range(2):
+        arguments = ("record", gimbal.address, str(capture), "--stream", "realtime_data_4")
+        assert run(*arguments, "--for", "200ms").status == 0
+    assert {line["session"] for line in decode(capture.read_bytes())} == {0, 1}
+
+
+def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:
+    result = run("record", "-p", gimbal.address, "-", "--stream", "AhrsHelper", "--for", "200ms")
+    assert result.status == 0, result
+    assert messages(result.out)["AhrsHelper"] >= 5
+
+
+def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
+    capture = tmp_path / "capture"
+    with emulated_gimbal() as gimbal:
+        process = subprocess.Popen(
+            [PROGRAM, "record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert process.stderr is not None and process.stdout is not None
+        process.stdout.readline()
+        gimbal.kill()
+        while "connecting again" not in process.stderr.readline():
+            pass
+        port = gimbal.address.rsplit(":", 1)[1]
+        with emulated_gimbal("--tcp", port):
+            while "connected again" not in process.stderr.readline():
+                pass
+            size = capture.stat().st_size
+            while capture.stat().st_size < size + 1000:
+                assert process.poll() is None
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=20)
+            assert process.returncode == 0
+    streamed = [line for line in decode(capture.read_bytes()) if line["message"] == "RealtimeData4"]
+    assert streamed[-1]["session"] >= 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["file"], 2, "--port"),
+        (["tcp:127.0.0.1:9", "file", "-p", "tcp:127.0.0.1:9"], 2, "twice"),
+        (["tcp:127.0.0.1:9", "file", "--stream", "RealtimeDta4"], 2, "did you mean"),
+        (["tcp:127.0.0.1:9", "file", "--stream", "AhrsHelper", "--rate", "1", "--rate", "2"], 2,
+         "one --rate"),
+        (["tcp:127.0.0.1:9", "/tmp/capture", "--stream", "AhrsHelper"], 1, "refused"),
+        (["tcp:127.0.0.1:9", "file", "--rate", "5"], 2, "--rate is for --stream"),
+        (["-p", "tcp:127.0.0.1:9", "file", "--rate", "5"], 2, "--rate is for --stream"),
+        (["tcp:127.0.0.1:9", "file", "--timeout", "5"], 2, "--timeout has no effect"),
+        (["tcp:127.0.0.1:9", "file", "-v"], 2, "--verbose has no effect"),
+    ],
+)  # fmt: skip
+def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -> None:
+    result = run("record", *arguments)
+    assert result.status == status, result
+    assert words in result.error
+
+
+def test_a_file_that_cannot_be_written(gimbal: EmulatedGimbal) -> None:
+    result = run("record", "-p", gimbal.address, "/nowhere/capture", "--for", "10s")
+    assert result.status == 1
+    assert "/nowhere/capture" in result.error
+
+
+def test_replay_serves_a_capture(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    capture = tmp_path / "capture"
+    arguments = ("record", gimbal.address, str(capture), "--stream", "RealtimeData4")
+    assert run(*arguments, "--for", "500ms").status == 0
+    process = subprocess.Popen(
+        [PROGRAM, "replay", str(capture), "--speed", "5", "--tcp", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    address = process.stdout.readline().split(": ", 1)[1].strip()
+    copy = run("record", address, "-")
+    assert copy.status == 0, copy
+    process.communicate(timeout=20)
+    assert process.returncode == 0
+    from_board = [
+        line for line in decode(capture.read_bytes()) if line["direction"] == "from_board"
+    ]
+    replayed = decode(copy.out)
+    assert [line["fields"] for line in replayed] == [line["fields"] for line in from_board]
+    whole = from_board[-1]["time"] - from_board[0]["time"]
+    assert replayed[-1]["time"] - replayed[0]["time"] < whole
+
+
+def test_replay_of_nothing() -> None:
+    result = run("replay", "/nowhere", "--tcp", "0")
+    assert result.status == 1
+    assert "there is no file" in result.error

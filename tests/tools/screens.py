@@ -1,0 +1,95 @@
+"""Terminals of a certain size, in which the tests run full-screen programs (tmux)."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from sbgc_command import PROGRAM
+
+
+class Terminal:
+    """A shell in a terminal."""
+
+    def __init__(self, folder: Path, width: int, height: int, locale: str = "C.UTF-8") -> None:
+        self.socket = str(folder / "tmux")
+        self.saved = 0
+        environment = {**os.environ, "LC_ALL": locale, "TERM": "screen", "PS1": "$ "}
+        size = ["-x", str(width), "-y", str(height)]
+        subprocess.run(
+            ["tmux", "-u", "-f", "/dev/null", "-S", self.socket, "new-session", "-d", *size]
+            + ["bash", "--norc"],
+            env=environment,
+            check=True,
+        )
+        self.tmux("set", "-g", "status", "off")
+        self.resize(width, height)
+
+    def tmux(self, *command: str) -> str:
+        done = subprocess.run(
+            ["tmux", "-S", self.socket, *command], capture_output=True, text=True, check=True
+        )
+        return done.stdout
+
+    def resize(self, width: int, height: int) -> None:
+        self.tmux("resize-window", "-x", str(width), "-y", str(height))
+
+    def type(self, text: str) -> None:
+        self.tmux("send-keys", "-l", text)
+
+    def press(self, key: str) -> None:
+        self.tmux("send-keys", key)
+
+    def run(self, *arguments: str) -> None:
+        """Types a command line of sbgc."""
+        self.type(" ".join([PROGRAM, *arguments]))
+        self.press("Enter")
+
+    def lines(self) -> list[str]:
+        return self.tmux("capture-pane", "-p").split("\n")[:-1]
+
+    def wait(self, found: str | Callable[[list[str]], bool], seconds: float = 20) -> list[str]:
+        """Waits for a regular expression, or a condition, on the screen."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            lines = self.lines()
+            if (
+                re.search(found, "\n".join(lines), re.MULTILINE)
+                if isinstance(found, str)
+                else found(lines)
+            ):
+                return lines
+            time.sleep(0.05)
+        raise AssertionError(f"{found} is not on the screen:\n" + "\n".join(self.lines()))
+
+    def state(self) -> str:
+        """Returns the settings of the terminal, which the shell prints."""
+        self.saved += 1
+        self.type(f"stty -g > state; echo sa''ved {self.saved}")
+        self.press("Enter")
+        self.wait(f"^saved {self.saved}")
+        return (Path(self.socket).parent / "state").read_text()
+
+    def process(self) -> int:
+        """Returns the process in the foreground."""
+        shell = self.tmux("display-message", "-p", "#{pane_pid}").strip()
+        children = Path(f"/proc/{shell}/task/{shell}/children").read_text().split()
+        return int(children[0])
+
+
+@contextmanager
+def terminal(
+    folder: Path, width: int = 80, height: int = 24, locale: str = "C.UTF-8"
+) -> Iterator[Terminal]:
+    result = Terminal(folder, width, height, locale)
+    result.type(f"cd {folder}; clear")
+    result.press("Enter")
+    try:
+        yield result
+    finally:
+        result.tmux("kill-server")

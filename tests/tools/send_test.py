@@ -1,0 +1,211 @@
+"""Tests of sbgc send: any message, with values from the command line."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from board_command import answer_on_terminal
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import MODEL, Result, decode_one, frame, run
+
+REQUESTS = [message for message in MODEL["messages"] if message["direction"] == "to_board"]
+
+
+@pytest.fixture(name="board", scope="module")
+def fixture_board() -> Iterator[str]:
+    with emulated_gimbal() as gimbal:
+        yield gimbal.address
+
+
+def dry(*arguments: str) -> Any:
+    """The object that a dry run prints."""
+    result = run("send", *arguments, "--dry-run", "--format", "jsonl")
+    assert result.status == 0, result
+    return result.objects[0]
+
+
+def fields_of(*arguments: str) -> Any:
+    return dry(*arguments)["fields"]
+
+
+def refused(*arguments: str) -> str:
+    result = run("send", *arguments, "--dry-run")
+    assert result.status == 2 and result.out == b"", result
+    return result.error
+
+
+@pytest.mark.parametrize("name", sorted({message["name"] for message in REQUESTS}))
+def test_every_request_can_be_made(name: str) -> None:
+    """A new message is a frame that decodes as this message, if it has its smallest size."""
+    result = run("send", name, "--dry-run", "--no-validate")
+    (message,) = [one for one in REQUESTS if one["name"] == name]
+    assert result.status == 0, result
+    line = decode_one(result.text.splitlines()[0], "--hex", "--from", "host")
+    assert line["id"] == message["id"]
+    assert "error" not in line
+
+
+@pytest.mark.parametrize(
+    "name", ["GetAnglesRequest", "getanglesrequest", "CMD_GET_ANGLES", "get_angles"]
+)
+def test_names_of_a_message(name: str) -> None:
+    assert run("send", name, "--dry-run").text.splitlines()[0] == frame(73).hex()
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["CMD_MOTORS_OFF"], "MotorsOff"),
+        (["motors_off", "mode=BRAKE"], "MotorsOffExt"),
+        (["control", "control_mode=MODE_SPEED"], "Control"),
+        (["control", "pitch.control_mode=MODE_SPEED"], "ControlExt"),
+    ],
+)
+def test_the_form_has_the_fields(arguments: list[str], message: str) -> None:
+    assert dry(*arguments)["message"] == message
+
+
+@pytest.mark.parametrize(
+    "values, path, expected",
+    [
+        (["axes.pitch.angle=-30deg"], "axes.pitch.angle", -1365),
+        (["pitch.angle=-30"], "axes.pitch.angle", -1365),
+        (["pitch.angle=-30 deg"], "axes.pitch.angle", -1365),
+        (["pitch.angle=-30°"], "axes.pitch.angle", -1365),
+        (["ANGLE_PITCH=raw:-1365"], "axes.pitch.angle", -1365),
+        (["angle=10,20,30"], "axes.yaw.angle", 1365),
+        (["SPEED_YAW=5deg/s"], "axes.yaw.speed", 41),
+        (
+            ["yaw.speed=5", "control_mode=MODE_SPEED|CONTROL_FLAG_HIGH_RES_SPEED"],
+            "axes.yaw.speed",
+            5000,
+        ),
+        (["control_mode=mode_angle,CONTROL_FLAG_AUTO_TASK"], "control_mode", 0x42),
+        (["control_mode=0x42"], "control_mode", 0x42),
+        (["control_mode=mode:2"], "control_mode", 2),
+    ],
+)
+def test_values(values: list[str], path: str, expected: int) -> None:
+    value = fields_of("Control", *values)
+    for step in path.split("."):
+        value = value[step]
+    assert value == expected
+
+
+def test_lists_bytes_texts_and_flags() -> None:
+    beep = fields_of(
+        "BeepSound", "note_freq_hz=600Hz,700,21000", "note_length=40ms", "mode=CUSTOM_MELODY"
+    )
+    assert beep["note_freq_hz"] == [600, 700, 21000]
+    assert (beep["note_length"], beep["mode"]) == (5, 0x8000)
+    two = fields_of(
+        *("SetAdjVarsVal", "params[1].param_id=LPF_FREQ_ROLL", "params[1].param_value=30Hz"),
+        *("params[0].param_id=P_YAW", "params[0].param_value=7"),
+    )
+    assert two["params"] == [{"param_id": 2, "param_value": 7}, {"param_id": 45, "param_value": 30}]
+    data = fields_of("EepromWrite", "addr=64", "data=" + "00ff" * 32)
+    assert data["data"] == "00ff" * 32
+    names = fields_of("WriteProfileNames", "profile_name[2]=Ünï")
+    assert names["profile_name"][2] == "Ünï"
+    stream = fields_of("DataStreamInterval", "cmd_id=88", "config.flags=IMU_ANGLES|GYRO_DATA")
+    assert stream["config"]["flags"] == flags_named(
+        "RealtimeDataCustomFlags", "IMU_ANGLES", "GYRO_DATA"
+    )
+
+
+def flags_named(enum: str, *names: str) -> int:
+    (found,) = [one for one in MODEL["enums"] if one["name"] == enum]
+    return sum(value["value"] for value in found["values"] if value["name"] in names)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["Contrl"], ["unknown message 'Contrl'"]),
+        (["CMD_GET_ANGELS"], ["'CMD_GET_ANGLES'"]),
+        (["GetAngles"], ["only the board", "GetAnglesRequest"]),
+        (["Control", "anle=5"], ["no field 'anle'", "'angle'"]),
+        (
+            ["SetAdjVarsVal", "params[1].param_id=P_ROLL"],
+            ["params[0] has no value, but params[1].param_id has one", "count from 0"],
+        ),
+        (["Control", "angle=5V"], ["axes.roll.angle", "'V'", "deg"]),
+        (["Control", "pitch.angle=900"], ["axes.pitch.angle", "900", "719.978 deg"]),
+        (["Control", "control_mode=MODE_ANGEL"], ["'MODE_ANGLE'"]),
+        (["Control", "axes.pitch=3"], ["speed or angle"]),
+        (["Control", "control_mode=256"], ["256", "0 to 255"]),
+        (["Control", "pitch.angle=1", "axes.pitch.angle=2"], ["axes.pitch.angle is set twice"]),
+        (["Control", "pitch.angle"], ["NAME=VALUE"]),
+        (["BeepSound", "note_freq_hz=600,1"], ["note_freq_hz", "554 Hz"]),
+        (["BeepSound", "note_freq_hz[99]=600"], ["99"]),
+        (["BeepSound", "decay_factor=16"], ["decay_factor", "16"]),
+        (["SetAdjVarsVal", "param_id=3"], ["params[0]"]),
+        (["SetAdjVarsVal", "num_vars=3"], ["num_vars"]),
+        (["EepromWrite", "data=0"], ["data", "hex"]),
+        (["WriteProfileNames", "profile_name[0]=" + "x" * 49], ["49", "48"]),
+    ],
+)
+def test_mistakes(arguments: list[str], words: list[str]) -> None:
+    error = refused(*arguments)
+    for word in words:
+        assert word in error
+
+
+def test_dry_run_shows_the_frame_and_the_effect() -> None:
+    text = run("send", "CMD_MOTORS_ON", "--dry-run").text
+    assert text.startswith(frame(77, b"").hex()) or text.split()[0].startswith("3e4d")
+    assert "The camera can move" in text
+
+
+def test_the_response_as_text_and_json(board: str) -> None:
+    text = run("send", "CMD_GET_ANGLES", "-p", board).text
+    assert "GetAngles" in text and "axes.pitch.imu_angle" in text and "deg" in text
+    line = run("send", "CMD_GET_ANGLES", "--format", "jsonl", "-p", board).objects[0]
+    assert line["message"] == "GetAngles" and line["direction"] == "from_board"
+    assert set(line["fields"]["axes"]) == {"roll", "pitch", "yaw"}
+
+
+def test_what_reads_needs_no_confirmation_and_what_moves_does(board: str) -> None:
+    assert run("send", "CMD_MOTORS_ON", "--yes", "-p", board).status == 0
+    unarmed = run("send", "CMD_MOTORS_OFF", "-p", board)
+    assert unarmed.status == 1 and "add --yes" in unarmed.error
+    assert motors(board) == 1
+    armed = run("send", "CMD_MOTORS_OFF", "--yes", "-p", board)
+    assert armed.status == 0 and "CMD_CONFIRM" in armed.text
+    assert motors(board) == 0
+    for hidden in (("CMD_AHRS_HELPER", "mode=SET"), ("CMD_BEEP_SOUND", "mode=1")):
+        assert "add --yes" in run("send", *hidden, "-p", board).error
+    assert run("send", "CMD_AHRS_HELPER", "-p", board).status == 0
+    assert answer_on_terminal("n", "send", "CMD_MOTORS_ON", "-p", board).status == 1
+    assert motors(board) == 0
+    assert answer_on_terminal("y", "send", "CMD_MOTORS_ON", "-p", board).status == 0
+    assert motors(board) == 1
+
+
+def motors(board: str) -> int:
+    """Whether the motors are on, according to the live data."""
+    line = run("send", "RealtimeData4Request", "--format", "jsonl", "-p", board).objects[0]
+    return line["fields"]["other_flags"] & 1
+
+
+def test_errors_of_the_board(board: str) -> None:
+    result: Result = run("send", "ReadParamsExt3Request", "-p", board)
+    assert result.status == 1 and "firmware" in result.error
+    assert run("send", "get_angles", "-p", "tcp:127.0.0.1:1", "--timeout", "1").status == 1
+
+
+def test_requests_without_a_response_say_so(board: str) -> None:
+    result = run("send", "CMD_HELPER_DATA", "--yes", "-p", board)
+    assert result.status == 0 and result.out == b""
+    assert "no response" in result.error or "did not confirm" in result.error
+
+
+def test_json_of_a_dry_run_can_be_encoded() -> None:
+    line = dry("Control", "pitch.angle=-30deg")
+    assert run("encode", "--hex", stdin=json.dumps(line)).text.split()[0] == (
+        run("send", "Control", "pitch.angle=-30deg", "--dry-run").text.split()[0]
+    )

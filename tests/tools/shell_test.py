@@ -1,0 +1,166 @@
+"""Tests of the completion in each shell, and of the manual pages."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import select
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from sbgc_command import PROGRAM, run
+
+
+def candidates(*words: str) -> list[str]:
+    lines = run("__complete", "--", *words).text.splitlines()
+    return [line.split("\t")[0] for line in lines]
+
+
+def test_candidates_are_what_the_command_accepts() -> None:
+    assert candidates("inf") == ["info"]
+    assert candidates("info", "--form") == ["--format"]
+    assert candidates("info", "--format", "") == ["text", "json"]
+    assert candidates("info", "--format", "j") == ["json"]
+    assert candidates("decode", "--hex", "") == [":files"]
+    assert {"serial:", "tcp:", "udp:"} <= set(candidates("info", "-p", ""))
+    assert candidates("nonsense", "") == candidates("")
+
+
+def test_names_are_candidates() -> None:
+    assert "axes.pitch.p" in candidates("params", "get", "axes.pi")
+    assert candidates("params", "get", "pitch.po") == ["pitch.poles", "pitch.power"]
+    assert candidates("params", "set", "pitch.po") == ["pitch.poles=", "pitch.power="]
+    assert "LPF_FREQ_ROLL" in candidates("vars", "get", "LPF")
+    assert candidates("stream", "RealtimeData4") == ["RealtimeData4"]
+    assert candidates("send", "get_angles", "") == []
+    assert "CMD_MOTORS_ON" in candidates("send", "CMD_MOT")
+    assert candidates("send", "Control", "control_m") == ["control_mode="]
+    modes = candidates("send", "CMD_CONTROL", "control_mode=MODE_ANGLE")
+    assert "control_mode=MODE_ANGLE" in modes and "control_mode=MODE_ANGLE_REL_FRAME" in modes
+    assert "MODE_ANGLE" in candidates("describe", "MODE_")
+    assert candidates("manual", "dec") == ["decode"]
+    assert candidates("decode", "--from", "b") == ["board"]
+    assert candidates("calibrate", "g") == ["gyro"]
+    assert candidates("calibrate", "gyro", "--imu", "") == ["active", "main", "frame"]
+    assert candidates("emulate", "--motion", "") == [
+        "rest", "handheld", "drone", "vehicle", ":files"
+    ]  # fmt: skip
+
+
+def test_parts_of_a_stream_are_candidates() -> None:
+    formats = candidates("stream", "RealtimeData4", "--format", "")
+    assert sorted(formats) == ["csv", "jsonl", "text"]
+    fields = candidates("stream", "RealtimeData4", "--fields", "angle.roll,angle.")
+    assert "angle.roll,angle.pitch" in fields
+    custom = candidates("stream", "realtime_data_custom", "--fields", "")
+    flags = candidates("stream", "realtime_data_custom", "--with", "")
+    assert len(custom) > len(flags) > 10
+    both = candidates("stream", "realtime_data_custom", "--with", f"{flags[0]}|")
+    assert f"{flags[0]}|{flags[1]}" in both
+    assert candidates("stream", "Nothing", "--fields", "") == []
+
+
+def test_every_listed_command_has_help_and_a_description() -> None:
+    commands = [line.split("\t") for line in run("__complete", "--", "").text.splitlines()]
+    assert len(commands) > 5
+    for name, description in commands:
+        assert description
+        assert run(name, "--help").status == 0
+
+
+def test_gimbals_of_the_configuration_are_candidates(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "config.toml"
+    file.write_text('[gimbal.front]\nport = "tcp:a:1"\n[gimbal.rear]\nport = "tcp:b:1"\n')
+    monkeypatch.setenv("SBGC_CONFIG", str(file))
+    assert candidates("info", "-g", "") == ["front", "rear"]
+    assert candidates("info", "--gimbal", "f") == ["front"]
+
+
+def environment() -> dict[str, str]:
+    return {**os.environ, "PATH": f"{Path(PROGRAM).resolve().parent}:{os.environ['PATH']}"}
+
+
+def test_bash() -> None:
+    script = """
+        source <(sbgc completion bash)
+        complete_line() {
+          COMP_LINE=$1 COMP_POINT=${#1}
+          _sbgc
+          printf '%s\\n' "${COMPREPLY[@]}" end
+        }
+        complete_line 'sbgc inf'
+        complete_line 'sbgc info --format '
+        complete_line 'sbgc info -p tcp'
+        complete_line 'sbgc info -p tcp:'
+    """
+    done = subprocess.run(
+        ["bash", "-c", script], env=environment(), capture_output=True, text=True, check=True
+    )
+    # bash keeps what precedes the colon.
+    expected = ["info", "end", "text", "json", "end", "tcp:", "end", "", "end"]
+    assert done.stdout.splitlines() == expected
+    assert "command not found" not in done.stderr
+
+
+def test_fish() -> None:
+    script = (
+        "sbgc completion fish | source; complete -C 'sbgc inf'; complete -C 'sbgc info --format '"
+    )
+    done = subprocess.run(
+        ["fish", "--no-config", "-c", script],
+        env=environment(),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    lines = [line.split("\t")[0] for line in done.stdout.splitlines()]
+    assert lines[0] == "info" and set(lines[1:]) == {"text", "json"}
+
+
+def test_zsh(tmp_path: Path) -> None:
+    """zsh completes only in a terminal."""
+    (tmp_path / "_sbgc").write_text(run("completion", "zsh").text)
+    child, terminal = pty.fork()
+    if child == 0:
+        os.environ.update(environment(), TERM="dumb", PS1="> ")
+        os.execvp("zsh", ["zsh", "-f", "-i"])
+    typed = f"fpath=({tmp_path} $fpath); autoload -U compinit; compinit -u -d {tmp_path}/dump\n"
+    typed += "print re''ady\n"
+    shown = ""
+    os.write(terminal, typed.encode())
+    deadline = time.monotonic() + 30
+    while not "--format text" in shown and time.monotonic() < deadline:
+        if select.select([terminal], [], [], 0.2)[0]:
+            shown += os.read(terminal, 4096).decode()
+        if "\nready" in shown and "sbgc inf" not in shown:
+            os.write(terminal, b"sbgc inf\t--format te\t")
+    os.close(terminal)
+    os.waitpid(child, 0)
+    assert re.search(r"sbgc info\W.*--format text", shown), shown
+
+
+@pytest.mark.parametrize("name", ["", "decode", "info"])
+def test_manual_pages(name: str) -> None:
+    page = run("manual", *([name] if name else [])).text
+    assert page.startswith(f'.TH "sbgc{"-" + name if name else ""}" 1')
+    help_text = run(*([name] if name else []), "--help").text
+    for option in re.findall(r"--[a-z][a-z-]+", help_text.split("\n\n")[1]):
+        assert option.replace("-", "\\-") in page
+    assert not re.search(r"^'", page, re.MULTILINE)
+    assert set(re.findall(r"^\.(\w+)", page, re.MULTILINE)) <= {
+        *("TH", "SH", "SS", "TP", "PP", "nf", "fi")
+    }
+
+
+def test_all_manual_pages_are_written(tmp_path: Path) -> None:
+    assert run("manual", "--folder", str(tmp_path)).status == 0
+    pages = {file.stem for file in tmp_path.iterdir()}
+    assert pages == {"sbgc"} | {f"sbgc-{name}" for name in candidates("")}
+    assert run("manual", "--folder", str(tmp_path / "missing")).status == 1
+    assert "no command 'nothing'" in run("manual", "nothing").error

@@ -1,0 +1,189 @@
+"""Tests of sbgc stream, over TCP and over a pseudo-terminal."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import PROGRAM, Result, run
+
+
+@pytest.fixture(scope="module", params=["tcp", "pty"])
+def gimbal(request: pytest.FixtureRequest) -> Iterator[EmulatedGimbal]:
+    options = ("--pty",) if request.param == "pty" else ()
+    with emulated_gimbal(*options) as running:
+        yield running
+
+
+def stream(gimbal: EmulatedGimbal, *arguments: str) -> Result:
+    return run("stream", "-p", gimbal.address, *arguments)
+
+
+def rows_of(result: Result) -> tuple[list[str], list[list[str]]]:
+    assert result.status == 0, result
+    rows = list(csv.reader(io.StringIO(result.text)))
+    return rows[0], rows[1:]
+
+
+def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
+    header, rows = rows_of(
+        stream(gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
+    )
+    assert header[0] == "time[s]"
+    assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(header)
+    assert 15 <= len(rows) <= 21
+    assert all(len(row) == len(header) for row in rows)
+    assert all(float(cell) is not None for row in rows for cell in row if cell)
+    times = [float(row[0]) for row in rows]
+    assert times == sorted(times) and 0 < times[0] < times[-1] < 1.1
+    # Values in their units: the emulated camera is at rest, its battery is charged.
+    values = dict(zip(header, rows[-1]))
+    assert abs(float(values["angle.pitch[deg]"])) < 1
+    assert 6 < float(values["bat_level[V]"]) < 30
+
+
+def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
+    header, _ = rows_of(
+        stream(
+            gimbal, "cmd_realtime_data_4", "--format", "csv", "--for", "100ms",
+            "--fields", "angle.*,cycle_time,rotor_angle",
+        )
+    )  # fmt: skip
+    names = [f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES]
+    assert header == ["time[s]", *names[:3], "cycle_time[us]", *names[3:]]
+
+
+AXES = ("roll", "pitch", "yaw")
+
+
+def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None:
+    arguments = ("RealtimeDataCustom", "--format", "jsonl", "--for", "200ms", "--rate", "20")
+    result = stream(gimbal, *arguments, "--fields", "imu_angles.yaw,rc_data")
+    assert result.status == 0, result
+    for sample in result.objects:
+        assert sample["version"] == 1 and sample["message"] == "RealtimeDataCustom"
+        assert set(sample["fields"]) == {"imu_angles.yaw", *(f"rc_data[{i}]" for i in range(6))}
+        angle = sample["fields"]["imu_angles.yaw"]
+        assert angle["unit"] == "deg"
+        assert angle["real"] == pytest.approx(angle["raw"] * 360 / 16384)
+    same = stream(gimbal, *arguments, "--with", "imu_angles|RC_DATA")
+    assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(same.objects[0]["fields"])
+
+
+def test_text_is_a_table(gimbal: EmulatedGimbal) -> None:
+    result = stream(gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code")
+    assert result.status == 0, result
+    lines = result.text.splitlines()
+    assert lines[0].split() == ["time[s]", "angle.yaw[deg]", "error_code"]
+    assert len(lines) > 5
+    assert len({len(line) for line in lines}) == 1
+
+
+def test_fields_have_the_names_of_the_specification(gimbal: EmulatedGimbal) -> None:
+    fields = "SYSTEM_ERROR, ANGLE_PITCH ,FRAME_IMU_ANGLE"
+    result = stream(
+        gimbal, "RealtimeData4", "--for", "300ms", "--format", "csv", "--fields", fields
+    )
+    assert rows_of(result)[0] == [
+        *("time[s]", "system_error", "angle.pitch[deg]", "frame_imu_angle.roll[deg]"),
+        *("frame_imu_angle.pitch[deg]", "frame_imu_angle.yaw[deg]"),
+    ]
+
+
+def test_the_table_names_its_time(gimbal: EmulatedGimbal) -> None:
+    arguments = ("--for", "300ms", "--unix-time", "--fields", "cycle_time")
+    lines = stream(gimbal, "RealtimeData4", *arguments).text.splitlines()
+    assert lines[0].split()[0] == "unix_time[s]"
+    assert abs(float(lines[1].split()[0]) - time.time()) < 60
+    assert len({len(line) for line in lines}) == 1
+
+
+def test_the_message_needs_later_firmware() -> None:
+    with emulated_gimbal("--firmware", "2.59") as old:
+        result = run("stream", "Event", "--with", "ON", "-p", old.address)
+    assert result.status == 1
+    assert "CMD_EVENT needs firmware 2.65b7, the board has 2.59" in result.error
+
+
+def test_a_restart_is_reported() -> None:
+    with emulated_gimbal() as board:
+        process = start(board, "RealtimeData4", "--format", "jsonl", "--for", "8s")
+        assert process.stdout is not None
+        process.stdout.readline()
+        assert run("reset", "-p", board.address, "--yes").status == 0
+        _, error = process.communicate(timeout=60)
+    assert "the board may have restarted" in error or "connected again" in error
+
+
+def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    capture = tmp_path / "capture"
+    recorded = ("record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4")
+    assert run(*recorded, "--for", "1s").status == 0
+    result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
+    assert (result.status, result.error) == (0, "")
+    assert len(rows_of(result)[1]) > 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["RealtimeData5"], 2, "did you mean 'RealtimeData"),
+        (["BoardInfo"], 2, "no data stream of 'BoardInfo'"),
+        (["RealtimeData4", "--fields", "angel.roll"], 2, "did you mean 'angle.roll'"),
+        (["RealtimeData4", "--fields", "roll"], 2, "is not unique"),
+        (["RealtimeDataCustom"], 2, "IMU_ANGLES"),
+        (["RealtimeDataCustom", "--with", "IMU_ANGEL"], 2, "did you mean 'IMU_ANGLES'"),
+        (["RealtimeData4", "--rate", "0"], 2, "--rate"),
+        (["RealtimeData4", "--format", "xml"], 2, "--format must be text, jsonl or csv, not 'xml'"),
+        (["RealtimeData4", "--fields", "nothing"], 2, "`sbgc describe RealtimeData4` lists them"),
+        (["RealtimeData4", "--for", "soon"], 2, "not a duration"),
+    ],
+)  # fmt: skip
+def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -> None:
+    result = run("stream", "-p", "tcp:127.0.0.1:9", *arguments)
+    assert result.status == status
+    assert words in result.error
+
+
+def test_without_a_board_it_fails() -> None:
+    result = run("stream", "RealtimeData4", "-p", "tcp:127.0.0.1:9")
+    assert result.status == 1
+    assert "refused" in result.error
+
+
+def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [PROGRAM, "stream", "-p", gimbal.address, *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(gimbal: EmulatedGimbal) -> None:
+    process = start(gimbal, "RealtimeData4", "--format", "jsonl", "--rate", "10")
+    assert process.stdout is not None
+    for _ in range(3):
+        assert json.loads(process.stdout.readline())["time"] > 0
+    process.send_signal(signal.SIGINT)
+    _, error = process.communicate(timeout=20)
+    assert (process.returncode, error) == (0, "")
+
+
+def test_a_reader_that_leaves_is_a_quiet_end(gimbal: EmulatedGimbal) -> None:
+    process = start(gimbal, "RealtimeData4", "--format", "csv")
+    assert process.stdout is not None and process.stderr is not None
+    process.stdout.readline()
+    process.stdout.close()
+    assert process.wait(timeout=20) == 0
+    assert process.stderr.read() == ""
+    process.stderr.close()

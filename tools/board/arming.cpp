@@ -1,0 +1,32 @@
+#include "board/arming.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "command/command_error.hpp"
+#include "command/help_text.hpp"
+#include "command/remark.hpp"
+#include "command/terminal.hpp"
+
+namespace sbgc::tools {
+
+void add_arming(CLI::App& command, Arming& arming) {
+  command.add_flag("-y,--yes", arming.yes, "Do it without asking");
+}
+
+void arm(const Arming& arming, const std::string& what_will_happen) {
+  remark("{}\n", wrapped(what_will_happen, line_width()));
+  if (arming.yes) return;
+  if (!is_terminal(stdin) || !is_terminal(stderr)) {
+    throw CommandError("not confirmed: there is no terminal to ask on; add --yes");
+  }
+  remark("{}", Colors(stderr)(Color::bold, "Continue? [y/N] "));
+  std::fflush(stderr);
+  std::string answer;
+  std::getline(std::cin, answer);
+  if (answer != "y" && answer != "Y" && answer != "yes") throw CommandError("not confirmed");
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,21 @@
+/// The confirmation of commands that move a camera or write to a board.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace sbgc::tools {
+
+struct Arming {
+  bool yes = false;  ///< --yes
+};
+
+/// Adds --yes to a command.
+void add_arming(CLI::App& command, Arming& arming);
+
+/// Says what will happen, in sentences, and asks the user unless --yes was given. Throws
+/// CommandError if the user does not agree, or cannot be asked because there is no terminal.
+void arm(const Arming& arming, const std::string& what_will_happen);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,132 @@
+#include "board/configuration.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/command_error.hpp"
+#include "command/duration.hpp"
+#include "command/suggestions.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+[[noreturn]] void reject(const std::string& reason) {
+  throw CommandError(configuration_file().string() + ": " + reason);
+}
+
+double number(const CLI::ConfigItem& item, double least, double most) {
+  const std::string& text = item.inputs.front();
+  double value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most) {
+    reject(fmt::format("'{}' of gimbal '{}' is '{}'; it must be a number from {} to {}", item.name,
+                       item.parents.back(), text, least, most));
+  }
+  return value;
+}
+
+std::chrono::milliseconds duration(const CLI::ConfigItem& item) {
+  if (const auto parsed = parse_duration(item.inputs.front())) return *parsed;
+  reject(fmt::format("'{}' of gimbal '{}' is '{}'; it must be a time, such as 5 or \"500ms\"",
+                     item.name, item.parents.back(), item.inputs.front()));
+}
+
+void set(NamedGimbal& gimbal, const CLI::ConfigItem& item) {
+  if (item.inputs.size() != 1) {
+    reject(fmt::format("'{}' of gimbal '{}' must have one value", item.name, gimbal.name));
+  }
+  if (item.name == "port") {
+    gimbal.port = item.inputs.front();
+  } else if (item.name == "timeout") {
+    gimbal.timeout = duration(item);
+  } else if (item.name == "attempts") {
+    gimbal.attempts = static_cast<unsigned>(number(item, 1, 100));
+  } else if (item.name == "attempt-time") {
+    gimbal.attempt_timeout = duration(item);
+  } else {
+    const std::vector<std::string> known{"port", "timeout", "attempts", "attempt-time"};
+    reject(fmt::format("unknown key '{}' of gimbal '{}'; the keys are {}", item.name, gimbal.name,
+                       alternatives(known, false, "and")));
+  }
+}
+
+/// Returns the gimbal that the item belongs to, which it adds if necessary.
+NamedGimbal& gimbal_of(const CLI::ConfigItem& item, std::vector<NamedGimbal>& gimbals) {
+  if (item.parents.size() != 2 || item.parents.front() != "gimbal") {
+    reject(fmt::format("'{}' is not in a section [gimbal.NAME]", item.fullname()));
+  }
+  const std::string& name = item.parents.back();
+  const auto found = std::ranges::find(gimbals, name, &NamedGimbal::name);
+  if (found != gimbals.end()) return *found;
+  return gimbals.emplace_back(NamedGimbal{.name = name});
+}
+
+}  // namespace
+
+std::filesystem::path configuration_file() {
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* const value = std::getenv(name);
+    return value == nullptr ? "" : value;
+  };
+  if (auto file = variable("SBGC_CONFIG"); !file.empty()) return file;
+  std::filesystem::path folder = variable("XDG_CONFIG_HOME");
+  if (folder.empty()) folder = variable("HOME") / ".config";
+  return folder / "sbgc" / "config.toml";
+}
+
+std::vector<NamedGimbal> named_gimbals() {
+  const std::filesystem::path path = configuration_file();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return {};
+  std::ifstream file(path);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf()) || !file) reject("cannot be read");
+  std::istringstream input(text.str());
+  std::vector<NamedGimbal> gimbals;
+  try {
+    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(input)) {
+      // The parser marks the beginning and the end of a section.
+      if (item.name == "++" || item.name == "--") {
+        // A section without keys is a gimbal, too: one without a port.
+        const bool is_gimbal = item.parents.size() == 2 && item.parents.front() == "gimbal";
+        if (is_gimbal) static_cast<void>(gimbal_of(item, gimbals));
+        continue;
+      }
+      set(gimbal_of(item, gimbals), item);
+    }
+  } catch (const CLI::Error& error) {
+    reject(error.what());
+  }
+  for (const NamedGimbal& gimbal : gimbals) {
+    if (gimbal.port.empty()) reject(fmt::format("gimbal '{}' has no port", gimbal.name));
+  }
+  return gimbals;
+}
+
+NamedGimbal find_gimbal(const std::string& name) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(configuration_file(), ignored)) {
+    throw CommandError(fmt::format("no gimbal '{}': there is no configuration file {}", name,
+                                   configuration_file().string()),
+                       wrong_usage);
+  }
+  const std::vector<NamedGimbal> gimbals = named_gimbals();
+  const auto found = std::ranges::find(gimbals, name, &NamedGimbal::name);
+  if (found != gimbals.end()) return *found;
+  std::vector<std::string> names;
+  names.reserve(gimbals.size());
+  for (const NamedGimbal& gimbal : gimbals) names.push_back(gimbal.name);
+  const std::string all = names.empty() ? "none" : alternatives(names, true, "and");
+  throw CommandError(fmt::format("no gimbal '{}' in {}{}", name, configuration_file().string(),
+                                 did_you_mean(nearest(name, names), "it names " + all)),
+                     wrong_usage);
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,106 @@
+#include "board/connection.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "board/frame_printer.hpp"
+#include "command/interruption.hpp"
+#include "command/wording.hpp"
+#include "line/listed_ports.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// The search for gimbals on all serial ports takes no longer than this, unless told otherwise.
+constexpr std::chrono::milliseconds search_time{5'000};
+
+struct Probe {
+  std::string port{};
+  Result<BoardIdentity> board = ClientError{};
+};
+
+Result<BoardIdentity> probe(const std::string& port, const ConnectOptions& options) {
+  const Result<Client> client = Client::connect(port, options);
+  if (!client) return client.error();
+  return client->identity();
+}
+
+/// Asks all ports at the same time. A port of an adapter is more likely than one that is built in,
+/// so if there are adapters, only they are asked.
+std::vector<Probe> probe_all(const std::vector<io::PortInfo>& ports, ConnectOptions options) {
+  const bool has_usb =
+      std::ranges::any_of(ports, [](const io::PortInfo& port) { return port.usb.has_value(); });
+  options.timeout = std::min(options.timeout, search_time);
+  options.capture.clear();
+  std::vector<std::pair<std::string, std::future<Result<BoardIdentity>>>> running;
+  for (const io::PortInfo& port : ports) {
+    if (has_usb && !port.usb) continue;
+    running.emplace_back(port.name, std::async(std::launch::async, probe, port.name, options));
+  }
+  std::vector<Probe> probes;
+  probes.reserve(running.size());
+  for (auto& [port, result] : running) probes.push_back({port, result.get()});
+  return probes;
+}
+
+/// Returns the port of the only gimbal.
+std::string find_gimbal_port(const ConnectOptions& options) {
+  const io::PortList list = listed_ports();
+  if (list.error) throw CommandError(without_period(list.error.message));
+  if (list.ports.empty()) {
+    throw CommandError("there are no serial ports to search for a gimbal; use --port");
+  }
+  const std::vector<Probe> probes = probe_all(list.ports, options);
+  std::vector<const Probe*> found;
+  std::string answered;
+  std::string silent;
+  for (const Probe& one : probes) {
+    if (one.board) {
+      found.push_back(&one);
+      answered += fmt::format("\n  {}  board {}, firmware {}", one.port, one.board->board_version(),
+                              one.board->firmware_version());
+      if (const std::string serial = one.board->serial_number(); !serial.empty()) {
+        answered += ", serial number " + serial;
+      }
+    } else {
+      silent += "\n  " + one.port + "  " + one.board.error().message;
+    }
+  }
+  if (found.size() == 1) return found.front()->port;
+  if (found.empty()) throw CommandError("found no gimbal; use --port. Searched:" + silent);
+  throw CommandError("found several gimbals; choose one with --port:" + answered);
+}
+
+}  // namespace
+
+LineChoice choose_line(const GimbalOptions& given, Wrap wrap) {
+  const GimbalOptions options = with_configuration(given);
+  LineChoice choice{options.port, connect_options(options)};
+  if (choice.address.empty()) choice.address = find_gimbal_port(choice.options);
+  choice.options.wrap = std::move(wrap);
+  if (options.verbose) choice.options.wrap = with_frame_printer(std::move(choice.options.wrap));
+  return choice;
+}
+
+Client connect(const GimbalOptions& options, Wrap wrap) {
+  const LineChoice line = choose_line(options, std::move(wrap));
+  Result<Client> client = Client::connect(line.address, line.options);
+  // An address that means nothing is a mistake on the command line.
+  if (!client && client.error().code == ErrorCode::invalid) {
+    throw CommandError(client.error().message, wrong_usage);
+  }
+  return value_of(std::move(client));
+}
+
+void fail(const ClientError& error) {
+  const bool is_interrupted = error.code == ErrorCode::cancelled && was_interrupted();
+  throw CommandError(error.message, is_interrupted ? interrupted : failure);
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,48 @@
+/// Connecting to the gimbal that the options name.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/io/transport.hpp>
+
+#include "board/gimbal_options.hpp"
+#include "command/command_error.hpp"
+
+namespace sbgc::tools {
+
+/// Returns a transport to use in place of the one that was opened.
+using Wrap = std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)>;
+
+/// Where and how to connect.
+struct LineChoice {
+  std::string address{};
+  ConnectOptions options{};
+};
+
+/// Returns the address of the options, or of the only gimbal found, and the options of the library,
+/// with the printing of frames if that is wanted. `wrap` is applied to the transport first. Throws
+/// CommandError; if several gimbals are found, the message lists them.
+LineChoice choose_line(const GimbalOptions& given, Wrap wrap = {});
+
+/// Connects to the gimbal. Throws CommandError.
+Client connect(const GimbalOptions& options, Wrap wrap = {});
+
+/// Ends the command with the message of the error, and with the status `interrupted` if that is the
+/// cause.
+[[noreturn]] void fail(const ClientError& error);
+
+/// Returns the value of a result, or ends the command with its error.
+template <class T>
+T value_of(Result<T> result) {
+  if (!result) fail(result.error());
+  return *std::move(result);
+}
+inline void value_of(const Result<void>& result) {
+  if (!result) fail(result.error());
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,42 @@
+/// The options of commands that talk to a gimbal.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <sbgc/client/options.hpp>
+
+namespace sbgc::tools {
+
+/// How to reach the gimbal. What the command line leaves open comes from the configuration file, if
+/// it names the gimbal.
+struct GimbalOptions {
+  std::string port{};  ///< an address for sbgc::io::open(), or ""
+  std::string name{};  ///< in the configuration file, or ""
+  std::optional<std::chrono::milliseconds> timeout{};
+  std::optional<unsigned> attempts{};  ///< of a request that may be repeated
+  std::optional<std::chrono::milliseconds> attempt_timeout{};
+  std::string capture{};  ///< file to record the traffic in, or ""
+  bool verbose = false;
+};
+
+/// The heading of the options in the help.
+inline constexpr const char* gimbal_group = "Gimbal";
+
+/// Adds the options to a subcommand, or to `sbgc` itself.
+void add_gimbal_options(CLI::App& command, GimbalOptions& options);
+
+/// Returns the options with those of the named gimbal in the configuration file filled in. Throws
+/// CommandError.
+GimbalOptions with_configuration(const GimbalOptions& options);
+
+/// Returns the options of the library, without `wrap`.
+ConnectOptions connect_options(const GimbalOptions& options);
+
+/// Returns the options of a call that takes a timeout of its own.
+CallOptions call_options(const GimbalOptions& options);
+
+}  // namespace sbgc::tools

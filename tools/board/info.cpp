@@ -1,0 +1,223 @@
+// sbgc info: a gimbal, its line, and what it does not support.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/json_dom.hpp>
+#include <sbgc/meta/all.hpp>
+
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/terminal.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+struct InfoOptions {
+  std::string format = "text";
+};
+
+/// The response times of a line.
+struct LineTest {
+  unsigned sent = 0;
+  std::vector<double> times_ms{};  // of the responses, sorted
+
+  double median() const { return times_ms[times_ms.size() / 2]; }
+};
+
+/// A flag that some boards have.
+struct Feature {
+  const ValueInfo* info{};
+  bool is_present{};
+};
+
+struct Info {
+  BoardIdentity board{};
+  std::string line{};
+  ClientStatistics statistics{};
+  double open_s{};  // since the line was opened
+  LineTest test{};
+  std::vector<Feature> features{};
+  std::vector<Feature> states{};
+  std::vector<std::string> unsupported{};  // commands to the board
+};
+
+LineTest test_line(Client& client) {
+  constexpr unsigned requests = 20;
+  LineTest test{.sent = requests};
+  for (unsigned i = 0; i < requests; ++i) {
+    const auto start = Clock::now();
+    if (!client.call(roles::IntroductionRequest{}, {.retries = 0})) continue;
+    test.times_ms.push_back(Milliseconds(Clock::now() - start).count());
+  }
+  std::ranges::sort(test.times_ms);
+  return test;
+}
+
+template <class E>
+void add_flags(Flags<E> flags, std::vector<Feature>& features) {
+  for (const ValueInfo& value : EnumMeta<E>::info.values) {
+    features.push_back({&value, flags.has(static_cast<E>(value.value))});
+  }
+}
+
+/// Returns the commands of which these versions know no form.
+std::vector<std::string> unsupported_commands(const Availability& versions) {
+  std::vector<std::string> all;
+  std::vector<std::string> known;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const MessageInfo& info = Meta<M>::info;
+    if (info.direction == Direction::from_board || info.effects.has(Effect::unknown)) return;
+    if (std::ranges::find(all, info.command) == all.end()) all.emplace_back(info.command);
+    if (is_supported<M>(versions)) known.emplace_back(info.command);
+  });
+  std::erase_if(all, [&](const auto& one) { return std::ranges::find(known, one) != known.end(); });
+  return all;
+}
+
+Info collect(const CommandContext& context) {
+  const auto start = Clock::now();
+  Client client = connect(context.gimbal);
+  Info info{.board = client.identity(), .line = client.description(), .test = test_line(client)};
+  info.statistics = client.statistics();
+  info.open_s = std::chrono::duration<double>(Clock::now() - start).count();
+  const msg::BoardInfo& board = info.board.info;
+  add_flags(board.board_features, info.features);
+  add_flags(board.board_features_ext, info.features);
+  if (info.board.details) add_flags(info.board.details->board_features_ext2, info.features);
+  add_flags(board.debug_mode, info.states);
+  add_flags(board.connection_flags, info.states);
+  info.unsupported = unsupported_commands(info.board.versions());
+  return info;
+}
+
+Json names(const std::vector<Feature>& features, bool present) {
+  Json result = Json::array();
+  for (const Feature& feature : features) {
+    if (feature.is_present == present) result.push_back(feature.info->name);
+  }
+  return result;
+}
+
+Json to_json(const Info& info) {
+  Json line{{"description", info.line},
+            {"framing", to_string(info.statistics.session.framing)},
+            {"open_s", info.open_s},
+            {"requests", info.test.sent},
+            {"responses", info.test.times_ms.size()},
+            {"skipped_bytes", info.statistics.session.parser.skipped_bytes}};
+  if (!info.test.times_ms.empty()) {
+    line["round_trip_ms"] = {{"min", info.test.times_ms.front()},
+                             {"median", info.test.median()},
+                             {"max", info.test.times_ms.back()}};
+  }
+  return {{"format", "sbgc-info"},
+          {"version", 1},
+          {"board", info.board.board_version()},
+          {"firmware", info.board.firmware_version()},
+          {"serial_number", info.board.serial_number()},
+          {"line", line},
+          {"state", names(info.states, true)},
+          {"features", names(info.features, true)},
+          {"missing_features", names(info.features, false)},
+          {"unsupported_commands", info.unsupported}};
+}
+
+/// Prints paragraphs with their names in the first column.
+class Paragraphs {
+ public:
+  void print(const std::string& name, const std::string& text) const {
+    const std::size_t padding = column - std::min(name.size(), column);
+    fmt::print("{}{:{}}{}\n", bold_(Color::bold, name), "", padding,
+               wrapped(text, line_width(), column, column));
+  }
+
+  static constexpr std::size_t column = 15;
+
+ private:
+  Colors bold_{stdout};
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
+  return result.empty() ? "none" : result;
+}
+
+void print_text(const Info& info) {
+  const Paragraphs out;
+  const std::string serial = info.board.serial_number();
+  out.print("board",
+            info.board.board_version() + (serial.empty() ? "" : ", serial number " + serial));
+  out.print("firmware", info.board.firmware_version());
+  out.print("line", info.line);
+  out.print("", fmt::format("framing {}, open for {:.1f} s, {} bytes skipped",
+                            to_string(info.statistics.session.framing), info.open_s,
+                            info.statistics.session.parser.skipped_bytes));
+  std::string test =
+      fmt::format("{} of {} requests answered", info.test.times_ms.size(), info.test.sent);
+  if (!info.test.times_ms.empty()) {
+    test += fmt::format(" in {:.1f} ms ({:.1f} to {:.1f} ms)", info.test.median(),
+                        info.test.times_ms.front(), info.test.times_ms.back());
+  }
+  out.print("", test);
+  std::string name = "state";
+  for (const Feature& state : info.states) {
+    if (!state.is_present) continue;
+    out.print(name, fmt::format("{}: {}", state.info->name, state.info->summary));
+    name = "";
+  }
+  name = "features";
+  std::vector<std::string> missing;
+  for (const Feature& feature : info.features) {
+    if (!feature.is_present) {
+      missing.emplace_back(feature.info->name);
+      continue;
+    }
+    out.print(name, fmt::format("{}: {}", feature.info->name, feature.info->summary));
+    name = "";
+  }
+  out.print("without", joined(missing));
+  out.print("not supported", joined(info.unsupported));
+}
+
+int print_info(const InfoOptions& options, const CommandContext& context) {
+  const Info info = collect(context);
+  if (options.format == "json") {
+    fmt::print("{}\n", to_json(info).dump(2, ' ', false, Json::error_handler_t::replace));
+  } else {
+    print_text(info);
+  }
+  return success;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("info", "Show the board, its line and its features")->group(heading::look);
+  auto options = std::make_shared<InfoOptions>();
+  command->add_option("--format", options->format, "Output format")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "'without' lists the features that the board reports it lacks, 'not supported' the commands "
+      "that this board or its firmware does not have. The requests that test the line change "
+      "nothing. The exit status is 0 if a board answered, 1 if none did, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = print_info(*options, context); });
+}
+
+}  // namespace sbgc::tools

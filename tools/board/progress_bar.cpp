@@ -1,0 +1,52 @@
+#include "board/progress_bar.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command/help_text.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/terminal.hpp"
+
+namespace sbgc::tools {
+
+ProgressBar::ProgressBar(std::string unit) : is_on_(is_terminal(stderr)), unit_(std::move(unit)) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
+  if (is_shown_) remark("\r\033[K");
+  is_shown_ = false;
+}
+
+void ProgressBar::show(const Progress& progress) {
+  constexpr std::size_t width = 30;
+  const std::size_t total = std::max<std::size_t>(progress.total, 1);
+  const std::size_t filled = std::min(progress.done * width / total, width);
+  std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] ";
+  if (unit_.empty()) {
+    line += fmt::format("{}/{}  {}", progress.done, progress.total, progress.what);
+  } else {
+    line += fmt::format("{}/{} {}", progress.done, progress.total, unit_);
+  }
+  show(line);
+}
+
+void ProgressBar::show(std::string_view text) {
+  if (!is_on_) return;
+  remark("\r{}\033[K", text.substr(0, line_width() - 1));
+  std::fflush(stderr);
+  is_shown_ = true;
+}
+
+ProgressHandler ProgressBar::handler() {
+  return [this](const Progress& progress) {
+    show(progress);
+    return !was_interrupted();
+  };
+}
+
+}  // namespace sbgc::tools

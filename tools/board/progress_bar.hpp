@@ -1,0 +1,37 @@
+/// Progress on standard error.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <sbgc/client/progress.hpp>
+
+namespace sbgc::tools {
+
+/// Draws one line that changes, if standard error is a terminal; otherwise nothing.
+class ProgressBar {
+ public:
+  /// `unit` of the counts, such as "bytes"; "" shows the step instead.
+  explicit ProgressBar(std::string unit = "");
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  void show(const Progress& progress);
+  /// Erases the line.
+  void clear();
+  /// Shows a line of text.
+  void show(std::string_view text);
+
+  /// Returns a handler that shows the progress, and cancels the task when the command is
+  /// interrupted. The bar must outlive it.
+  ProgressHandler handler();
+
+ private:
+  bool is_on_;
+  bool is_shown_ = false;
+  std::string unit_;
+};
+
+}  // namespace sbgc::tools

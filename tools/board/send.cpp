@@ -1,0 +1,244 @@
+// sbgc send: any message to the board, with values from the command line.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/framing.hpp>
+#include <sbgc/json/hex.hpp>
+#include <sbgc/validate.hpp>
+
+#include "board/any_call.hpp"
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/remark.hpp"
+#include "command/standard_output.hpp"
+#include "command/wording.hpp"
+#include "frames/decoded_frame.hpp"
+#include "frames/frame_text.hpp"
+#include "values/assignments.hpp"
+#include "values/effect_text.hpp"
+#include "values/message_names.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct SendOptions {
+  std::string name{};
+  std::vector<std::string> values{};
+  std::string format = "text";
+  bool dry_run = false;
+  bool no_validate = false;
+  Arming arming{};
+};
+
+/// A message with its values.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving Json throws nothing
+struct Outgoing {
+  const MessageType* type = nullptr;
+  Json fields{};
+  std::string values{};  ///< as given, for the user, and what holds for the others
+};
+
+/// Returns the number of values that the user can set.
+std::size_t number_of_values(const Outgoing& out) {
+  std::size_t number = 0;
+  out.type->for_each_value(out.fields, [&](const Leaf& leaf) {
+    if (!leaf.field.reserved && leaf.kind != LeafKind::counter) ++number;
+  });
+  return number;
+}
+
+Outgoing outgoing_of(const SendOptions& options) {
+  const auto forms = messages_named(options.name, Direction::to_board);
+  if (forms.empty()) {
+    throw CommandError(fmt::format("unknown message '{}'{}", clipped(options.name),
+                                   similar_messages(options.name)),
+                       wrong_usage);
+  }
+  if (!forms.front()->is_sent_to_board()) {
+    const MessageInfo& info = *forms.front()->info;
+    const auto requests = messages_named(info.command, Direction::to_board);
+    std::string hint;
+    if (!requests.empty() && requests.front()->is_sent_to_board()) {
+      hint = fmt::format("; the request is {}", requests.front()->info->name);
+    }
+    throw CommandError(fmt::format("only the board sends {}{}", info.name, hint), wrong_usage);
+  }
+  try {
+    const std::vector<Assignment> assignments = parse_assignments(options.values);
+    std::vector<std::string> names;
+    Outgoing out;
+    for (const Assignment& one : assignments) {
+      names.push_back(one.name);
+      out.values += fmt::format("{}{} = {}", out.values.empty() ? "" : ", ", one.name, one.value);
+    }
+    out.type = &form_with(forms, names);
+    out.fields = initial_fields(out.type->fields());
+    assign(*out.type, assignments, out.fields);
+    add_demanded(*out.type, out.fields);
+    if (!assignments.empty() && number_of_values(out) > assignments.size()) {
+      out.values += "; every other field is 0, empty or its default";
+    }
+    const std::string problems =
+        options.no_validate ? "" : violations_of(*out.type, out.fields, newest);
+    if (!problems.empty()) throw ValueError(problems);
+    static_cast<void>(encoded(*out.type, out.fields, basic_framing));
+    return out;
+  } catch (const std::runtime_error& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+}
+
+bool is_zero(const Json& value) {
+  return value.is_null() || (value.is_number() && value.get<double>() == 0);
+}
+
+/// Returns what the request can do. A form that only reads may share its fields with one that does
+/// more, as CMD_AHRS_HELPER does: the board looks at their values, so these effects count, too,
+/// unless they are 0.
+Effects effects_of(const Outgoing& out) {
+  Effects effects = out.type->info->effects;
+  for (const MessageType* const other :
+       messages_named(out.type->info->command, Direction::to_board)) {
+    const bool shares_a_value = std::ranges::any_of(other->fields(), [&](const FieldType& field) {
+      return out.fields.contains(field.name) && !is_zero(out.fields[field.name]);
+    });
+    if (shares_a_value) effects = effects | other->info->effects;
+  }
+  return effects;
+}
+
+/// Prints frames as `sbgc decode` does.
+class FramePrinting {
+ public:
+  explicit FramePrinting(bool is_json) : is_json_(is_json) {}
+
+  /// Learns what the decoding of later frames needs.
+  void learn(const Frame& frame, Direction direction) { decoder_.decode(frame, direction); }
+
+  /// `more` is appended to the members of a JSON object.
+  void print(const Frame& frame, Direction direction, const std::string& more = {}) {
+    const DecodedFrame decoded = decoder_.decode(frame, direction);
+    if (is_json_) {
+      put_json(out_, decoded, nullptr, more);
+      out_.put('\n');
+    } else {
+      put_text(out_, decoded, Colors(stdout));
+    }
+    out_.flush();
+  }
+
+ private:
+  bool is_json_;
+  FrameDecoder decoder_{{.json = true, .rows = true}};
+  StandardOutput out_{};
+};
+
+/// Returns the frame of `bytes`, which hold exactly one.
+Frame frame_of(std::span<const std::uint8_t> bytes, std::uint8_t id) {
+  constexpr std::size_t header = 4;
+  return {.id = id, .body = bytes.subspan(header, bytes[2]), .framing = basic_framing};
+}
+
+int dry_run(const SendOptions& options, const Outgoing& out) {
+  const std::vector<std::uint8_t> bytes = encoded(*out.type, out.fields, basic_framing);
+  const Frame frame = frame_of(bytes, out.type->info->id);
+  const std::string hex = detail::to_hex(bytes);
+  const Effects effects = effects_of(out);
+  if (options.format == "jsonl") {
+    FramePrinting(true).print(
+        frame, Direction::to_board,
+        fmt::format(R"(,"frame":"{}","effect":"{}")", hex, effect_words(effects)));
+    return success;
+  }
+  fmt::print("{}\n", hex);
+  std::fflush(stdout);
+  FramePrinting(false).print(frame, Direction::to_board);
+  fmt::print("{}\n", wrapped(effect_text(effects), line_width()));
+  return success;
+}
+
+int send(const SendOptions& options, const CommandContext& context) {
+  const Outgoing out = outgoing_of(options);
+  if (options.dry_run) return dry_run(options, out);
+  const MessageInfo& info = *out.type->info;
+  const Effects effects = effects_of(out);
+  if (needs_arming(info, effects)) {
+    arm(options.arming,
+        fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",
+                    out.values, effect_text(effects)));
+  }
+  Client client = connect(context.gimbal);
+  FramePrinting printing(options.format == "jsonl");
+  const std::vector<std::uint8_t> bytes = encoded(*out.type, out.fields, basic_framing);
+  printing.learn(frame_of(bytes, info.id), Direction::to_board);
+  CallOptions call = call_options(context.gimbal);
+  call.expect_confirmation = true;
+  call.validate = !options.no_validate;
+  const Reply reply = value_of(call_any(client, *out.type, out.fields, call));
+  switch (reply.kind) {
+    case ReplyKind::answered:
+    case ReplyKind::confirmed: {
+      const Frame frame{.id = reply.id,
+                        .body = {reply.body.data(), reply.body.size()},
+                        .framing = client.statistics().session.framing};
+      printing.print(frame, Direction::from_board);
+      break;
+    }
+    case ReplyKind::unconfirmed:
+      remark("{} is sent; the board did not confirm it\n", info.command);
+      break;
+    case ReplyKind::sent:
+      remark("{} is sent; the protocol has no response to it\n", info.command);
+      break;
+  }
+  return success;
+}
+
+}  // namespace
+
+void add_send(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("send", "Send any message and print the response")->group(heading::bytes);
+  auto options = std::make_shared<SendOptions>();
+  command
+      ->add_option("name", options->name,
+                   "The message: our name (GetAnglesRequest) or that of the command "
+                   "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
+      ->type_name("MESSAGE")
+      ->required();
+  command
+      ->add_option("values", options->values,
+                   "Values of fields, such as axes.pitch.angle=-30deg; others are 0 or empty")
+      ->type_name("FIELD=VALUE");
+  command->add_option("--format", options->format, "Output format, as of `sbgc decode`")
+      ->check(CLI::IsMember({"text", "jsonl"}))
+      ->capture_default_str();
+  command->add_flag("--dry-run", options->dry_run,
+                    "Print the frame and what it does; send nothing and open no line");
+  command->add_flag("--no-validate", options->no_validate,
+                    "Also send values that the specification does not allow");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
+      "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
+      "which may be written behind it; raw:NUMBER is the number on the wire. Enums and flags take "
+      "names: MODE_ANGLE, FLAG_A|FLAG_B. Bytes are hex. Lists take values with commas between "
+      "them, or one by one: params[0].param_id=1.\n"
+      "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
+      "confirmed, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = send(*options, context); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,204 @@
+// sbgc calibrate: calibrates sensors, encoders and motors.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/calibration.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "board/progress_bar.hpp"
+#include "care/calibrations.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/assignments.hpp"
+#include "values/effect_text.hpp"
+#include "values/message_names.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct CalibrateOptions {
+  std::string name{};
+  std::vector<std::string> values{};
+  std::string imu{};
+  std::string voltage{};
+  bool temperature = false;
+  bool list = false;
+  Arming arming{};
+};
+
+const Calibration& calibration_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Calibration& one : calibrations()) {
+    if (one.name == name) return one;
+    names.push_back(one.name);
+  }
+  const auto near = nearest(name, names);
+  throw CommandError(fmt::format("unknown calibration '{}'{}", clipped(name),
+                                 did_you_mean(near, "`sbgc calibrate --list` lists them")),
+                     wrong_usage);
+}
+
+void list_calibrations() {
+  constexpr std::size_t column = 20;
+  for (const Calibration& one : calibrations()) {
+    const std::string text = fmt::format("{} ({})", one.info().summary, one.info().command);
+    fmt::print("{:{}}{}\n", one.name, column, wrapped(text, line_width(), column, column));
+  }
+}
+
+/// A request with its values.
+struct Chosen {
+  const CalibrationForm* form{};
+  const MessageType* type{};
+  Json fields{};
+  Effects effects{};
+  CalibrationOptions options{};
+};
+
+/// The values of the command line; those of the options last.
+std::vector<Assignment> assignments_of(const CalibrateOptions& options) {
+  std::vector<Assignment> result = parse_assignments(options.values);
+  if (!options.imu.empty()) result.push_back({"imu_idx", options.imu});
+  if (options.temperature) result.push_back({"action", "TEMPERATURE"});
+  if (!options.voltage.empty()) result.push_back({"actual_voltage", options.voltage});
+  return result;
+}
+
+Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
+  try {
+    std::vector<Assignment> assignments = assignments_of(options);
+    if (assignments.empty() && calibration.needs_values) {
+      throw ValueError("say the values as FIELD=VALUE");
+    }
+    std::vector<const MessageType*> types;
+    std::vector<std::string> names;
+    for (const CalibrationForm& form : calibration.forms) {
+      types.push_back(find_message(form.info->name));
+    }
+    names.reserve(assignments.size());
+    for (const Assignment& one : assignments) names.push_back(one.name);
+    Chosen result;
+    result.type = &form_with(types, names);
+    result.form = &*std::ranges::find(calibration.forms, result.type->info, &CalibrationForm::info);
+    const bool says_action = std::ranges::find(names, "action") != names.end();
+    if (result.form->has_action && !says_action) assignments.push_back({"action", "REGULAR"});
+    // Other actions than calibrating have other effects, which those of the whole form include.
+    result.effects = says_action && !options.temperature ? result.form->info->effects
+                                                         : calibration.info().effects;
+    result.fields = initial_fields(result.type->fields());
+    assign(*result.type, assignments, result.fields);
+    const std::string problems = violations_of(*result.type, result.fields, newest);
+    if (!problems.empty()) throw ValueError(problems);
+    if (result.form->has_action) {
+      result.options.imu = static_cast<msg::CalibImu>(result.fields.at("imu_idx").get<int>());
+    }
+    return result;
+  } catch (const std::runtime_error& error) {
+    std::string problem = clipped(error.what());
+    if (problem.find("`sbgc describe ") == std::string::npos) {
+      problem += fmt::format("; `sbgc describe {}` shows the fields", calibration.info().command);
+    }
+    throw CommandError(problem, wrong_usage);
+  }
+}
+
+/// What the user has to know before it begins.
+std::string sentences(const Chosen& chosen) {
+  const MessageInfo& info = *chosen.form->info;
+  std::string text = fmt::format("{} {}", info.summary, effect_text(chosen.effects));
+  if (*info.preparation != '\0') text += fmt::format("\nBefore: {}", info.preparation);
+  return text;
+}
+
+std::string progress_text(const CalibrationProgress& progress) {
+  const double seconds = std::chrono::duration<double>(progress.elapsed).count();
+  if (!progress.state) return fmt::format("calibrating for {:.0f} s", seconds);
+  return fmt::format("calibrating for {:.0f} s: {:.0f} %", seconds,
+                     progress.state->progress.percent());
+}
+
+int calibrate(const CalibrateOptions& command, const CommandContext& context) {
+  if (command.list) {
+    list_calibrations();
+    return success;
+  }
+  if (command.name.empty()) {
+    throw CommandError("say what to calibrate; `sbgc calibrate --list` lists it", wrong_usage);
+  }
+  Chosen chosen = choose(calibration_named(command.name), command);
+  arm(command.arming, sentences(chosen));
+  Client client = connect(context.gimbal);
+  const Interruption interruption;
+  ProgressBar bar;
+  chosen.options.progress = [&](const CalibrationProgress& progress) {
+    bar.show(progress_text(progress));
+    return !was_interrupted();
+  };
+  const auto ended = chosen.form->run(client, chosen.fields, chosen.options);
+  bar.clear();
+  if (was_interrupted() && !ended) {
+    throw CommandError(
+        "interrupted; no command stops a calibration: the board goes on, so leave the camera as it "
+        "is until it is done",
+        interrupted);
+  }
+  switch (value_of(ended)) {
+    case CalibrationEnd::finished: remark("The calibration is done.\n"); break;
+    case CalibrationEnd::accepted:
+      remark("The board has accepted the calibration; it does not report the end.\n");
+      break;
+    case CalibrationEnd::unconfirmed:
+      remark("The board has not confirmed the calibration, which it may leave out.\n");
+      break;
+  }
+  return success;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, CommandContext& context) {
+  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors")
+                            ->group(heading::care);
+  auto options = std::make_shared<CalibrateOptions>();
+  command->add_option("what", options->name, "What to calibrate, such as gyro")
+      ->type_name("CALIBRATION");
+  command->add_option("values", options->values, "Fields of the request, as for `sbgc send`")
+      ->type_name("FIELD=VALUE");
+  command->add_flag("--list", options->list, "List what can be calibrated");
+  command->add_option("--imu", options->imu, "For gyro, acc, mag: active, main or frame")
+      ->type_name("active|main|frame");
+  command->add_flag("--temperature", options->temperature,
+                    "For gyro and acc: over temperature, which takes up to an hour");
+  command
+      ->add_option("--voltage", options->voltage,
+                   "For battery: its measured voltage, such as 12.6V")
+      ->type_name("VOLTAGE");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Says first how to hold the camera. A calibration replaces the stored one. No command stops "
+      "it: after Ctrl-C, and if the line is lost, the board goes on.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc calibrate gyro\n"
+      "  sbgc calibrate acc --imu frame\n"
+      "  sbgc calibrate battery --voltage 12.6V\n"
+      "\n"
+      "The exit status is 0 if the calibration is done, or accepted by a board that does not "
+      "report the end; 1 if not; 2 for wrong usage; 130 after Ctrl-C.");
+  command->callback([options, &context] { context.status = calibrate(*options, context); });
+}
+
+}  // namespace sbgc::tools

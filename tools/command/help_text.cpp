@@ -1,0 +1,158 @@
+#include "command/help_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <utility>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "shell/command_line_facts.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr std::size_t usual_width = 80;
+constexpr std::size_t least_width = 40;
+constexpr std::size_t widest_names = 30;  // with the spaces around them
+
+std::size_t width_from_environment() {
+  const char* const text = std::getenv("COLUMNS");
+  if (text == nullptr) return 0;
+  const std::string_view digits(text);
+  std::size_t width = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), width);
+  return error == std::errc{} && end == digits.data() + digits.size() ? width : 0;
+}
+
+std::size_t width_of_terminal() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// Removes the text up to `separator` from the front of `text` and returns it.
+std::string_view take(std::string_view& text, char separator) {
+  const std::size_t size = std::min(text.find(separator), text.size());
+  const std::string_view result = text.substr(0, size);
+  text.remove_prefix(std::min(size + 1, text.size()));
+  return result;
+}
+
+}  // namespace
+
+std::size_t line_width() {
+  std::size_t width = width_from_environment();
+  if (width == 0) width = width_of_terminal();
+  if (width == 0) width = usual_width;
+  return std::max(width, least_width);
+}
+
+std::string wrapped(std::string_view text, std::size_t width, std::size_t column,
+                    std::size_t indent) {
+  std::string result;
+  const auto break_line = [&] {
+    result += '\n';
+    column = 0;
+  };
+  for (bool is_first = true; !text.empty(); is_first = false) {
+    std::string_view line = take(text, '\n');
+    if (!is_first) break_line();
+    if (line.starts_with(' ')) {
+      result += line;
+      continue;
+    }
+    for (bool is_begin = true; !line.empty();) {
+      const std::string_view word = take(line, ' ');
+      if (word.empty()) continue;
+      if (!is_begin && column + 1 + word.size() > width) {
+        break_line();
+        is_begin = true;
+      }
+      const bool needs_indent = is_begin && column < indent;
+      const std::size_t spaces = needs_indent ? indent - column : (is_begin ? 0 : 1);
+      result.append(spaces, ' ');
+      result += word;
+      column += spaces + word.size();
+      is_begin = false;
+    }
+  }
+  return result;
+}
+
+HelpFormatter::HelpFormatter(std::size_t width) : width_(width) {
+  column_width(std::min(widest_names, width * 3 / 8));
+  label("SUBCOMMAND", "COMMAND");
+}
+
+std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
+                                     CLI::AppFormatMode mode) const {
+  // One empty line between option groups instead of two.
+  return CLI::detail::find_and_replace(Formatter::make_help(app, std::move(name), mode), "\n\n\n",
+                                       "\n\n");
+}
+
+std::string HelpFormatter::make_description(const CLI::App* app) const {
+  const std::string text = wrapped(Formatter::make_description(app), width_);
+  return text.empty() ? text : text + '\n';
+}
+
+std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const {
+  return wrapped(Formatter::make_usage(app, std::move(name)), width_) + '\n';
+}
+
+std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
+  // A name such as "[ADDRESS] FILE" describes all values.
+  std::string values = value_name(*option);
+  if (option->get_expected_max() > 1 && values.find(' ') != std::string::npos) return values;
+  std::string text = make_option_name(option, true);
+  if (option->get_expected_max() > 1) text += "...";
+  return option->get_required() ? text : '[' + text + ']';
+}
+
+std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
+  return entry(make_option_name(option, is_positional) + make_option_opts(option),
+               make_option_desc(option));
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  if (!takes_value(*option)) return "";
+  std::string result;
+  const std::vector<std::string> choices = choices_of(*option);
+  for (const std::string& choice : choices) result += (result.empty() ? "" : "|") + choice;
+  result.insert(0, 1, ' ');
+  if (choices.empty()) result += value_name(*option);
+  if (!option->get_default_str().empty()) result += " (" + option->get_default_str() + ")";
+  return result;
+}
+
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+  return entry(command->get_display_name(true), command->get_description());
+}
+
+std::string HelpFormatter::make_expanded(const CLI::App* command) const {
+  constexpr std::size_t indent = 2;  // added by Formatter afterwards
+  HelpFormatter narrower(*this);
+  narrower.width_ -= indent;
+  return narrower.Formatter::make_expanded(command);
+}
+
+std::string HelpFormatter::make_footer(const CLI::App* app) const {
+  const std::string text = wrapped(app->get_footer(), width_);
+  return text.empty() ? text : text + '\n';
+}
+
+std::string HelpFormatter::entry(const std::string& name, const std::string& description) const {
+  const std::size_t column = get_column_width();
+  constexpr std::size_t indent = 2;
+  std::string result = std::string(indent, ' ') + name;
+  if (!description.empty()) {
+    const bool is_below = result.size() + 1 >= column;
+    if (is_below) result += '\n';
+    result += wrapped(description, width_, is_below ? 0 : result.size(), column);
+  }
+  return result + '\n';
+}
+
+}  // namespace sbgc::tools

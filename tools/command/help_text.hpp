@@ -1,0 +1,45 @@
+/// The layout of the help.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+namespace sbgc::tools {
+
+/// Returns the width of a line of standard output in characters: the environment variable COLUMNS,
+/// else the width of the terminal, else 80; at least 40.
+std::size_t line_width();
+
+/// Wraps `text` between words to lines of at most `width` characters. The first line begins at
+/// column `column`; the others are indented by `indent` spaces. Lines of `text` that begin with a
+/// space stay unchanged.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t column = 0,
+                    std::size_t indent = 0);
+
+/// The formatter of CLI11, with lines wrapped between words.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(std::size_t width);
+
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override;
+  std::string make_description(const CLI::App* app) const override;
+  std::string make_usage(const CLI::App* app, std::string name) const override;
+  std::string make_option_usage(const CLI::Option* option) const override;
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_expanded(const CLI::App* command) const override;
+  std::string make_footer(const CLI::App* app) const override;
+
+ private:
+  /// Returns a name, with its description in the next column or below.
+  std::string entry(const std::string& name, const std::string& description) const;
+
+  std::size_t width_;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,58 @@
+#include "command/input.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace sbgc::tools {
+
+namespace {
+
+int keep_open(std::FILE*) { return 0; }
+
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
+  if (name == "-") return {stdin, keep_open};
+  std::FILE* const file = std::fopen(name.c_str(), "rb");
+  if (file == nullptr) {
+    throw InputError(fmt::format("cannot open '{}': {}", name, std::strerror(errno)));
+  }
+  return {file, std::fclose};
+}
+
+}  // namespace
+
+Input::Input(const std::string& name) : name_(name), file_(open(name)), block_(65536) {}
+
+std::span<const std::uint8_t> Input::read() {
+  // read(2) returns the available bytes; fread would wait until the block is full.
+  ssize_t size = 0;
+  do {
+    size = ::read(fileno(file_.get()), block_.data(), block_.size());
+  } while (size < 0 && errno == EINTR);
+  if (size < 0) {
+    throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
+  }
+  return {block_.data(), static_cast<std::size_t>(size)};
+}
+
+bool Input::read_line(std::string& line, std::size_t limit) {
+  line.clear();
+  int c = 0;
+  bool is_whole = true;
+  while ((c = std::getc(file_.get())) != EOF && c != '\n') {
+    if (line.size() <= limit) {
+      line += static_cast<char>(c);
+    } else {
+      is_whole = false;
+    }
+  }
+  if (std::ferror(file_.get()) != 0) {
+    throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
+  }
+  if (is_whole && !line.empty() && line.back() == '\r') line.pop_back();
+  return c != EOF || !line.empty();
+}
+
+}  // namespace sbgc::tools

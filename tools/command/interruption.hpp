@@ -1,0 +1,25 @@
+/// Ctrl-C and the other signals that ask a program to end.
+#pragma once
+
+namespace sbgc::tools {
+
+/// While it exists, SIGINT, SIGTERM and SIGHUP no longer end the program; was_interrupted() tells.
+/// The second signal ends it. One may exist inside another, on the same thread.
+class Interruption {
+ public:
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+};
+
+/// True if a signal asked the program to end while an Interruption existed.
+bool was_interrupted() noexcept;
+/// True if that signal is the one of Ctrl-C.
+bool was_interrupted_by_key() noexcept;
+
+/// A descriptor that becomes readable when a signal arrives, for poll(). Valid while an
+/// Interruption exists.
+int interruption_descriptor() noexcept;
+
+}  // namespace sbgc::tools

@@ -1,0 +1,38 @@
+#include "command/terminal.hpp"
+
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace sbgc::tools {
+
+bool is_terminal(std::FILE* file) { return ::isatty(::fileno(file)) == 1; }
+
+Colors::Colors(std::FILE* file) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const char* const term = std::getenv("TERM");
+  are_on_ = is_terminal(file) && (no_color == nullptr || *no_color == '\0') &&
+            (term == nullptr || std::string_view(term) != "dumb");
+}
+
+std::string_view Colors::begin(Color color) const {
+  if (!are_on_) return "";
+  switch (color) {
+    case Color::bold: return "\033[1m";
+    case Color::dim: return "\033[2m";
+    case Color::red: return "\033[31m";
+    case Color::green: return "\033[32m";
+    case Color::yellow: return "\033[33m";
+    case Color::blue: return "\033[34m";
+    case Color::cyan: return "\033[36m";
+  }
+  return "";
+}
+
+std::string_view Colors::end() const { return are_on_ ? "\033[0m" : ""; }
+
+std::string Colors::operator()(Color color, std::string_view text) const {
+  return std::string(begin(color)).append(text).append(end());
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,33 @@
+/// The terminal that the command runs in.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace sbgc::tools {
+
+/// True if `file` is a terminal.
+bool is_terminal(std::FILE* file);
+
+enum class Color : unsigned char { bold, dim, red, green, yellow, blue, cyan };
+
+/// Colors text for one file, if it is a terminal and the environment variable NO_COLOR is unset or
+/// empty.
+class Colors {
+ public:
+  /// No colors.
+  Colors() = default;
+  explicit Colors(std::FILE* file);
+
+  bool are_on() const noexcept { return are_on_; }
+  std::string operator()(Color color, std::string_view text) const;
+  /// The escape sequence that begins a color; "" without colors.
+  std::string_view begin(Color color) const;
+  std::string_view end() const;
+
+ private:
+  bool are_on_ = false;
+};
+
+}  // namespace sbgc::tools

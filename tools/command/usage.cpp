@@ -1,0 +1,153 @@
+#include "command/usage.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "command/command_error.hpp"
+#include "command/remark.hpp"
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+std::vector<std::string> command_names(const CLI::App& command) {
+  std::vector<std::string> result;
+  for (const CLI::App* const one : command.get_subcommands({})) {
+    const bool is_group = one->get_name().empty();
+    if (!is_group && !one->get_group().empty()) result.push_back(one->get_name());
+  }
+  return result;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> result;
+  for (const CLI::Option* const option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) result.push_back("--" + name);
+  }
+  for (const CLI::App* const group : command.get_subcommands({})) {
+    if (!group->get_name().empty()) continue;
+    for (const std::string& name : option_names(*group)) result.push_back(name);
+  }
+  return result;
+}
+
+/// Returns the names after `before`, unless they are too many to choose from in a message.
+std::string choice(const std::string& before, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  return names.size() > most ? "" : before + alternatives(names, false);
+}
+
+/// Returns the error message for an unexpected word that was passed to `command`.
+std::string unknown_word(const CLI::App& command, const std::string& word) {
+  const std::string shown = clipped(word);
+  if (word.starts_with('-')) {
+    const std::string name = word.substr(0, word.find('='));
+    return fmt::format("unknown option '{}'{}", shown,
+                       did_you_mean(nearest(name, option_names(command))));
+  }
+  const std::vector<std::string> commands = command_names(command);
+  if (commands.empty()) return fmt::format("unexpected argument '{}'", shown);
+  std::vector<std::string> known = commands;
+  for (const std::string& option : option_names(command)) known.push_back(option);
+  const std::vector<std::string> near = nearest(word, known);
+  return fmt::format("unknown command '{}'{}", shown,
+                     near.empty() ? choice("; use ", commands) : did_you_mean(near));
+}
+
+/// Returns what a user calls an option: its own name, or for an argument the type in the help.
+std::string shown_name(const CLI::App& command, const std::string& name) {
+  if (name.starts_with('-')) return name;
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  const std::string type = option == nullptr ? "" : option->get_type_name();
+  const bool is_given =
+      !type.empty() && type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ=-") == std::string::npos;
+  std::string shown = is_given && type != "TEXT" && type != "UINT" && type != "INT" ? type : name;
+  std::ranges::transform(shown, shown.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return shown;
+}
+
+/// The number without trailing zeros.
+std::string plain_number(std::string text) {
+  if (text.find('.') == std::string::npos) return text;
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+/// Puts a message of the parser of the command line into words: "NAME is missing", "--timeout must
+/// be from 0.001 to 86400", "--format must be text or json, not xml".
+std::string in_words(const CLI::App& command, const std::string& message) {
+  std::smatch found;
+  static const std::regex required(R"((\S+) is required)");
+  static const std::regex no_number(R"(Could not convert: (\S+) = (.*))");
+  static const std::regex missing(R"((\S+): \d+ required \S+ missing)");
+  static const std::regex range(R"((\S+): Value (.*) not in range (\S+) to (\S+))");
+  static const std::regex choice_of(R"((\S+): (.*) not in \{(.*)\})");
+  static const std::regex must(R"((\S+): (must be .*))");
+  if (std::regex_match(message, found, required)) {
+    return shown_name(command, found[1]) + " is missing";
+  }
+  if (std::regex_match(message, found, no_number)) {
+    return fmt::format("{} must be a number, not '{}'", shown_name(command, found[1]),
+                       found[2].str());
+  }
+  if (std::regex_match(message, found, missing)) {
+    return shown_name(command, found[1]) + " needs a value";
+  }
+  if (std::regex_match(message, found, range)) {
+    return fmt::format("{} must be from {} to {}, not '{}'", shown_name(command, found[1]),
+                       plain_number(found[3]), plain_number(found[4]), found[2].str());
+  }
+  if (std::regex_match(message, found, choice_of)) {
+    std::vector<std::string> words;
+    std::istringstream list(found[3].str());
+    for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+    return fmt::format("{} must be {}, not '{}'", shown_name(command, found[1]),
+                       alternatives(words, false), found[2].str());
+  }
+  if (std::regex_match(message, found, must)) {
+    return fmt::format("{} {}", shown_name(command, found[1]), found[2].str());
+  }
+  return message;
+}
+
+}  // namespace
+
+const CLI::App& chosen_command(const CLI::App& app) {
+  for (const CLI::App* const command : app.get_subcommands()) {
+    if (!command->get_name().empty()) return chosen_command(*command);
+  }
+  return app;
+}
+
+std::string full_name(const CLI::App& command) {
+  const CLI::App* const parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : full_name(*parent) + ' ' + command.get_name();
+}
+
+int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = chosen_command(app);
+  const std::vector<std::string> unknown = command.remaining();
+  if (!unknown.empty()) return report_usage_error(command, unknown_word(command, unknown.front()));
+  // All missing commands, but not missing arguments, are reported by the names of the commands.
+  if (const auto names = command_names(command); !names.empty()) {
+    return report_usage_error(command, "expected a command" + choice(": ", names));
+  }
+  return report_usage_error(command, in_words(command, clipped(error.what())));
+}
+
+int report_usage_error(const CLI::App& command, const std::string& problem) {
+  remark("sbgc: {}\nRun `{} --help` for help.\n", problem, full_name(command));
+  return wrong_usage;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,36 @@
+#include "command/wording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sbgc::tools {
+
+std::string counted(std::uint64_t number, const char* thing) {
+  return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
+}
+
+std::string clipped(std::string_view message) {
+  constexpr std::size_t longest = 1000;
+  std::string result(message.substr(0, longest));
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
+  std::replace_if(result.begin(), result.end(), is_control, '?');
+  return message.size() > longest ? result + "..." : result;
+}
+
+std::string as_message(std::string sentence) {
+  constexpr std::array beginnings{"The ", "There ", "A ", "An ", "It ", "This ", "No "};
+  const bool is_sentence = std::ranges::any_of(
+      beginnings, [&](const char* words) { return sentence.starts_with(words); });
+  if (is_sentence) sentence.front() = static_cast<char>(sentence.front() - 'A' + 'a');
+  return sentence.ends_with("..") ? sentence : without_period(std::move(sentence));
+}
+
+std::string without_period(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,24 @@
+/// Wording of messages.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sbgc::tools {
+
+/// For example "1 byte" or "2 bytes".
+std::string counted(std::uint64_t number, const char* thing);
+
+/// Returns a message that quotes its input on one line, without control characters, and truncated
+/// if it is long.
+std::string clipped(std::string_view message);
+
+/// Returns the sentence without a period at its end, as part of a longer message.
+std::string without_period(std::string sentence);
+
+/// Returns the sentence as messages of the command are written, behind "sbgc: ": in lower case and
+/// without the final period. A name at its beginning stays as it is.
+std::string as_message(std::string sentence);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,25 @@
+/// Lookup of commands by id.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <sbgc/codec.hpp>
+
+namespace sbgc::tools {
+
+/// Returns the name of the command with this id; "" if there is none. Some ids have two names,
+/// distinguished by direction.
+const char* command_name(std::uint8_t id, Direction direction);
+
+/// True if there is a command with this id in this direction.
+bool has_command(Direction direction, std::uint8_t id);
+
+/// Rates how well a body of this size fits the command in this direction; 0 means not at all.
+int body_fit(Direction direction, std::uint8_t id, std::size_t size);
+
+/// Returns the sizes of a body that the forms of the command have: "13, 15", "6 to 60".
+std::string body_sizes(Direction direction, std::uint8_t id);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,496 @@
+// sbgc decode: prints a capture as JSON lines or as text.
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <sbgc/io/capture.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/text/values.hpp>
+
+#include "command/commands.hpp"
+#include "command/duration.hpp"
+#include "command/input.hpp"
+#include "command/remark.hpp"
+#include "command/standard_output.hpp"
+#include "command/wording.hpp"
+#include "frames/capture_frames.hpp"
+#include "frames/decoded_frame.hpp"
+#include "frames/frame_output.hpp"
+#include "frames/hex_text.hpp"
+#include "frames/input_guess.hpp"
+#include "frames/rejected_candidates.hpp"
+#include "serving/arguments.hpp"
+#include "values/field_lookup.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct DecodeOptions {
+  std::string file = "-";
+  std::vector<std::string> from{};  // a side, a time, or both
+  std::optional<std::chrono::microseconds> to{};
+  std::string format = "text";
+  std::string firmware{};
+  std::vector<std::string> messages{};
+  std::vector<std::string> conditions{};
+  bool real = false;
+  bool hex = false;
+  bool raw = false;
+};
+
+/// The part of a capture to show, in the time since its start.
+struct TimeRange {
+  std::chrono::microseconds from = std::chrono::microseconds::min();
+  std::chrono::microseconds to = std::chrono::microseconds::max();
+
+  bool has(std::chrono::microseconds time) const { return time >= from && time <= to; }
+};
+
+/// What the options mean.
+struct DecodePlan {
+  std::optional<Direction> direction{};
+  TimeRange times{};
+  bool has_times = false;
+  FrameOutputOptions output{};
+};
+
+/// Parses seconds, such as "12.5", or a duration with a unit.
+std::optional<std::chrono::microseconds> parse_time(const std::string& text) {
+  if (const auto duration = parse_duration(text)) return *duration;
+  double seconds{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  constexpr double longest = 1e9;
+  const bool is_number = error == std::errc{} && end == text.data() + text.size();
+  if (!is_number || !(seconds >= 0 && seconds <= longest)) return std::nullopt;
+  return std::chrono::microseconds(std::llround(seconds * 1e6));
+}
+
+std::optional<Direction> parse_side(const std::string& text) {
+  if (text == "board") return Direction::from_board;
+  if (text == "host") return Direction::to_board;
+  return std::nullopt;
+}
+
+/// Throws CommandError.
+DecodePlan plan_of(const DecodeOptions& options) {
+  DecodePlan plan;
+  bool has_side = false;
+  for (const std::string& from : options.from) {
+    const auto time = parse_time(from);
+    if (time ? plan.has_times : has_side) {
+      throw CommandError("--from takes one sender and one time", wrong_usage);
+    }
+    if (time) {
+      plan.times.from = *time;
+      plan.has_times = true;
+    } else {
+      plan.direction = parse_side(from);
+      has_side = true;
+    }
+  }
+  if (options.to) plan.times.to = *options.to;
+  plan.has_times = plan.has_times || options.to;
+  if (plan.times.from > plan.times.to) {
+    throw CommandError("the time of --from is after that of --to", wrong_usage);
+  }
+  plan.output.format = options.format == "text"    ? FrameFormat::text
+                       : options.format == "jsonl" ? FrameFormat::jsonl
+                                                   : FrameFormat::csv;
+  plan.output.real = options.real;
+  if (options.real && plan.output.format != FrameFormat::jsonl) {
+    throw CommandError("--real is for --format jsonl: the other formats always show these values",
+                       wrong_usage);
+  }
+  if (!options.firmware.empty()) {
+    // Any board: which features it has is not known.
+    plan.output.versions = Availability{serving::read_firmware(options.firmware).raw(), 0xFF};
+  }
+  try {
+    for (const std::string& name : options.messages) plan.output.filter.add_message(name);
+    for (const std::string& text : options.conditions) plan.output.filter.add_condition(text);
+  } catch (const ValueError& error) {
+    throw CommandError(error.what(), wrong_usage);
+  }
+  return plan;
+}
+
+std::string to_text(const RejectedCandidate& candidate) {
+  return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
+}
+
+/// Reports input without a frame, and guesses what it is.
+[[nodiscard]] int no_frame(std::uint64_t size, const std::string& guess,
+                           std::span<const RejectedCandidate> rejected) {
+  remark("sbgc: found no frame in {}{}{}\n", counted(size, "byte"), guess.empty() ? "" : "; ",
+         guess);
+  for (const RejectedCandidate& candidate : rejected) {
+    if (candidate.has_header) remark("{}", to_text(candidate));
+  }
+  return failure;
+}
+
+constexpr const char* line_may_be_wrong =
+    "if they come from a serial line, its baud rate or parity may be wrong";
+
+std::string to_text(const ParserCounters& counters) {
+  return fmt::format("{}, {} skipped (bad headers: {}, bad bodies: {})\n",
+                     counted(counters.frames, "frame"), counted(counters.skipped_bytes, "byte"),
+                     counters.header_errors, counters.body_errors);
+}
+
+/// True if bytes without a frame were probably intended as frames: in noise, most start bytes are
+/// not followed by a valid header.
+bool looks_intended(const ParserCounters& counters) {
+  const std::uint64_t with_header = counters.body_errors + counters.incomplete;
+  return with_header != 0 && with_header >= counters.header_errors;
+}
+
+std::uint64_t end_of(const Frame& frame) {
+  return frame.offset + frame_size(frame.framing, frame.body.size());
+}
+
+/// Decodes a raw byte stream.
+class RawDecoder {
+ public:
+  RawDecoder(const DecodePlan& plan, bool is_hex, StandardOutput& out)
+      : out_(out),
+        is_hex_(is_hex),
+        direction_(plan.direction),
+        // Gaps belong to no frame that a filter could choose.
+        shows_gaps_(plan.output.format == FrameFormat::text && plan.output.filter.is_empty()),
+        output_(plan.output, out),
+        explainer_(direction_) {
+    if (plan.has_times) {
+      throw CommandError("only a capture has times: omit --to and the time of --from", wrong_usage);
+    }
+  }
+
+  void feed(std::span<const std::uint8_t> bytes) {
+    size_ += bytes.size();
+    begin_.insert(begin_.end(), bytes.begin(),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(
+                                      std::min(bytes.size(), guess_size - begin_.size())));
+    const bool explains = explains_gaps();
+    if (explains) explainer_.add(bytes);
+    parser_.feed(bytes, [this](const Frame& frame) { print(frame); });
+    if (explains) explainer_.advance(size_ - parser_.waiting_bytes());
+  }
+
+  /// Prints the remaining bytes. Returns the rejected candidates after the last frame.
+  std::vector<RejectedCandidate> stop() {
+    parser_.flush([this](const Frame& frame) { print(frame); });
+    std::vector<RejectedCandidate> rejected;
+    if (explains_gaps()) rejected = explainer_.end_gap(size_, size_);
+    if (shows_gaps_) print_gap(size_, rejected);
+    output_.put_remark(to_text(parser_.counters()));
+    output_.end();
+    out_.flush();
+    return rejected;
+  }
+
+  /// Like stop(), but also reports input without a frame. Returns the exit status.
+  int finish() {
+    const std::vector<RejectedCandidate> rejected = stop();
+    if (parser_.counters().frames != 0 || size_ == 0) return success;
+    std::string guess = guess_input(begin_, is_hex_);
+    const bool is_meant = looks_intended(parser_.counters());
+    if (guess.empty() && !is_meant) guess = line_may_be_wrong;
+    const bool explains = !shows_gaps_ && is_meant;
+    return no_frame(size_, guess,
+                    explains ? std::span(rejected) : std::span<const RejectedCandidate>());
+  }
+
+ private:
+  /// Without gaps in the output, they matter only until the first frame.
+  bool explains_gaps() const { return shows_gaps_ || parser_.counters().frames == 0; }
+
+  void print(const Frame& frame) {
+    const std::uint64_t end = end_of(frame);
+    if (shows_gaps_) print_gap(frame.offset, explainer_.end_gap(frame.offset, end));
+    std::string_view heading;
+    if (output_.is_text()) heading = place(frame.offset);
+    output_.print(frame, direction_, heading);
+    end_ = end;
+  }
+
+  /// Prints "no frame: 5 bytes" and the reasons, if there are bytes since the last frame.
+  void print_gap(std::uint64_t end, std::span<const RejectedCandidate> rejected) {
+    if (end == end_) return;
+    out_.put(place(end_));
+    out_.put(fmt::format("  no frame: {}\n", counted(end - end_, "byte")));
+    for (const RejectedCandidate& candidate : rejected) out_.put(to_text(candidate));
+  }
+
+  /// Returns "@123", valid until the next call.
+  std::string_view place(std::uint64_t offset) {
+    place_.resize(1 + TextOutput::longest_number);
+    char* const end = std::to_chars(place_.data() + 1, place_.data() + place_.size(), offset).ptr;
+    place_.resize(static_cast<std::size_t>(end - place_.data()));
+    return place_;
+  }
+
+  StandardOutput& out_;
+  bool is_hex_;
+  std::optional<Direction> direction_;
+  bool shows_gaps_;
+  FrameOutput output_;
+  ParserOfAll parser_;
+  GapExplainer explainer_;
+  std::string place_ = "@";
+  std::vector<std::uint8_t> begin_;
+  std::uint64_t size_ = 0;
+  std::uint64_t end_ = 0;  // end of the printed bytes
+};
+
+/// Decodes a capture file, which records direction and time.
+class CaptureDecoder final : private CaptureListener {
+ public:
+  CaptureDecoder(const DecodePlan& plan, StandardOutput& out)
+      : out_(out),
+        only_(plan.direction),
+        times_(plan.times),
+        shows_gaps_(plan.output.format == FrameFormat::text && plan.output.filter.is_empty()),
+        output_(plan.output, out),
+        frames_(*this) {}
+
+  void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
+
+  /// Returns the exit status. Throws InputError if parts of the capture are damaged.
+  int finish() {
+    frames_.finish();
+    for (const Direction side : {Direction::to_board, Direction::from_board}) {
+      if (only_ && *only_ != side) continue;
+      output_.put_remark(side == Direction::from_board ? "from the board: " : "to the board: ");
+      output_.put_remark(to_text(frames_.counters(side)));
+    }
+    output_.end();
+    out_.flush();
+    if (!problems_.empty()) throw InputError(problems_);
+    if (found_ != 0 || skipped_ == 0) return success;
+    const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
+                          looks_intended(frames_.counters(Direction::from_board));
+    const bool explains = !shows_gaps_ && is_meant;
+    return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
+                    explains ? std::span<const RejectedCandidate>(rejected_)
+                             : std::span<const RejectedCandidate>());
+  }
+
+ private:
+  bool wanted(Direction side, io::CaptureTime time) const {
+    return (!only_ || *only_ == side) && times_.has(since_start(time));
+  }
+
+  /// Returns the time since the start of the first session.
+  std::chrono::microseconds since_start(io::CaptureTime time) const {
+    return start_ - first_start_ + time;
+  }
+
+  static std::string place(io::CaptureTime time) {
+    return fmt::format("{}.{:06} s", time.count() / 1'000'000, time.count() % 1'000'000);
+  }
+
+  void on_session(const io::CaptureSession& session) override {
+    output_.begin_session();
+    ++session_;
+    if (session_ == 0) first_start_ = session.start;
+    start_ = session.start;
+    // Use seconds, because a conversion to nanoseconds overflows for dates far in the future.
+    const auto start = std::chrono::floor<std::chrono::seconds>(session.start).time_since_epoch();
+    output_.put_remark(fmt::format("session {}, started {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
+                                   fmt::gmtime(static_cast<std::time_t>(start.count()))));
+  }
+
+  void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {
+    ++found_;
+    if (!wanted(side, time)) return output_.learn(frame, side);
+    using Seconds = std::chrono::duration<double>;
+    const CapturePlace place_of_frame{Seconds(time).count(), session_,
+                                      Seconds(since_start(time)).count()};
+    output_.print(frame, side, output_.is_text() ? place(time) : "", &place_of_frame);
+  }
+
+  void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size,
+                  std::span<const RejectedCandidate> rejected) override {
+    skipped_ += size;
+    if (rejected_.empty()) rejected_.assign(rejected.begin(), rejected.end());
+    if (!shows_gaps_ || !wanted(side, time)) return;
+    out_.put(fmt::format("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
+                         side == Direction::from_board ? "from" : "to"));
+    for (const RejectedCandidate& candidate : rejected) out_.put(to_text(candidate));
+  }
+
+  void on_note(io::CaptureTime time, std::string_view text) override {
+    if (!shows_gaps_ || !times_.has(since_start(time))) return;
+    out_.put(fmt::format("{}  note: {}\n", place(time), detail::quoted(text)));
+  }
+
+  void on_damage(const io::CaptureDamage& damage) override {
+    problems_ += (problems_.empty() ? "" : " ") + to_string(damage);
+  }
+
+  StandardOutput& out_;
+  std::optional<Direction> only_;
+  TimeRange times_;
+  bool shows_gaps_;
+  FrameOutput output_;
+  CaptureFrames frames_;
+  int session_ = -1;
+  std::chrono::sys_time<std::chrono::microseconds> first_start_{};
+  std::chrono::sys_time<std::chrono::microseconds> start_{};  // of the session
+  std::uint64_t found_ = 0;                                   // number of frames
+  std::uint64_t skipped_ = 0;
+  std::vector<RejectedCandidate> rejected_;  // of the first gap that has any
+  std::string problems_;
+};
+
+/// Reads enough bytes to decide whether the input is a capture file.
+std::vector<std::uint8_t> read_begin(Input& input) {
+  std::vector<std::uint8_t> begin;
+  do {
+    const auto block = input.read();
+    if (block.empty()) break;
+    begin.insert(begin.end(), block.begin(), block.end());
+  } while (io::may_become_capture(begin));
+  return begin;
+}
+
+/// Prints the frames before an error in hex text, then reports the error.
+[[noreturn]] void fail_at(const HexError& error, RawDecoder& decoder, bool is_text) {
+  decoder.stop();
+  throw InputError(to_text(error) + (is_text ? "" : "; for raw bytes, use --raw and not --hex"));
+}
+
+template <class Decoder>
+int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder&& decoder,
+                 StandardOutput& out) {
+  for (auto block = begin; !block.empty(); block = input.read()) {
+    decoder.feed(block);
+    out.flush();
+  }
+  return decoder.finish();
+}
+
+int decode_hex(Input& input, std::span<const std::uint8_t> begin, RawDecoder&& decoder,
+               StandardOutput& out) {
+  HexDecoder hex;
+  std::vector<std::uint8_t> bytes;
+  bool is_text = true;
+  for (auto block = begin; !block.empty(); block = input.read()) {
+    is_text = is_text && !is_binary(block);
+    std::optional<HexError> error = hex.feed(block, bytes);
+    decoder.feed(bytes);
+    bytes.clear();
+    out.flush();
+    if (error) fail_at(*error, decoder, is_text);
+  }
+  if (const auto error = hex.finish()) fail_at(*error, decoder, is_text);
+  return decoder.finish();
+}
+
+int decode_file(const DecodeOptions& options) {
+  const DecodePlan plan = plan_of(options);
+  Input input(options.file);
+  StandardOutput out;
+  const std::vector<std::uint8_t> begin = read_begin(input);
+  if (options.hex || (!options.raw && is_hex_text(begin))) {
+    return decode_hex(input, begin, RawDecoder(plan, true, out), out);
+  }
+  if (!options.raw && io::is_capture(begin)) {
+    return decode_bytes(input, begin, CaptureDecoder(plan, out), out);
+  }
+  return decode_bytes(input, begin, RawDecoder(plan, false, out), out);
+}
+
+}  // namespace
+
+void add_decode(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("decode", "Show the frames of a capture")->group(heading::bytes);
+  auto options = std::make_shared<DecodeOptions>();
+  command->add_option("file", options->file, "Capture to read; - means standard input")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command
+      ->add_option("--from", options->from,
+                   "Sender of the bytes: board, host, or auto, which decides by the size of each "
+                   "frame, and prefers the board. A capture file records the sender; then this "
+                   "selects the frames to show. Or a time, in seconds since the start of the "
+                   "capture, from which to show frames; both may be given")
+      ->type_name("auto|board|host|TIME")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) -> std::string {
+        if (text == "auto" || parse_side(text) || parse_time(text)) return {};
+        return fmt::format("'{}' is neither auto, board or host, nor a time", text);
+      });
+  command
+      ->add_option_function<std::string>(
+          "--to",
+          [options](const std::string& text) {
+            options->to = parse_time(text);
+            if (!options->to) throw CLI::ValidationError("--to", "'" + text + "' is not a time");
+          },
+          "A time, in seconds since the start of the capture, up to which to show frames")
+      ->type_name("TIME");
+  command
+      ->add_option("-m,--message", options->messages,
+                   "Show only this message or command, by name or id; may be repeated")
+      ->type_name("MESSAGE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("-w,--where", options->conditions,
+                   "Show only frames whose field holds such a value: \"angle.pitch > 10deg\", "
+                   "\"cmd=CMD_CONTROL\", \"system_error & ERR_LOW_VOLTAGE1\"; may be repeated")
+      ->type_name("CONDITION")
+      ->allow_extra_args(false);
+  command->add_option("--format", options->format, "Output format; csv for one kind of message")
+      ->check(CLI::IsMember({"text", "jsonl", "csv"}))
+      ->capture_default_str();
+  command->add_flag("--real", options->real,
+                    "Add the values in their units, and their names, to JSON lines");
+  command
+      ->add_option("--firmware", options->firmware,
+                   "Firmware of the board, such as 2.59: name what it does not know")
+      ->type_name("VERSION")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          serving::read_firmware(text);
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+        return {};
+      });
+  auto* const hex = command->add_flag(
+      "--hex", options->hex, "Read hex text, which is also recognized without this option");
+  command->add_flag("--raw", options->raw, "Read raw bytes, whatever they look like")
+      ->excludes(hex);
+  command->footer(
+      "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "
+      "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
+      "firmware appends, or that cannot be decoded because the request was not captured.\n"
+      "The input is raw bytes or a capture file written by `sbgc record`. For the latter, JSON "
+      "lines have two more keys: 'time' in seconds since the start of the session, and "
+      "'session', counted from 0. Offsets count the bytes of one direction and session.\n"
+      "Text output explains gaps between frames that look like damaged frames, unless frames are "
+      "selected. With --real, JSON lines have 'values' by path: 'raw', 'real' with 'unit', and "
+      "'text' of a value with a name. CSV has a line per frame and a column per value, in its "
+      "unit; "
+      "the first column is the time since the start of the capture, or the offset "
+      "of raw bytes.\n"
+      "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
+      "could not be read or contained none; 2 for wrong usage.");
+  command->callback([options, &context] { context.status = decode_file(*options); });
+}
+
+}  // namespace sbgc::tools

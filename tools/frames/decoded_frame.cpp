@@ -1,0 +1,222 @@
+#include "frames/decoded_frame.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <sbgc/meta/all.hpp>
+#include <sbgc/text.hpp>
+#include <sbgc/to_json.hpp>
+
+#include "frames/command_lookup.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+Direction guess(const Frame& frame) {
+  const int host = body_fit(Direction::to_board, frame.id, frame.body.size());
+  const int board = body_fit(Direction::from_board, frame.id, frame.body.size());
+  if (host != board) return host > board ? Direction::to_board : Direction::from_board;
+  // Neither fits better: use the only direction that has such a command, or else the board.
+  const bool host_only =
+      has_command(Direction::to_board, frame.id) && !has_command(Direction::from_board, frame.id);
+  return host_only ? Direction::to_board : Direction::from_board;
+}
+
+/// Finds the fixed-size member that contains a byte of the body.
+struct FieldFinder {
+  std::size_t wanted{};
+  std::size_t& at;
+  const char*& found;
+
+  template <class T>
+  void operator()(const FieldInfo& field, const T&) const {
+    step(wire_size<T>, field.name);
+  }
+  void step(std::size_t size, const char* name) const {
+    at += size;
+    if (*found == '\0' && at > wanted) found = name;
+  }
+};
+
+/// Returns the path of the fixed-size member that contains the byte at `offset` of the body.
+template <class M>
+std::string field_at(std::size_t offset) {
+  std::size_t at = 0;
+  const char* result = "";
+  const M message{};
+  Meta<M>::visit(message, FieldFinder{offset, at, result});
+  return result;
+}
+
+/// Returns why a board with these versions does not know the message, or "".
+std::string objection_to(const MessageInfo& info, const Availability& versions) {
+  const auto firmware = [](std::uint16_t version) {
+    return to_string(msg::FirmwareVersion(version));
+  };
+  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
+    return "needs firmware before " + firmware(info.until.firmware);
+  }
+  return info.since.firmware > versions.firmware ? "needs firmware " + firmware(info.since.firmware)
+                                                 : std::string();
+}
+
+/// Writes objections by path; that to the whole message has the path "".
+void put_objections(TextOutput& out, const DecodedFrame& decoded) {
+  char separator = '{';
+  const auto add = [&](std::string_view path, std::string_view objection) {
+    out.put(separator);
+    separator = ',';
+    put_json_string(out, path);
+    out.put(':');
+    put_json_string(out, objection);
+  };
+  if (!decoded.objection.empty()) add("", decoded.objection);
+  for (const Row& row : decoded.rows) {
+    if (!row.objection.empty()) add(row.path.text(), row.objection);
+  }
+  out.put(separator == '{' ? "{}" : "}");
+}
+
+/// Writes a name, which needs no escapes, or null.
+void put_name(TextOutput& out, const char* name) {
+  if (*name == '\0') return out.put("null");
+  out.put('"');
+  out.put(name);
+  out.put('"');
+}
+
+}  // namespace
+
+DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
+  if (direction) return decode_from(frame, *direction);
+  const Direction likely = guess(frame);
+  DecodedFrame result = decode_from(frame, likely);
+  if (result.status) return result;
+  DecodedFrame other = decode_from(
+      frame, likely == Direction::to_board ? Direction::from_board : Direction::to_board);
+  return other.status ? other : result;
+}
+
+/// Puts a decoded message into the wanted forms.
+struct FrameDecoder::Taker {
+  FrameDecoder& decoder;
+  DecodedFrame& result;
+
+  template <class M>
+  void operator()(const M& message) const {
+    decoder.contexts_.learn(message);
+    if (decoder.wanted_.json) {
+      decoder.json_.clear();
+      StringOutput out(decoder.json_);
+      write_json(message, static_cast<TextOutput&>(out));
+      out.finish();
+      result.fields = decoder.json_;
+    }
+    if (decoder.wanted_.rows || decoder.versions_) {
+      decoder.rows_.assign(message, decoder.versions_.value_or(newest));
+      result.rows = decoder.rows_.rows();
+    }
+  }
+};
+
+DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) {
+  DecodedFrame result{.frame = frame, .direction = direction};
+  result.command = command_name(frame.id, result.direction);
+  result.status = decode_body(frame.body, contexts_, result);
+  // The context may belong to another stream, so retry without context: no data is better than
+  // wrong data.
+  if (!result.status) {
+    const Status plain = decode_body(frame.body, {}, result);
+    if (plain) result.status = plain;
+  }
+  result.error_field = result.status.field;
+  const Code code = result.status.code;
+  if (code == Code::too_short || code == Code::unknown_form) decode_arrived(result);
+  select(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
+    result.message = &Meta<M>::info;
+    result.is_for_firmware = versions_.has_value();
+    if (versions_) result.objection = objection_to(Meta<M>::info, *versions_);
+    if (result.status.code == Code::too_short && result.error_field.empty()) {
+      result.error_field = field_at<M>(result.status.offset);
+    }
+  });
+  return result;
+}
+
+// Not inlined: it contains the decoders of all messages.
+[[gnu::noinline]] Status FrameDecoder::decode_body(std::span<const std::uint8_t> body,
+                                                   const Contexts& contexts, DecodedFrame& result) {
+  return visit(result.frame.id, body, result.direction, Taker{*this, result}, contexts);
+}
+
+void FrameDecoder::decode_arrived(DecodedFrame& result) {
+  const std::size_t arrived = result.frame.body.size();
+  const Contexts contexts = contexts_;  // which must not learn from missing bytes
+  std::array<std::uint8_t, max_body_size> padded{};
+  std::copy(result.frame.body.begin(), result.frame.body.end(), padded.begin());
+  // The rest is taken as zeros, as many as the message needs, or the next longer form of it.
+  Status status{Code::too_short};
+  for (std::size_t size = arrived + 1; !status && size <= padded.size(); ++size) {
+    status = decode_body(std::span(padded).first(size), contexts, result);
+  }
+  contexts_ = contexts;
+  const auto is_missing = [&](const Row& row) { return row.offset + row.size > arrived; };
+  const auto end = std::find_if(result.rows.begin(), result.rows.end(), is_missing);
+  result.rows = result.rows.first(static_cast<std::size_t>(end - result.rows.begin()));
+}
+
+void put_json_string(TextOutput& out, std::string_view text) {
+  out.put('"');
+  while (!text.empty()) {
+    const std::size_t size = detail::utf8_length(text);
+    detail::put_escaped(out, size == 0 ? "\xEF\xBF\xBD" : text.substr(0, size));
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  out.put('"');
+}
+
+void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place,
+              std::string_view more) {
+  const Frame& frame = decoded.frame;
+  out.put("{\"offset\":");
+  out.put(frame.offset);
+  out.put(",\"command\":");
+  put_name(out, decoded.command);
+  out.put(",\"id\":");
+  out.put(frame.id);
+  out.put(",\"message\":");
+  put_name(out, decoded.message == nullptr ? "" : decoded.message->name);
+  out.put(",\"direction\":");
+  put_name(out, decoded.direction == Direction::from_board ? "from_board" : "to_board");
+  out.put(",\"framing\":");
+  put_name(out, to_string(frame.framing));
+  if (decoded.status) {
+    out.put(",\"fields\":");
+    out.put(decoded.fields);
+    if (decoded.is_for_firmware) {
+      out.put(",\"objections\":");
+      put_objections(out, decoded);
+    }
+  } else {
+    out.put(R"(,"error":{"code":)");
+    put_name(out, name(decoded.status.code));
+    out.put(",\"field\":");
+    put_json_string(out, decoded.error_field);
+    out.put(",\"offset\":");
+    out.put(decoded.status.offset);
+    out.put(R"(},"body":")");
+    out.put_hex(frame.body);
+    out.put('"');
+  }
+  if (place != nullptr) {
+    out.put(",\"time\":");
+    detail::put_real(out, place->time);
+    out.put(",\"session\":");
+    out.put(place->session);
+  }
+  out.put(more);
+  out.put('}');
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,80 @@
+/// A decoded frame and its description.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/text_output.hpp>
+#include <sbgc/visit.hpp>
+
+#include "frames/value_rows.hpp"
+
+namespace sbgc::tools {
+
+/// The result of decoding one frame. The views are valid until the decoder decodes the next one.
+struct DecodedFrame {
+  Frame frame{};
+  Direction direction{};
+  const char* command = "";              ///< "" if the id is unknown
+  const MessageInfo* message = nullptr;  ///< null if no message fits
+  Status status{};
+  std::string error_field{};  ///< the field of the error, if known
+  /// The JSON of the message, if wanted; of a body that is too short, with zeros for what is
+  /// missing.
+  std::string_view fields{};
+  Rows rows{};  ///< if wanted; of a body that is too short, the values that arrived whole
+  bool is_for_firmware{};   ///< checked against the versions of a certain board
+  std::string objection{};  ///< why a board with these versions does not know the message, or ""
+};
+
+/// The place of a frame in a capture file.
+struct CapturePlace {
+  double time{};  ///< in seconds since the start of the session
+  int session{};
+  double since_start{};  ///< in seconds since the start of the first session
+};
+
+/// Writes the object that `sbgc decode --format jsonl` prints. `more` are further members of it,
+/// with commas before them.
+void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place = nullptr,
+              std::string_view more = "");
+
+/// Writes a string of JSON. Bytes that are not UTF-8 become replacement characters.
+void put_json_string(TextOutput& out, std::string_view text);
+
+/// Decodes frames in sequence and stores the context for later ones.
+class FrameDecoder {
+ public:
+  /// The forms of a message that are wanted.
+  struct Wanted {
+    bool json{};
+    bool rows{};
+  };
+
+  /// With `versions`, objects to what a board with these versions does not know.
+  explicit FrameDecoder(Wanted wanted, std::optional<Availability> versions = std::nullopt)
+      : wanted_(wanted), versions_(versions) {}
+
+  /// `direction` is the direction of the frame; if it is missing, the frame size decides, unless
+  /// the body can only be decoded in the other direction.
+  DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
+
+ private:
+  struct Taker;
+
+  DecodedFrame decode_from(const Frame& frame, Direction direction);
+  Status decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
+                     DecodedFrame& result);
+  /// Sets the rows of a body that is too short.
+  void decode_arrived(DecodedFrame& result);
+
+  Wanted wanted_;
+  std::optional<Availability> versions_;
+  Contexts contexts_{};
+  std::string json_{};
+  ValueRows rows_{};
+};
+
+}  // namespace sbgc::tools

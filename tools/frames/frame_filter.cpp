@@ -1,0 +1,193 @@
+#include "frames/frame_filter.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/field_lookup.hpp"
+#include "values/message_names.hpp"
+#include "values/value_text.hpp"
+#include "values/words.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// Returns the number that a text consists of, if it is the id of a command.
+std::optional<std::uint8_t> id_in(std::string_view text) {
+  std::uint8_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return id;
+}
+
+/// Returns the fields of a message that the name means; none if it has no such field.
+std::vector<FoundField> fields_named(const MessageType& message, const std::string& name) {
+  try {
+    return find_fields(message.fields(), name);
+  } catch (const ValueError&) {
+    return {};  // an index is missing, or the name fits different fields
+  }
+}
+
+}  // namespace
+
+bool FieldCondition::Target::means(std::string_view path) const {
+  return std::ranges::any_of(paths, [&](const std::string& one) {
+    const bool is_element = path.size() > one.size() && path.starts_with(one) &&
+                            (path[one.size()] == '.' || path[one.size()] == '[');
+    return path == one || is_element;
+  });
+}
+
+FieldCondition::FieldCondition(const std::string& text) {
+  // The longer operators first: they begin with the shorter ones.
+  constexpr std::pair<std::string_view, Operator> operators[] = {
+      {"!=", Operator::unequal}, {"<=", Operator::most}, {">=", Operator::least},
+      {"=", Operator::equal},    {"<", Operator::less},  {">", Operator::greater},
+      {"&", Operator::has},
+  };
+  const std::size_t place = text.find_first_of("=<>!&");
+  const auto* const found = std::ranges::find_if(operators, [&](const auto& one) {
+    return place != std::string::npos &&
+           std::string_view(text).substr(place).starts_with(one.first);
+  });
+  if (found == std::end(operators) || place == 0) {
+    throw ValueError(fmt::format(
+        "'{}' is no condition; write FIELD, then =, !=, <, <=, >, >= or & (has the flag), then a "
+        "value",
+        clipped(text)));
+  }
+  name_ = trimmed(std::string_view(text).substr(0, place));
+  operator_ = found->second;
+  value_ = trimmed(std::string_view(text).substr(place + found->first.size()));
+  // A mistake must not look like a capture without such frames.
+  std::vector<FieldSource> sources;
+  std::string problem;
+  for (const MessageType& message : message_types()) {
+    sources.push_back({message.info->name, &message.fields()});
+    const std::string why_not = add_target(message);
+    if (problem.empty()) problem = why_not;
+  }
+  if (!targets_.empty()) return;
+  if (!problem.empty()) throw ValueError(problem);
+  throw ValueError(fmt::format("no message has a field '{}'{}", clipped(name_),
+                               did_you_mean(similar_fields(sources, name_))));
+}
+
+/// Adds the fields of a message that the name means. Returns why the condition cannot hold for one.
+std::string FieldCondition::add_target(const MessageType& message) {
+  Target target;
+  for (const FoundField& field : fields_named(message, name_)) {
+    const FieldType& type = field.type->innermost();
+    const std::string path = steps_text(field.steps);
+    if (type.shape == FieldShape::group) {
+      return fmt::format("{} of {} is a group; name one of its fields", path, message.info->name);
+    }
+    try {
+      target.value = parse_value(type, type.unit, value_, initial_value(type));
+    } catch (const ValueError& error) {
+      return fmt::format("{} of {}: {}", path, message.info->name, error.what());
+    }
+    target.paths.push_back(path);
+  }
+  if (!target.paths.empty()) targets_.emplace(message.info, std::move(target));
+  return {};
+}
+
+bool FieldCondition::compare(double value, double with) const {
+  switch (operator_) {
+    case Operator::equal: return value == with;
+    case Operator::unequal: return value != with;
+    case Operator::less: return value < with;
+    case Operator::most: return value <= with;
+    case Operator::greater: return value > with;
+    case Operator::least: return value >= with;
+    case Operator::has: break;
+  }
+  const auto bits = static_cast<std::int64_t>(with);
+  return (static_cast<std::int64_t>(value) & bits) == bits && bits != 0;
+}
+
+bool FieldCondition::holds(const DecodedFrame& frame) const {
+  const auto found = targets_.find(frame.message);
+  if (found == targets_.end()) return false;
+  const Target& target = found->second;
+  bool result = false;
+  for_each_value(frame, [&](const Leaf& leaf, bool has_arrived) {
+    if (result || !has_arrived || !target.means(to_string(leaf.path))) return;
+    if (target.value.is_number()) {
+      const double value =
+          leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
+      result = compare(value, target.value.get<double>());
+    } else if (target.value.is_string()) {
+      const std::string value =
+          leaf.kind == LeafKind::text ? std::string(leaf.text) : raw_text(leaf);
+      const bool is_equal = value == target.value.get<std::string>();
+      result =
+          operator_ == Operator::unequal ? !is_equal : operator_ == Operator::equal && is_equal;
+    }
+  });
+  return result;
+}
+
+void FrameFilter::add_message(const std::string& name) {
+  if (const auto id = id_in(name)) {
+    ids_.push_back(*id);
+    return;
+  }
+  const std::size_t before = messages_.size();
+  for (const Direction direction : {Direction::to_board, Direction::from_board}) {
+    for (const MessageType* const type : messages_named(name, direction)) {
+      messages_.push_back(type->info);
+    }
+  }
+  if (messages_.size() == before) {
+    throw ValueError(
+        fmt::format("there is no message '{}'{}", clipped(name), similar_messages(name)));
+  }
+}
+
+void FrameFilter::add_condition(const std::string& text) {
+  const FieldCondition& added = conditions_.emplace_back(text);
+  const bool can_hold = std::ranges::any_of(
+      messages_, [&](const MessageInfo* message) { return added.concerns(*message); });
+  if (can_hold || messages_.empty() || !ids_.empty()) return;
+  throw ValueError(fmt::format("the selected messages have no such field: '{}'", clipped(text)));
+}
+
+bool FrameFilter::wants(const DecodedFrame& frame) const {
+  const bool is_named = std::ranges::find(messages_, frame.message) != messages_.end() ||
+                        std::ranges::find(ids_, frame.frame.id) != ids_.end();
+  if (!is_named && !(messages_.empty() && ids_.empty())) return false;
+  if (conditions_.empty()) return true;
+  if (!has_values(frame)) return false;
+  return std::ranges::all_of(conditions_,
+                             [&](const FieldCondition& one) { return one.holds(frame); });
+}
+
+bool has_values(const DecodedFrame& frame) {
+  return frame.message != nullptr && !frame.fields.empty();
+}
+
+const MessageType& type_of(const DecodedFrame& frame) {
+  static const std::map<const MessageInfo*, const MessageType*> types = [] {
+    std::map<const MessageInfo*, const MessageType*> result;
+    for (const MessageType& type : message_types()) result.emplace(type.info, &type);
+    return result;
+  }();
+  return *types.at(frame.message);
+}
+
+void for_each_value(const DecodedFrame& frame, const std::function<void(const Leaf&, bool)>& use) {
+  const std::size_t arrived = frame.status ? max_body_size : frame.frame.body.size();
+  type_of(frame).for_each_value(Json::parse(frame.fields), [&](const Leaf& leaf) {
+    use(leaf, leaf.offset + leaf.size <= arrived);
+  });
+}
+
+}  // namespace sbgc::tools

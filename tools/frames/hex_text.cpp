@@ -1,0 +1,78 @@
+#include "frames/hex_text.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sbgc::tools {
+
+namespace {
+
+int digit_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string no_digit(char c) {
+  const bool printable = c > 0x20 && c < 0x7F;
+  return printable ? fmt::format("'{}' is not a hex digit", c)
+                   : fmt::format("byte 0x{:02x} is not a hex digit", static_cast<std::uint8_t>(c));
+}
+
+}  // namespace
+
+std::string to_text(const HexError& error) {
+  return fmt::format("hex text, line {} column {}: {}", error.line, error.column, error.reason);
+}
+
+std::optional<HexError> HexDecoder::feed(std::span<const std::uint8_t> text,
+                                         std::vector<std::uint8_t>& out) {
+  for (const std::uint8_t byte : text) {
+    const char c = static_cast<char>(byte);
+    ++column_;
+    if (c == '\n') {
+      if (half_) return error("half a byte at the end of the line");
+      comment_ = false;
+      ++line_;
+      column_ = 0;
+      continue;
+    }
+    if (comment_) continue;
+    const int digit = digit_value(c);
+    if (digit >= 0 && half_) {
+      out.push_back(static_cast<std::uint8_t>(high_ << 4 | digit));
+      half_ = false;
+    } else if (digit >= 0) {
+      high_ = static_cast<std::uint8_t>(digit);
+      half_ = true;
+    } else if (std::string reason = other(c); !reason.empty()) {
+      return error(std::move(reason));
+    }
+  }
+  return std::nullopt;
+}
+
+std::string HexDecoder::other(char c) {
+  const bool is_escape = std::exchange(escape_, c == '\\');
+  if ((c == 'x' || c == 'X') && ((half_ && high_ == 0) || is_escape)) {
+    half_ = false;  // it was the prefix of a byte
+    return {};
+  }
+  if (half_) return fmt::format("half a byte: a second digit is missing before '{}'", c);
+  if (c == '#') {
+    comment_ = true;
+    return {};
+  }
+  constexpr std::string_view separators = " \t\r,:;{}[]()\"'\\";
+  return separators.find(c) != std::string_view::npos ? std::string() : no_digit(c);
+}
+
+std::optional<HexError> HexDecoder::finish() const {
+  if (half_) return error("half a byte at the end: the number of hex digits is odd");
+  return std::nullopt;
+}
+
+}  // namespace sbgc::tools

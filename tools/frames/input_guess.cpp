@@ -1,0 +1,69 @@
+#include "frames/input_guess.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "frames/hex_text.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using ByteSpan = std::span<const std::uint8_t>;
+
+bool begins_with(ByteSpan bytes, std::string_view magic) {
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+/// Returns the kind of a file with a known signature; "" if there is none.
+std::string known_kind(ByteSpan bytes) {
+  using namespace std::string_view_literals;
+  constexpr std::array compressed{"\x1f\x8b"sv,
+                                  "\xfd"
+                                  "7zXZ"sv,
+                                  "\x28\xb5\x2f\xfd"sv, "BZh"sv, "PK\x03\x04"sv};
+  constexpr std::array packets{"\xd4\xc3\xb2\xa1"sv, "\xa1\xb2\xc3\xd4"sv, "\x4d\x3c\xb2\xa1"sv,
+                               "\x0a\x0d\x0d\x0a"sv};
+  const auto has = [&](std::string_view magic) { return begins_with(bytes, magic); };
+  if (std::ranges::any_of(compressed, has)) return "this is compressed: unpack it first";
+  if (std::ranges::any_of(packets, has)) {
+    return "this is a capture of network packets: extract their payload as raw bytes";
+  }
+  return "";
+}
+
+std::string kind_of_text(ByteSpan bytes) {
+  if (is_hex_text(bytes)) return "this looks like hex text: use --hex";
+  const auto first = std::ranges::find_if(bytes, [](std::uint8_t byte) { return byte > ' '; });
+  if (first == bytes.end()) return "this is white space";
+  if (*first == '{') return "this looks like JSON: use sbgc encode";
+  return "this is text, but not hex";
+}
+
+}  // namespace
+
+bool is_hex_text(std::span<const std::uint8_t> begin) {
+  HexDecoder hex;
+  std::vector<std::uint8_t> decoded;
+  return !hex.feed(begin, decoded) && !decoded.empty();
+}
+
+bool is_binary(std::span<const std::uint8_t> bytes) {
+  return std::ranges::any_of(bytes, [](std::uint8_t byte) {
+    const bool is_space = byte >= '\t' && byte <= '\r';
+    return (byte < ' ' && !is_space) || byte == 0x7F;
+  });
+}
+
+std::string guess_input(std::span<const std::uint8_t> begin, bool is_hex) {
+  if (is_hex) return "";
+  std::string kind = known_kind(begin);
+  if (kind.empty() && !is_binary(begin)) kind = kind_of_text(begin);
+  return kind;
+}
+
+}  // namespace sbgc::tools

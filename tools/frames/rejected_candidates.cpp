@@ -1,0 +1,187 @@
+#include "frames/rejected_candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/frame.hpp>
+
+#include "frames/command_lookup.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+const char* sender(Direction direction) {
+  return direction == Direction::from_board ? "the board" : "the host";
+}
+
+/// For example "CMD_CONTROL (67) from the host with a body of 15 bytes": the command that fits this
+/// body size. If both directions have one, names both.
+std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> sent) {
+  std::vector<Direction> best;
+  int best_fit = 0;
+  for (const Direction direction : {Direction::to_board, Direction::from_board}) {
+    if (sent && *sent != direction) continue;
+    if (!has_command(direction, id)) continue;
+    const int fits = body_fit(direction, id, size);
+    if (fits < best_fit) continue;
+    if (fits > best_fit) best.clear();
+    best_fit = fits;
+    best.push_back(direction);
+  }
+  const std::string bytes = fmt::format(" with a body of {} byte{}", size, size == 1 ? "" : "s");
+  if (best.empty()) {
+    const std::string name = command_name(
+        id, sent && *sent == Direction::to_board ? Direction::to_board : Direction::from_board);
+    return (name.empty() ? fmt::format("the unknown id {}", id)
+                         : fmt::format("{} ({})", name, id)) +
+           bytes;
+  }
+  std::string result;
+  std::string last_name;
+  for (const Direction direction : best) {
+    const std::string name = command_name(id, direction);
+    if (!result.empty()) result += " or ";
+    if (name != last_name) result += fmt::format("{} ({}) from ", name, id);
+    result += sender(direction);
+    last_name = name;
+  }
+  result += bytes;
+  if (best_fit != 0) return result;
+  result += best.size() > 1 ? ", an invalid size for both" : ", an invalid size";
+  const Direction other =
+      best.front() == Direction::to_board ? Direction::from_board : Direction::to_board;
+  if (best.size() == 1 && body_fit(other, id, size) != 0) {
+    result += fmt::format(" (valid for {} from {})", command_name(id, other), sender(other));
+  }
+  return result;
+}
+
+/// The checksum in the trailer of a framing.
+struct Trailer {
+  std::size_t size{};
+  bool is_crc{};
+
+  explicit Trailer(Framing framing) {
+    with_framing(framing, [this](auto f) {
+      size = FramingFacts<f()>::trailer_size;
+      is_crc = FramingFacts<f()>::trailer_checksum == ChecksumKind::crc16;
+    });
+  }
+
+  std::string name(const char* body) const {
+    return is_crc ? "the CRC-16" : fmt::format("the checksum of its {}", body);
+  }
+  /// For example "0xbcdd".
+  std::string value(const std::uint8_t* at) const {
+    std::string digits;
+    for (std::size_t i = size; i-- > 0;) digits += fmt::format("{:02x}", at[i]);
+    return "0x" + digits;
+  }
+};
+
+/// True if a frame seems to begin here.
+bool is_next_frame(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < frame_header_size) return false;
+  const Verdict verdict = AllFrameFormats::inspect(bytes.data(), bytes.size()).verdict;
+  return verdict != Verdict::no_start && verdict != Verdict::bad_header;
+}
+
+/// Returns why the candidate that begins with the start byte `bytes[0]` is not a frame.
+std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
+                   std::optional<Direction> sent) {
+  if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";
+  const std::uint8_t id = bytes[frame_id_offset];
+  const std::uint8_t size = bytes[frame_size_offset];
+  // The correct frame; missing bytes are 0.
+  std::array<std::uint8_t, max_frame_size> right{};
+  std::copy_n(bytes.begin(), std::min(bytes.size(), right.size()), right.begin());
+  const Framing framing = framing_of(bytes.data());
+  AllFrameFormats::finish(framing, right.data(), id, size, right.data() + frame_header_size);
+  if (candidate.verdict == Verdict::bad_header) {
+    if (id == 0) return "a start byte, but no command has the id 0";
+    constexpr std::size_t place = frame_header_checksum_offset;
+    return fmt::format("a start byte, but the checksum of its header is 0x{:02x}, not 0x{:02x}",
+                       bytes[place], right[place]);
+  }
+  std::string result = fmt::format("looks like {}, but ", claimed(id, size, sent));
+  const Trailer trailer(framing);
+  const std::size_t place = candidate.size - trailer.size;
+  const std::string right_value = trailer.value(&right[place]);
+  const std::string own_checksum =
+      fmt::format("{}, {},", trailer.name(size == 0 ? "empty body" : "body"), right_value);
+  if (candidate.verdict == Verdict::bad_body) {
+    if (!is_next_frame(bytes.subspan(place))) {
+      return result + fmt::format("{} is {}, not {}", trailer.name("body"),
+                                  trailer.value(&bytes[place]), right_value);
+    }
+    return result + own_checksum + " is missing: the next frame begins in its place";
+  }
+  const std::size_t missing = candidate.size - bytes.size();
+  if (missing == trailer.size) return result + own_checksum + " is missing at the end";
+  if (missing == 1) {
+    return result + fmt::format("the last of its {} bytes is missing", candidate.size);
+  }
+  return result + fmt::format("the last {} of its {} bytes are missing", missing, candidate.size);
+}
+
+}  // namespace
+
+std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t> bytes,
+                                                   std::size_t gap, std::size_t limit,
+                                                   std::optional<Direction> direction) {
+  std::vector<RejectedCandidate> result;
+  for (std::size_t at = 0; at < gap && result.size() < limit; ++at) {
+    const auto from = bytes.subspan(at);
+    const Candidate candidate = AllFrameFormats::inspect(from.data(), from.size());
+    if (candidate.verdict == Verdict::no_start) continue;
+    if (candidate.verdict == Verdict::frame) continue;  // belongs to another candidate
+    const bool has_header =
+        candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;
+    result.push_back({at, candidate.verdict, has_header, reason(candidate, from, direction)});
+  }
+  return result;
+}
+
+void GapExplainer::add(std::span<const std::uint8_t> bytes) {
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(used_));
+  used_ = 0;
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
+void GapExplainer::advance(std::uint64_t offset) {
+  const std::uint64_t end = scanned_ + (bytes_.size() - used_);
+  scan(std::min(offset, end - std::min<std::uint64_t>(rejection_reach, end)));
+}
+
+std::vector<RejectedCandidate> GapExplainer::end_gap(std::uint64_t end, std::uint64_t next) {
+  scan(end);
+  used_ += static_cast<std::size_t>(next - scanned_);
+  scanned_ = next;
+  return std::exchange(found_, {});
+}
+
+void GapExplainer::scan(std::uint64_t end) {
+  if (end <= scanned_) return;
+  const auto gap = static_cast<std::size_t>(end - scanned_);
+  auto bytes = std::span<const std::uint8_t>(bytes_).subspan(used_);
+  bytes = bytes.first(std::min(bytes.size(), gap + rejection_reach));
+  // Noise contains many start bytes: of those without a valid header, report only the first, and
+  // only if there is nothing better.
+  constexpr std::size_t most = 3;
+  for (RejectedCandidate& candidate : rejected_candidates(bytes, gap, gap, direction_)) {
+    candidate.offset += scanned_;
+    const bool is_only_noise_yet = found_.size() == 1 && !found_[0].has_header;
+    if (candidate.has_header && is_only_noise_yet) found_.clear();
+    if (found_.empty() || (candidate.has_header && found_.size() < most)) {
+      found_.push_back(std::move(candidate));
+    }
+  }
+  used_ += gap;
+  scanned_ = end;
+}
+
+}  // namespace sbgc::tools

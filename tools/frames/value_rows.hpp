@@ -1,0 +1,122 @@
+/// The values of a message in readable form.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <sbgc/text.hpp>
+
+namespace sbgc::tools {
+
+/// The text of a path.
+class PathText {
+ public:
+  void assign(const FieldPath& path) {
+    if (!is_of(path)) replace(path);
+  }
+  std::string_view text() const { return text_; }
+
+ private:
+  /// The path from the innermost name on. Names are literals, so equal pointers are equal names.
+  struct Level {
+    const char* name{};
+    std::size_t index{};
+  };
+  static constexpr std::size_t most_levels = 6;
+
+  bool is_of(const FieldPath& path) const {
+    const Level* level = levels_.data();
+    for (const FieldPath* at = &path; at != nullptr; at = at->parent, ++level) {
+      if (at->name != level->name || at->index != level->index) return false;
+    }
+    return level->name == nullptr;
+  }
+  void replace(const FieldPath& path);
+
+  std::array<Level, most_levels + 1> levels_{};  // ends with an empty one
+  std::string text_{};
+};
+
+/// One value of a message. Its raw value and its meaning are texts of Rows.
+struct Row {
+  PathText path{};
+  std::string objection{};  ///< violation of the specification, such as "is below 1 Hz", or with
+                            ///< its own subject, "MODE_RC needs firmware 2.66"
+  std::size_t offset{};     ///< offset of the value in the body
+  std::size_t size{};       ///< size of the value in bytes
+  // The places of the texts, one after another.
+  std::size_t raw{};
+  std::size_t meaning{};
+  std::size_t end{};
+};
+
+/// The values of one message.
+class Rows {
+ public:
+  Rows() = default;
+  Rows(std::span<const Row> rows, const char* text) : rows_(rows), text_(text) {}
+
+  bool empty() const { return rows_.empty(); }
+  Rows first(std::size_t count) const { return {rows_.first(count), text_}; }
+  auto begin() const { return rows_.begin(); }
+  auto end() const { return rows_.end(); }
+
+  std::string_view raw(const Row& row) const { return {text_ + row.raw, row.meaning - row.raw}; }
+  /// Returns the value in its unit, or its name.
+  std::string_view meaning(const Row& row) const {
+    return {text_ + row.meaning, row.end - row.meaning};
+  }
+
+ private:
+  std::span<const Row> rows_{};
+  const char* text_ = "";
+};
+
+/// The values of one message after another. Keeps its memory.
+class ValueRows {
+ public:
+  /// Replaces the rows by those of a message, without reserved values that are 0.
+  template <class M>
+  void assign(const M& message, const Availability& versions) {
+    begin(Meta<M>::info);
+    StringOutput out(text_);
+    for_each_leaf(message, Adder{*this, out});
+    out.finish();
+    validate(message, versions, Objector{*this});
+  }
+
+  /// Returns the rows, valid until the next message.
+  Rows rows() const { return {{rows_->data(), size_}, text_.data()}; }
+
+ private:
+  struct Adder {
+    ValueRows& rows;
+    StringOutput& out;
+
+    void operator()(const Leaf& leaf) const { rows.add(leaf, out); }
+  };
+  struct Objector {
+    ValueRows& rows;
+
+    void operator()(const Violation& violation) const { rows.object(violation); }
+  };
+
+  void begin(const MessageInfo& info);
+  void add(const Leaf& leaf, StringOutput& out);
+  void object(const Violation& violation);
+
+  // The paths of a message rarely change from one frame to the next.
+  std::unordered_map<const MessageInfo*, std::vector<Row>> rows_of_messages_;
+  std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
+  std::size_t size_ = 0;
+  std::size_t objected_ = 0;  // the last row that has an objection
+  std::string text_;
+};
+
+}  // namespace sbgc::tools

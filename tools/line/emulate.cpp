@@ -1,0 +1,363 @@
+// sbgc emulate: emulated gimbals.
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <asio/io_context.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <sbgc/io/clock.hpp>
+#include <sbgc/protocol.hpp>
+#include <sbgc/text.hpp>
+
+#include "command/commands.hpp"
+#include "command/wording.hpp"
+#include "frames/command_lookup.hpp"
+#include "serving/arguments.hpp"
+#include "serving/nonblocking_lines.hpp"
+#include "serving/service.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using serving::Service;
+using serving::ServiceOptions;
+
+struct EmulateOptions {
+  ServiceOptions service{};
+  std::uint32_t seed = 1;
+  bool verbose = false;
+  std::optional<Duration> seconds{};
+};
+
+const char* to_text(emulator::Outcome outcome) {
+  switch (outcome) {
+    case emulator::Outcome::executed: return "executed";
+    case emulator::Outcome::refused: return "refused";
+    case emulator::Outcome::unknown: return "not supported";
+    case emulator::Outcome::malformed: return "malformed";
+    case emulator::Outcome::lost: return "lost: input buffer full";
+    case emulator::Outcome::not_listening: return "not listening";
+  }
+  return "?";
+}
+
+/// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>` for
+/// frames to the board and `<` for frames from it.
+std::string describe_frame(const emulator::Board::Traffic& traffic) {
+  const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
+  const Frame& frame = traffic.frame;
+  const std::string name = command_name(frame.id, direction);
+  std::string result = fmt::format(
+      "{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6, traffic.port,
+      traffic.outcome ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
+      counted(frame.body.size(), "byte"));
+  if (traffic.outcome) result += fmt::format("  {}", to_text(*traffic.outcome));
+  return result;
+}
+
+/// True if closing the terminal ends the program; false under nohup.
+bool exits_on_hangup() {
+  struct sigaction action {};
+  return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
+}
+
+/// Raises the file limit: each pseudo-terminal needs two files, each host one.
+void allow_many_files() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);  // on failure, opening a file reports the error
+}
+
+int serve(const EmulateOptions& options) {
+  // Standard output then carries the bytes of the host.
+  const bool logs_to_stderr = options.service.stdio;
+  // Serving hosts must not depend on readers of the log: slow or closed readers and full disks are
+  // tolerated.
+  serving::NonblockingLines problems(STDERR_FILENO);
+  std::optional<serving::NonblockingLines> events;
+  if (!logs_to_stderr) events.emplace(STDOUT_FILENO);
+  serving::ServiceLogs logs;
+  // These lines are required by readers; a failure to write them shows in the exit status.
+  logs.endpoint = [out = logs_to_stderr ? stderr : stdout](const std::string& text) {
+    std::fputs((text + "\n").c_str(), out);
+    std::fflush(out);
+  };
+  logs.warning = [&](const std::string& text) { problems.write_line("sbgc: " + text); };
+  if (options.verbose) {
+    logs.event = [&](const std::string& text) { (events ? *events : problems).write_line(text); };
+    logs.describe_frame = describe_frame;
+  }
+
+  allow_many_files();
+  std::signal(SIGPIPE, SIG_IGN);  // a closed reader must not kill the process
+  asio::io_context context(1);
+  asio::signal_set signals(context, SIGINT, SIGTERM);
+  if (exits_on_hangup()) signals.add(SIGHUP);
+  signals.async_wait([&](std::error_code error, int) {
+    if (!error) context.stop();
+  });
+  asio::steady_timer timer(context);
+  if (options.seconds) {
+    timer.expires_after(io::to_chrono(*options.seconds));
+    timer.async_wait([&](std::error_code error) {
+      if (!error) context.stop();
+    });
+  }
+  std::error_code problem;
+  Service service(context, options.service, logs, [&](std::error_code error) {
+    problem = error;
+    context.stop();
+  });
+  context.run();
+  const bool is_saved = service.finish();
+  if (!is_saved) logs.warning("not everything could be saved");
+  if (problem) logs.warning("standard input and output: " + problem.message());
+  return is_saved && !problem ? success : failure;
+}
+
+/// Adds an option whose value is parsed by `parse`.
+template <class Parse, class Use>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Parse parse, Use use,
+                        const std::string& help, const char* type) {
+  const auto read = [name, parse, use](const std::string& text) {
+    try {
+      use(parse(text));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  return command.add_option_function<std::string>(name, read, help)->type_name(type);
+}
+
+constexpr std::uint32_t slowest_rate = 300;
+constexpr std::uint32_t fastest_rate = 4'000'000;
+
+/// Returns 0 for "settings".
+std::uint32_t parse_rate(const std::string& text) {
+  if (text == "settings") return 0;
+  std::uint32_t rate = 0;
+  if (!CLI::detail::lexical_cast(text, rate) || rate < slowest_rate || rate > fastest_rate) {
+    throw std::invalid_argument(
+        fmt::format("'{}' is neither a baud rate from {} to {} nor 'settings'", text, slowest_rate,
+                    fastest_rate));
+  }
+  return rate;
+}
+
+std::string problem_of_path(const std::string& path) {
+  return path.empty() ? "the path is empty" : "";
+}
+
+void add_board_options(CLI::App& command, EmulateOptions& options) {
+  ServiceOptions& service = options.service;
+  emulator::BoardOptions& board = service.emulator.board;
+  add_parsed(
+      command, "--firmware", serving::parse_firmware,
+      [&](msg::FirmwareVersion version) {
+        board.firmware = version;
+        service.firmware_is_given = true;
+      },
+      "Firmware version, such as 2.43b9, up to " +
+          to_string(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
+      "VERSION")
+      ->group("The board");
+  add_parsed(
+      command, "--board", serving::parse_board,
+      [&](msg::BoardVersion version) {
+        board.board = version;
+        service.board_is_given = true;
+      },
+      "Board version [3.0, or 3.6 with firmware that has commands for it]", "VERSION")
+      ->group("The board");
+  command
+      .add_option("--input-buffer", board.input_buffer,
+                  "Size of the request queue in bytes; requests that do not fit are lost; 0: "
+                  "no limit")
+      ->check(CLI::Range(0, 1 << 20))
+      ->type_name("BYTES")
+      ->capture_default_str()
+      ->group("The board");
+  add_parsed(
+      command, "--motion", serving::parse_motion,
+      [&](const emulator::Disturbance& motion) { board.gimbal.frame = motion; },
+      "Motion of the frame: rest, handheld, drone, vehicle, or a CSV file with lines "
+      "time,roll,pitch,yaw in seconds and degrees, which repeats [rest]",
+      "rest|handheld|drone|vehicle|FILE")
+      ->group("The board");
+  add_parsed(
+      command, "--reset-at", serving::parse_seconds,
+      [&](Duration at) { service.emulator.restart_at = at; }, "Restart the board after this time",
+      "SECONDS")
+      ->group("The board");
+  command
+      .add_option(
+          "--state", service.state,
+          "File for the nonvolatile memory of the board: loaded if it exists; the board confirms a "
+          "change once it is saved; with --count: FILE-1, FILE-2 ...")
+      ->type_name("FILE")
+      ->check(problem_of_path)
+      ->group("The board");
+  command.add_option("--count", service.count, "Number of boards")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("The board");
+  command
+      .add_option("--seed", options.seed,
+                  "Seed of all random numbers: the same seed gives the same noise")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("The board");
+}
+
+void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
+  ServiceOptions& service = options.service;
+  command.add_flag("--pty", service.terminal, "A pseudo-terminal; the default")
+      ->group("Where hosts connect");
+  command
+      .add_option("--link", service.link,
+                  "A symbolic link to the pseudo-terminal; with --count: PATH-1, "
+                  "PATH-2 ...")
+      ->type_name("PATH")
+      ->check(problem_of_path)
+      ->group("Where hosts connect");
+  const auto add_listen = [&](const char* name, std::optional<serving::ListenAddress>& address,
+                              const char* help) {
+    add_parsed(
+        command, name, serving::parse_listen,
+        [&address](const serving::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
+        ->group("Where hosts connect");
+  };
+  add_listen("--tcp", service.tcp,
+             "Listen on this TCP port, 0 for any free one; on localhost unless HOST is another "
+             "address of this machine; with --count: on this port and the following ones");
+  add_listen("--udp", service.udp,
+             "Listen on this UDP port. Each sender is a host; if all places are in use, a new host "
+             "replaces the one silent longest. A board has 8 places; TCP and UDP get half each");
+  command
+      .add_flag("--stdio", service.stdio,
+                "Standard input and output; messages go to standard error")
+      ->group("Where hosts connect");
+}
+
+void add_line_options(CLI::App& command, EmulateOptions& options) {
+  emulator::EmulatorOptions& emulator = options.service.emulator;
+  emulator::LineOptions& line = emulator.line;
+  emulator::Faults& faults = line.faults;
+  const auto add = [&](const char* name, auto parse, auto use, const char* help, const char* type) {
+    return add_parsed(command, name, parse, use, help, type)->group("The line");
+  };
+  add(
+      "--baud", parse_rate,
+      [&](std::uint32_t rate) {
+        emulator.rate_from_parameters = rate == 0;
+        line.board.baud_rate = rate;
+      },
+      "Limit the rate; a host with another rate on the pseudo-terminal sends and receives "
+      "garbage; 'settings' selects the rate in the board's parameters [no limit]",
+      "RATE");
+  command
+      .add_option_function<std::string>(
+          "--parity",
+          [&](const std::string& parity) {
+            line.board.parity = parity == "even" ? Parity::even : Parity::none;
+          },
+          "Parity of the line; a byte with parity takes 11 bits [none]")
+      ->check(CLI::IsMember({"none", "even"}))
+      ->type_name("PARITY")
+      ->group("The line");
+  const auto add_share = [&](const char* name, double& share, const char* help) {
+    add(
+        name, serving::parse_share, [&share](double parsed) { share = parsed; }, help, "SHARE");
+  };
+  add_share("--bit-errors", faults.bit_errors, "Share of flipped bits");
+  add_share("--lose", faults.lost, "Share of lost bytes");
+  add_share("--duplicate", faults.duplicated, "Share of duplicated bytes");
+  add(
+      "--delay", serving::parse_delay,
+      [&](const serving::DelayFault& delay) {
+        faults.delayed = delay.share;
+        faults.delay = delay.delay;
+      },
+      "Share of bytes that are delayed, by 20 ms or this time; later bytes wait", "SHARE[:MS]");
+  add(
+      "--text", serving::parse_interval, [&](Duration every) { faults.text_every = every; },
+      "Interval of text lines between frames of the board", "SECONDS");
+  add(
+      "--silence", serving::parse_silence,
+      [&](const emulator::Silence& silence) { faults.silences.push_back(silence); },
+      "A period in seconds in which the line carries nothing; may be repeated", "FROM:LENGTH")
+      ->take_all()
+      ->trigger_on_parse();
+}
+
+/// Checks and completes combinations of options.
+void check(EmulateOptions& options) {
+  ServiceOptions& service = options.service;
+  if (!service.tcp && !service.udp && !service.stdio) service.terminal = true;
+  if (!service.link.empty()) service.terminal = true;
+  if (service.stdio && service.count > 1) {
+    throw CLI::ValidationError("--stdio", "requires --count 1");
+  }
+  for (const auto* const address : {&service.tcp, &service.udp}) {
+    if (*address && (*address)->port != 0 &&
+        (*address)->port + service.count - 1 > std::numeric_limits<std::uint16_t>::max()) {
+      throw CLI::ValidationError("--count", fmt::format("there are fewer than {} ports from {}",
+                                                        service.count, (*address)->port));
+    }
+  }
+  service.emulator.line.seed = options.seed;
+  service.emulator.board.gimbal.seed = options.seed;
+}
+
+}  // namespace
+
+void add_emulate(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them")
+          ->group(heading::bytes);
+  auto options = std::make_shared<EmulateOptions>();
+  add_endpoint_options(*command, *options);
+  add_board_options(*command, *options);
+  add_line_options(*command, *options);
+  command->add_flag("-v,--verbose", options->verbose,
+                    "Print each frame, and hosts that connect and leave");
+  add_parsed(
+      *command, "--seconds", serving::parse_seconds,
+      [options](Duration time) { options->seconds = time; },
+      "Stop after this time; otherwise with Ctrl-C", "SECONDS");
+  command->footer(
+      "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
+      "  emulated gimbal 1: /dev/pts/7 (also /tmp/gimbal)\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc emulate --link /tmp/gimbal --verbose\n"
+      "  sbgc emulate --tcp 5000 --count 20 --state gimbals/state\n"
+      "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
+      "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
+      "\n"
+      "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end of standard "
+      "input; 1 if something cannot be opened or saved; 2 for wrong usage, including a motion "
+      "file that cannot be read.");
+  command->callback([options, &context] {
+    check(*options);
+    context.status = serve(*options);
+  });
+}
+
+}  // namespace sbgc::tools

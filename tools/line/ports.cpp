@@ -1,0 +1,66 @@
+// sbgc ports: lists the serial ports of this machine.
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/io/ports.hpp>
+#include <sbgc/text/values.hpp>
+
+#include "command/commands.hpp"
+#include "line/listed_ports.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct PortsOptions {
+  std::string format = "text";
+};
+
+void print_text(const io::PortInfo& port) {
+  // Quote text from the device: it may contain anything.
+  fmt::print("{}", port.name);
+  if (!port.description.empty()) fmt::print("  {}", detail::quoted(port.description));
+  fmt::print("\n");
+  if (!port.usb) return;
+  const io::UsbInfo& usb = *port.usb;
+  fmt::print("    USB {:04x}:{:04x}", usb.vendor_id, usb.product_id);
+  const auto add = [](const char* what, const std::string& text) {
+    if (!text.empty()) fmt::print(", {} {}", what, detail::quoted(text));
+  };
+  add("manufacturer", usb.manufacturer);
+  add("product", usb.product);
+  add("serial number", usb.serial_number);
+  fmt::print("\n");
+}
+
+int print_ports(const PortsOptions& options) {
+  const io::PortList list = listed_ports();
+  if (list.error) throw std::runtime_error(list.error.message);
+  if (options.format == "json") {
+    fmt::print("{}\n", ports_json(list.ports).dump(2, ' ', false, Json::error_handler_t::replace));
+    return success;
+  }
+  for (const io::PortInfo& port : list.ports) print_text(port);
+  if (list.ports.empty()) fmt::print("No serial ports found.\n");
+  return success;
+}
+
+}  // namespace
+
+void add_ports(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("ports", "List the serial ports of this machine")->group(heading::look);
+  auto options = std::make_shared<PortsOptions>();
+  command->add_option("--format", options->format, "Output format")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->callback([options, &context] { context.status = print_ports(*options); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,320 @@
+// sbgc record: records a line to a capture.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <sbgc/io/observer.hpp>
+#include <sbgc/io/open.hpp>
+#include <sbgc/io/recorder.hpp>
+
+#include "board/reconnecting.hpp"
+#include "command/commands.hpp"
+#include "command/duration.hpp"
+#include "command/interruption.hpp"
+#include "command/number_range.hpp"
+#include "command/remark.hpp"
+#include "command/standard_output.hpp"
+#include "command/wording.hpp"
+#include "line/stream_interval.hpp"
+#include "line/stream_type.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct RecordOptions {
+  std::vector<std::string> places;  // [ADDRESS] FILE
+  std::string address;
+  std::string file;
+  std::vector<std::string> streams;
+  std::vector<double> rates;
+  std::optional<std::chrono::milliseconds> time;
+  std::optional<double> seconds;
+};
+
+/// Reads until the end of the stream or until it is stopped, and discards the bytes.
+class Listener {
+ public:
+  Listener(io::Transport& transport, std::function<void()> at_end)
+      : transport_(transport), at_end_(std::move(at_end)) {}
+
+  void read() {
+    transport_.async_read(buffer_, [this](std::error_code error, std::size_t size) {
+      total_ += size;
+      if (!error) return read();
+      if (!stopped_ && error != io::Errc::end_of_stream) problem_ = error.message();
+      at_end_();
+    });
+  }
+
+  void stop() {
+    stopped_ = true;
+    transport_.close();
+  }
+
+  std::uint64_t total() const { return total_; }
+  const std::string& problem() const { return problem_; }
+
+ private:
+  io::Transport& transport_;
+  std::function<void()> at_end_;
+  std::array<std::uint8_t, 4096> buffer_{};
+  std::uint64_t total_ = 0;
+  bool stopped_ = false;
+  std::string problem_;
+};
+
+int record_line(const RecordOptions& options) {
+  asio::io_context context;
+  io::CaptureWriter writer;
+  io::OpenResult opened = io::open(context.get_executor(), options.address);
+  if (!opened) throw std::runtime_error(opened.error.message);
+  // Standard output then carries only the capture.
+  const bool to_stdout = options.file == "-";
+  const io::Error error =
+      to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
+  if (error) throw std::runtime_error(error.message);
+
+  std::string file_problem;
+  std::function<void()> stop;
+  const auto on_error = [&](const io::Error& reason) {
+    file_problem = reason.message;
+    if (stop) stop();  // otherwise it failed before the listener existed
+  };
+  const std::unique_ptr<io::Transport> transport =
+      io::record(std::move(opened.transport), std::move(writer), {.on_error = on_error});
+  if (!file_problem.empty()) throw std::runtime_error(file_problem);
+  asio::signal_set signals(context, SIGINT, SIGTERM);
+  asio::steady_timer timer(context);
+  Listener listener(*transport, [&] {
+    signals.cancel();
+    timer.cancel();
+  });
+  stop = [&] { listener.stop(); };
+  const auto stop_unless_cancelled = [&](std::error_code cancelled) {
+    if (!cancelled) stop();
+  };
+  signals.async_wait([&](std::error_code cancelled, int) { stop_unless_cancelled(cancelled); });
+  if (options.time) {
+    timer.expires_after(*options.time);
+    timer.async_wait(stop_unless_cancelled);
+  }
+  if (!to_stdout) fmt::print("{}\n", transport->description());
+  std::fflush(stdout);
+  listener.read();
+  context.run();
+  if (!to_stdout) {
+    fmt::print("{} recorded in {}\n", counted(listener.total(), "byte"), options.file);
+  }
+  if (!file_problem.empty()) throw std::runtime_error(file_problem);
+  if (!listener.problem().empty()) throw std::runtime_error(listener.problem());
+  if (listener.total() == 0) {
+    remark("sbgc: nothing arrived; a board sends little unless it is asked, as by --stream\n");
+  }
+  return success;
+}
+
+/// A stream that is asked for, and its rate.
+struct WantedStream {
+  std::unique_ptr<StreamType> type{};
+  std::chrono::milliseconds interval{};
+};
+
+/// Reads "NAME" or "NAME:WITH", and the rates: one for each stream, or one for all.
+std::vector<WantedStream> wanted_streams(const RecordOptions& options) {
+  constexpr double usual_rate = 50;
+  const std::size_t rates = options.rates.size();
+  if (rates > 1 && rates != options.streams.size()) {
+    throw CommandError("use one --rate for each --stream, or one for all", wrong_usage);
+  }
+  std::vector<WantedStream> result;
+  for (std::size_t i = 0; i < options.streams.size(); ++i) {
+    const std::string& text = options.streams[i];
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    WantedStream wanted{StreamType::find(text.substr(0, colon)), {}};
+    if (colon != text.size()) wanted.type->configure(text.substr(colon + 1));
+    const double rate = rates == 0 ? usual_rate : options.rates[rates == 1 ? 0 : i];
+    wanted.interval = interval_of(rate);
+    result.push_back(std::move(wanted));
+  }
+  return result;
+}
+
+/// Counts the bytes from the board.
+class ByteCounter final : public io::Observer {
+ public:
+  explicit ByteCounter(std::atomic<std::uint64_t>& total) : total_(total) {}
+
+  void on_read(std::span<const std::uint8_t> bytes) override { total_ += bytes.size(); }
+  void on_written(std::span<const std::uint8_t>) override {}
+
+ private:
+  std::atomic<std::uint64_t>& total_;
+};
+
+/// Records a conversation with the board. Each connection becomes a session of the capture.
+int record_board(const RecordOptions& options, const CommandContext& context) {
+  const std::vector<WantedStream> streams = wanted_streams(options);
+  const bool to_stdout = options.file == "-";
+  std::signal(SIGPIPE, SIG_IGN);
+  std::atomic<std::uint64_t> total = 0;
+  std::mutex mutex;
+  std::string problem;  // guarded by the mutex
+  const auto fail_with = [&](const io::Error& error) {
+    const std::lock_guard lock(mutex);
+    if (problem.empty()) problem = without_period(error.message);
+  };
+  const auto has_failed = [&] {
+    const std::lock_guard lock(mutex);
+    return !problem.empty();
+  };
+  const auto record = [&](std::unique_ptr<io::Transport> transport) {
+    io::CaptureWriter writer;
+    const io::Error error =
+        to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
+    if (error) {
+      fail_with(error);
+      return transport;
+    }
+    return io::record(io::observe(std::move(transport), std::make_shared<ByteCounter>(total)),
+                      std::move(writer), {.on_error = fail_with});
+  };
+  ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
+    connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
+      return record(wrap ? wrap(std::move(transport)) : std::move(transport));
+    };
+  });
+  const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
+  const Subscription changes = report_changes(client);
+  std::vector<Subscription> running;
+  running.reserve(streams.size());
+  for (const WantedStream& one : streams) {
+    running.push_back(value_of(one.type->start(client, one.interval, [](const Sample&) {})));
+  }
+  if (!to_stdout) fmt::print("{}\n", client.description());
+  std::fflush(stdout);
+  const auto end = options.time ? std::chrono::steady_clock::now() + *options.time
+                                : std::chrono::steady_clock::time_point::max();
+  while (!was_interrupted() && !has_failed() && client.state() != LinkState::given_up &&
+         std::chrono::steady_clock::now() < end) {
+    pollfd signal{interruption_descriptor(), POLLIN, 0};
+    poll(&signal, 1, 50);
+  }
+  running.clear();
+  client.close();
+  if (!to_stdout) {
+    fmt::print("{} recorded in {}\n", counted(total, "byte"), options.file);
+  }
+  if (has_failed()) throw CommandError(problem);
+  return success;
+}
+
+/// Throws CommandError for options that have no effect while a line is only listened to.
+void reject_options_of_a_board(const GimbalOptions& gimbal) {
+  const std::pair<bool, const char*> options[] = {
+      {gimbal.timeout.has_value(), "--timeout"},
+      {gimbal.attempts.has_value(), "--attempts"},
+      {gimbal.attempt_timeout.has_value(), "--attempt-time"},
+      {!gimbal.capture.empty(), "--capture"},
+      {gimbal.verbose, "--verbose"},
+  };
+  for (const auto& [is_given, name] : options) {
+    if (!is_given) continue;
+    throw CommandError(fmt::format("{} has no effect while the line is only listened to; with "
+                                   "--port ADDRESS, the command connects to the board",
+                                   name),
+                       wrong_usage);
+  }
+}
+
+/// With --stream or a gimbal of its own, the board is asked; otherwise the line is listened to.
+int run_record(RecordOptions options, CommandContext& context) {
+  options.file = options.places.back();
+  if (options.file == "-") require_no_terminal("a file instead of -");
+  const bool has_address = options.places.size() == 2;
+  const bool has_gimbal = !context.gimbal.port.empty() || !context.gimbal.name.empty();
+  if (has_address && has_gimbal) {
+    throw CommandError("the address is given twice", wrong_usage);
+  }
+  if (!has_address && !has_gimbal && options.streams.empty()) {
+    throw CommandError("expected an address and a file; or a file and --port, --gimbal or --stream",
+                       wrong_usage);
+  }
+  if (!options.rates.empty() && options.streams.empty()) {
+    throw CommandError("--rate is for --stream, which is missing", wrong_usage);
+  }
+  if (has_gimbal || !options.streams.empty()) {
+    if (has_address) context.gimbal.port = options.places.front();
+    return record_board(options, context);
+  }
+  reject_options_of_a_board(context.gimbal);
+  options.address = options.places.front();
+  return record_line(options);
+}
+
+}  // namespace
+
+void add_record(CLI::App& app, CommandContext& context) {
+  auto* const command = app.add_subcommand("record", "Record the output of a board to a capture")
+                            ->group(heading::bytes);
+  auto options = std::make_shared<RecordOptions>();
+  command
+      ->add_option("places", options->places,
+                   "The capture; an existing file gets a new session, - means standard output. "
+                   "Before it, an address: then the line is only listened to, unless --stream is "
+                   "given; also pty: and capture:FILE")
+      ->required()
+      ->expected(1, 2)
+      ->type_name("[ADDRESS] FILE");
+  command
+      ->add_option("--stream", options->streams,
+                   "Ask the board for this data stream, such as RealtimeData4, or "
+                   "'RealtimeDataCustom:IMU_ANGLES|RC_DATA'; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME[:WITH]");
+  command
+      ->add_option("--rate", options->rates,
+                   "Messages of a stream per second (50): one for each --stream, or one for all")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(number_range(0.02, 1000.0));
+  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
+  command->add_option("--seconds", options->seconds, "The same, as a number of seconds")
+      ->check(number_range(0.0, 1e9));
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "With --port, --gimbal or --stream, the command connects to the board; if the line is lost, "
+      "it connects again, and the capture gets a new session. With an address only, it sends "
+      "nothing, and ends with the line. `sbgc decode` shows a capture, and `sbgc replay` or "
+      "capture:FILE replays it; `sbgc record ADDRESS - | sbgc decode` shows the frames live. The "
+      "exit status is 0 if everything was recorded, 1 if not, 2 for wrong usage.");
+  command->callback([options, &context] {
+    if (options->seconds) {
+      options->time = std::chrono::milliseconds(std::llround(*options->seconds * 1000));
+    }
+    context.status = run_record(*options, context);
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,224 @@
+// sbgc stream: the values of a data stream, as a table, CSV or JSON.
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "board/reconnecting.hpp"
+#include "command/commands.hpp"
+#include "command/duration.hpp"
+#include "command/help_text.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/terminal.hpp"
+#include "command/wording.hpp"
+#include "line/field_patterns.hpp"
+#include "line/line_queue.hpp"
+#include "line/sample_writer.hpp"
+#include "line/stream_interval.hpp"
+#include "line/stream_type.hpp"
+#include "values/message_type.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct StreamOptions {
+  std::string name;
+  double rate = 50;
+  std::string format = "text";
+  std::string fields;
+  std::string with;
+  std::optional<std::chrono::milliseconds> time;
+  bool unix_time = false;
+};
+
+/// Counts the samples of a stream, and from its rate those that are missing.
+class SampleCounter {
+ public:
+  explicit SampleCounter(std::chrono::milliseconds interval) : interval_(interval) {}
+
+  /// Returns the time since the last sample of this connection.
+  Clock::duration count(Clock::time_point now, std::uint64_t connection) {
+    if (connection != connection_) {
+      finish();
+      connection_ = connection;
+      first_ = now;
+      last_ = now;
+    }
+    const Clock::duration pause = now - last_;
+    last_ = now;
+    ++samples_;
+    ++total_;
+    return pause;
+  }
+  void finish() {
+    if (samples_ == 0) return;
+    const auto due = std::llround(std::chrono::duration<double>(last_ - first_) /
+                                  std::chrono::duration<double>(interval_));
+    lost_ += std::max<std::int64_t>(due + 1 - samples_, 0);
+    samples_ = 0;
+  }
+  std::int64_t total() const { return total_; }
+  std::int64_t lost() const { return lost_; }
+
+ private:
+  std::chrono::milliseconds interval_;
+  std::uint64_t connection_ = 0;
+  Clock::time_point first_{};
+  Clock::time_point last_{};
+  std::int64_t samples_ = 0;  // of this connection
+  std::int64_t total_ = 0;
+  std::int64_t lost_ = 0;
+};
+
+SampleFormat format_named(std::string_view name) {
+  if (name == "csv") return SampleFormat::csv;
+  return name == "jsonl" ? SampleFormat::jsonl : SampleFormat::text;
+}
+
+/// Writes to the standard output; returns false if its reader has left.
+bool write_out(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  if (errno != EPIPE) throw CommandError("cannot write to the standard output");
+  std::clearerr(stdout);
+  return false;
+}
+
+std::unique_ptr<StreamType> chosen_stream(const StreamOptions& options) {
+  auto stream = StreamType::find(options.name);
+  stream->configure(options.with);
+  if (!options.fields.empty() && options.with.empty()) stream->configure_for(options.fields);
+  if (stream->lacks_flags() && options.with.empty()) {
+    std::string names;
+    for (const std::string& name : stream->flags()) names += (names.empty() ? "" : ", ") + name;
+    throw CommandError(fmt::format("choose what {} contains with --fields or --with; there are {}",
+                                   stream->info().name, names),
+                       wrong_usage);
+  }
+  return stream;
+}
+
+std::vector<StreamField> shown_fields(const StreamType& stream, const std::string& patterns) {
+  const std::vector<StreamField> fields = stream.fields();
+  std::vector<std::string> paths;
+  paths.reserve(fields.size());
+  for (const StreamField& field : fields) paths.push_back(field.path);
+  const std::vector<bool> chosen =
+      chosen_fields(patterns, *find_message(stream.info().name), paths);
+  std::vector<StreamField> result;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (chosen[i]) result.push_back(fields[i]);
+  }
+  return result;
+}
+
+void report_losses(const SampleCounter& counter, std::uint64_t dropped) {
+  if (counter.lost() != 0) {
+    remark("sbgc: about {} lost on the line, {} received\n",
+           counted(static_cast<std::uint64_t>(counter.lost()), "message"), counter.total());
+  }
+  if (dropped != 0) {
+    remark("sbgc: {} not written, because the output was too slow\n", counted(dropped, "message"));
+  }
+}
+
+int run_stream(const StreamOptions& options, const CommandContext& context) {
+  const auto interval = interval_of(options.rate);
+  const auto stream = chosen_stream(options);
+  const bool is_watched = is_terminal(stdout);
+  const auto writer = SampleWriter::make(
+      format_named(options.format), stream->info().name, shown_fields(*stream, options.fields),
+      is_watched ? line_width() : 0, options.unix_time ? SampleKey::unix_time : SampleKey::time);
+  std::signal(SIGPIPE, SIG_IGN);
+  LineQueue lines;
+  SampleCounter counter(interval);
+  ReconnectingClient client = connect_for_long(context.gimbal);
+  const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
+  const bool ends = is_replay(context.gimbal);
+  std::atomic<bool> has_ended = false;
+  const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
+                                    : report_changes(client);
+
+  const auto start = Clock::now();
+  const double start_unix =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  lines.put(writer->header());
+  // A stream that is silent for longer is started again.
+  const auto longest = std::max<Clock::duration>(ReconnectOptions{}.longest_silence, 3 * interval);
+  const auto take = [&](const Sample& sample) {
+    if (has_ended) return;  // the capture begins again
+    const auto now = Clock::now();
+    const double time = std::chrono::duration<double>(now - start).count();
+    const auto pause = counter.count(now, client.connections());
+    if (pause > longest) {
+      remark("sbgc: no messages for {:.1f} s; the board may have restarted\n",
+             std::chrono::duration<double>(pause).count());
+    }
+    lines.put(writer->line(options.unix_time ? start_unix + time : time, sample));
+  };
+  Subscription samples =
+      ends ? stream->listen(client, take) : value_of(stream->start(client, interval, take));
+  const auto end = options.time ? start + *options.time : Clock::time_point::max();
+  bool is_read = true;
+  while (is_read && !was_interrupted() && Clock::now() < end) {
+    if (has_ended || client.state() == LinkState::given_up) break;
+    const auto soon = Clock::now() + std::chrono::milliseconds(50);
+    is_read = write_out(lines.take(std::min(end, soon)));
+  }
+  samples.cancel();
+  if (is_read) is_read = write_out(lines.take(Clock::now()));
+  counter.finish();
+  // The rate of a capture may be another.
+  if (is_read && !ends) report_losses(counter, lines.dropped());
+  return success;
+}
+
+}  // namespace
+
+void add_stream(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("stream", "Show the values of a data stream")->group(heading::look);
+  auto options = std::make_shared<StreamOptions>();
+  command->add_option("name", options->name, "The message, such as RealtimeData4")
+      ->type_name("STREAM")
+      ->required();
+  add_rate(*command, options->rate);
+  command->add_option("--format", options->format, "Output format; text is a table")
+      ->check(CLI::IsMember({"text", "jsonl", "csv"}))
+      ->capture_default_str();
+  command
+      ->add_option("--fields", options->fields,
+                   "Only these fields, separated by commas: paths, unique ends of paths, or "
+                   "patterns such as 'angle.*'")
+      ->type_name("FIELDS");
+  command
+      ->add_option("--with", options->with,
+                   "What the messages contain, if the request chooses it: flags joined by |, or "
+                   "NAME=VALUE, separated by commas. By default, what --fields needs")
+      ->type_name("FLAGS");
+  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
+  command->add_flag("--unix-time", options->unix_time,
+                    "Write the time since 1970 instead of that since the start");
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
+      "empty. The time is that of arrival. If the line is lost, the command connects again and "
+      "goes on. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
+      "there is no connection or no such stream on this board, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = run_stream(*options, context); });
+}
+
+}  // namespace sbgc::tools

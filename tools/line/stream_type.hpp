@@ -1,0 +1,61 @@
+/// The data streams of boards, chosen by name.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/roles.hpp>
+
+#include "line/sample.hpp"
+
+namespace sbgc::tools {
+
+/// Takes a sample, which is valid during the call.
+using SampleHandler = std::function<void(const Sample&)>;
+
+/// A stream of one kind of message, and its configuration.
+class StreamType {
+ public:
+  /// The name is that of a message or of its command, in any case. Throws CommandError with
+  /// suggestions.
+  static std::unique_ptr<StreamType> find(std::string_view name);
+
+  StreamType(const StreamType&) = delete;
+  StreamType& operator=(const StreamType&) = delete;
+  virtual ~StreamType() = default;
+
+  virtual const MessageInfo& info() const = 0;
+
+  /// Configures what samples contain: "NAME=VALUE,…" sets fields of the request, and "A|B" its only
+  /// set of flags. Throws CommandError.
+  void configure(std::string_view with);
+  /// Sets the flags of the request so that samples have the fields that these patterns choose.
+  /// Nothing happens if samples do not depend on flags. Throws CommandError.
+  void configure_for(std::string_view patterns);
+  /// The names of the flags that choose what samples contain; empty if there are none.
+  std::vector<std::string> flags() const;
+  /// True if samples depend on flags of which none is set.
+  bool lacks_flags() const;
+
+  /// The fields of samples with this configuration, in wire order, without reserved ones.
+  virtual std::vector<StreamField> fields() const = 0;
+
+  /// Takes the messages that arrive without a request, as from a capture.
+  virtual Subscription listen(ReconnectingClient& client, SampleHandler handler) const = 0;
+  /// Starts the stream.
+  virtual Result<Subscription> start(ReconnectingClient& client, std::chrono::milliseconds interval,
+                                     SampleHandler handler) const = 0;
+
+ protected:
+  StreamType() = default;
+
+  roles::StreamRequest request{};
+};
+
+}  // namespace sbgc::tools

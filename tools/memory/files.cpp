@@ -1,0 +1,146 @@
+// sbgc files: the files in the memory of the board.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/memory.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "board/progress_bar.hpp"
+#include "command/commands.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/wording.hpp"
+#include "memory/local_file.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct FilesOptions {
+  std::uint16_t id = 0;
+  std::uint16_t first = 0;
+  std::uint16_t last = 31;
+  std::string file{};
+  bool force = false;
+  bool all = false;
+  Arming arming{};
+};
+
+TransferOptions with_progress(ProgressBar& bar) {
+  TransferOptions options;
+  options.progress = bar.handler();
+  return options;
+}
+
+int list(const FilesOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  const Interruption interruption;
+  ProgressBar bar("ids");
+  const std::size_t total = options.last < options.first ? 0U : options.last - options.first + 1U;
+  for (std::size_t done = 0; done < total; ++done) {
+    bar.show(Progress{done, total, ""});
+    if (was_interrupted()) throw CommandError("interrupted", interrupted);
+    const auto id = static_cast<std::uint16_t>(options.first + done);
+    const auto size = client.file_size(id);
+    if (!size && size.error().code == ErrorCode::not_found) continue;
+    bar.clear();
+    fmt::print("{:5}  {}\n", id, counted(value_of(size), "byte"));
+  }
+  return success;
+}
+
+int get(const FilesOptions& options, const CommandContext& context) {
+  check_replaceable(options.file, options.force);
+  Client client = connect(context.gimbal);
+  const Interruption interruption;
+  ProgressBar bar("bytes");
+  const auto data = value_of(client.download_file(options.id, with_progress(bar)));
+  write_local_file(options.file, data, options.force);
+  bar.clear();
+  remark("{} written to {}\n", counted(data.size(), "byte"), options.file);
+  return success;
+}
+
+int put(const FilesOptions& options, const CommandContext& context) {
+  auto data = read_local_file(options.file, std::numeric_limits<std::uint16_t>::max());
+  arm(options.arming,
+      fmt::format("File {} in the memory of the board gets {}; a file with this id is replaced. If "
+                  "it is a script, the next start of the board may run it.",
+                  options.id, counted(data.size(), "byte")));
+  Client client = connect(context.gimbal);
+  const Interruption interruption;
+  ProgressBar bar("bytes");
+  const std::size_t size = data.size();
+  value_of(client.upload_file(options.id, std::move(data), with_progress(bar)));
+  bar.clear();
+  remark("{} written and read back\n", counted(size, "byte"));
+  return success;
+}
+
+int remove(const FilesOptions& options, const CommandContext& context) {
+  arm(options.arming,
+      options.all ? "All files in the memory of the board are deleted."
+                  : fmt::format("File {} in the memory of the board is deleted.", options.id));
+  Client client = connect(context.gimbal);
+  value_of(options.all ? client.delete_all_files() : client.delete_file(options.id));
+  remark("deleted\n");
+  return success;
+}
+
+}  // namespace
+
+void add_files(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("files", "Files in the memory of the board")->group(heading::care);
+  command->require_subcommand(1);
+  auto options = std::make_shared<FilesOptions>();
+  const auto add = [&](const char* name, const char* text) {
+    auto* const part = command->add_subcommand(name, text);
+    add_gimbal_options(*part, context.gimbal);
+    return part;
+  };
+  const auto add_id = [&](CLI::App* part) {
+    return part->add_option("id", options->id, "The number of the file")->type_name("ID");
+  };
+  auto* const listing = add("list", "List the files with a range of ids");
+  listing->add_option("--first", options->first, "The first id to look for")
+      ->type_name("ID")
+      ->capture_default_str();
+  listing->add_option("--last", options->last, "The last id to look for")
+      ->type_name("ID")
+      ->capture_default_str();
+  listing->callback([options, &context] { context.status = list(*options, context); });
+  auto* const getting = add("get", "Copy a file of the board to this computer");
+  add_id(getting)->required();
+  getting->add_option("file", options->file, "The file on this computer")->required();
+  getting->add_flag("--force", options->force, "Replace the file if it exists");
+  getting->callback([options, &context] { context.status = get(*options, context); });
+  auto* const putting = add("put", "Copy a file of this computer to the board");
+  add_id(putting)->required();
+  putting->add_option("file", options->file, "The file on this computer")->required();
+  add_arming(*putting, options->arming);
+  putting->callback([options, &context] { context.status = put(*options, context); });
+  auto* const removing = add("delete", "Delete a file of the board, or all");
+  auto* const id = add_id(removing);
+  removing->add_flag("--all", options->all, "Delete all files")->excludes(id);
+  add_arming(*removing, options->arming);
+  removing->callback([options, id, &context] {
+    if (id->count() == 0 && !options->all) {
+      throw CommandError("say which file, or --all", wrong_usage);
+    }
+    context.status = remove(*options, context);
+  });
+  command->footer(
+      "The protocol cannot list files: 'list' asks for each id. What is written is read back and "
+      "compared.\n"
+      "\n"
+      "The exit status is 0 if it was done, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
+}
+
+}  // namespace sbgc::tools

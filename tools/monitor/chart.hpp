@@ -1,0 +1,35 @@
+/// Charts of values over time, as lines of text.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sbgc::tools {
+
+/// The characters of a chart: dots of Braille need UTF-8.
+enum class ChartStyle : unsigned char { braille, ascii };
+
+/// The lowest and the highest value.
+struct ValueRange {
+  double low{};
+  double high{};
+
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Returns the range of the values, at least `least` wide, around their middle; [0, least] without
+/// values.
+ValueRange range_of(std::span<const double> values, double least);
+
+/// Draws the last values, the newest at the right end, in `height` lines of `width` characters. A
+/// character of Braille shows two values. Values outside the range are drawn at its edge, NaN not
+/// at all.
+std::vector<std::string> draw_chart(std::span<const double> values, ValueRange range,
+                                    std::size_t width, std::size_t height, ChartStyle style);
+
+/// Returns a bar of `width` characters, filled to `share` (0 to 1).
+std::string draw_bar(double share, std::size_t width, ChartStyle style);
+
+}  // namespace sbgc::tools

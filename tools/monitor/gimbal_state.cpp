@@ -1,0 +1,122 @@
+#include "monitor/gimbal_state.hpp"
+
+#include <limits>
+#include <utility>
+
+#include <sbgc/text/values.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+template <class T>
+PerAxis degrees(const Axes<T>& angles) {
+  return {angles.roll.degrees(), angles.pitch.degrees(), angles.yaw.degrees()};
+}
+
+PerAxis shares(const Axes<std::uint8_t>& powers) {
+  constexpr double full = std::numeric_limits<std::uint8_t>::max();
+  return {powers.roll / full, powers.pitch / full, powers.yaw / full};
+}
+
+/// Returns the name of a value, or its number.
+template <class E>
+std::string name_or_number(E value) {
+  const auto number = static_cast<std::int64_t>(value);
+  const std::string_view name = detail::value_name(EnumMeta<E>::info, number);
+  return name.empty() ? std::to_string(number) : std::string(name);
+}
+
+/// Takes what both messages have.
+template <class M>
+LiveValues common_values(const M& message) {
+  LiveValues values{
+      .angle = degrees(message.angle),
+      .target = degrees(message.rc_angle),
+      .frame_angle = degrees(message.frame_imu_angle),
+      .joint = {missing, missing, missing},
+      .power = shares(message.motor_power),
+      .battery = message.bat_level.real(),
+      .current = missing,
+      .temperature = missing,
+      .cycle_us = message.cycle_time.real(),
+      .profile = message.cur_profile + 1U,
+      .i2c_errors = message.i2c_error_count,
+      .serial_errors = message.serial_error_cnt,
+      .motors_on = message.other_flags.has(msg::OtherFlag::motors_on),
+  };
+  for (const ValueInfo& error : EnumMeta<msg::SystemError>::info.values) {
+    if (message.system_error.has(static_cast<msg::SystemError>(error.value))) {
+      values.errors.push_back(&error);
+    }
+  }
+  if (message.system_sub_error != msg::SystemSubError{}) {
+    values.sub_error = name_or_number(message.system_sub_error);
+  }
+  return values;
+}
+
+LiveValues values_of(const msg::RealtimeData3& message) { return common_values(message); }
+
+LiveValues values_of(const msg::RealtimeData4& message) {
+  LiveValues values = common_values(message);
+  values.joint = degrees(message.rotor_angle);
+  values.current = message.current.real();
+  values.temperature = message.imu_temperature.real();
+  if (message.calib_mode != msg::CalibMode{}) values.task = name_or_number(message.calib_mode);
+  return values;
+}
+
+}  // namespace
+
+void GimbalState::add(const LiveMessage& message) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds window{2};
+  LiveValues values = std::visit([](const auto& one) { return values_of(one); }, message);
+  const auto now = Clock::now();
+  const std::lock_guard lock(mutex_);
+  arrivals_.push_back(now);
+  while (arrivals_.front() + window < now) arrivals_.pop_front();
+  if (arrivals_.size() > 1) {
+    const std::chrono::duration<double> span = now - arrivals_.front();
+    state_.rate = static_cast<double>(arrivals_.size() - 1) / span.count();
+  }
+  for (std::size_t i = 0; i < state_.angles.size(); ++i) {
+    state_.angles[i].add(values.angle[i]);
+    state_.powers[i].add(values.power[i]);
+  }
+  state_.battery.add(values.battery);
+  state_.current.add(values.current);
+  state_.values = std::move(values);
+  state_.message = message;
+  ++state_.messages;
+}
+
+void GimbalState::add(const Notice& notice) {
+  if (notice.kind == NoticeKind::link_lost) return;  // a change of the link reports it as well
+  const std::lock_guard lock(mutex_);
+  log(notice.message);
+}
+
+void GimbalState::add(const LinkChange& change) {
+  const std::lock_guard lock(mutex_);
+  state_.is_connected = change.state == LinkState::connected;
+  state_.rate = 0;
+  arrivals_.clear();
+  log(change.message);
+}
+
+void GimbalState::log(std::string text) {
+  constexpr std::size_t most = 200;
+  state_.log.push_back({std::chrono::system_clock::now(), std::move(text)});
+  if (state_.log.size() > most) state_.log.pop_front();
+}
+
+GimbalSnapshot GimbalState::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,80 @@
+#include "monitor/terminal_restorer.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#define NCURSES_NOMACROS
+#include <curses.h>
+#include <term.h>
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr char released = 'r';
+
+int put_to_terminal(int character) {
+  const char byte = static_cast<char>(character);
+  return ::write(STDOUT_FILENO, &byte, 1) == 1 ? character : EOF;
+}
+
+void put_capability(const char* name) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): terminfo takes no const
+  const char* const text = tigetstr(const_cast<char*>(name));
+  // tigetstr() returns -1 for what is no text.
+  const bool is_text = text != nullptr && reinterpret_cast<std::intptr_t>(text) != -1;
+  if (is_text) tputs(text, 1, put_to_terminal);
+}
+
+[[noreturn]] void wait_and_restore(int input, const termios& before, bool is_full) {
+  // The signals of the terminal are for the command; the last one is sent while restoring it.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTOU}) {
+    ::signal(signal, SIG_IGN);
+  }
+  char mark = 0;
+  ssize_t size = 0;
+  do {
+    size = ::read(input, &mark, 1);
+  } while (size == -1 && errno == EINTR);
+  if (size != 1 || mark != released) {
+    if (is_full) {
+      for (const char* const name : {"sgr0", "rmkx", "cnorm", "rmcup"}) put_capability(name);
+    }
+    ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
+  }
+  ::_exit(0);
+}
+
+}  // namespace
+
+TerminalRestorer::TerminalRestorer(Screen screen) {
+  termios before{};
+  std::array<int, 2> ends{};
+  int problem = 0;
+  if (::tcgetattr(STDIN_FILENO, &before) != 0) return;
+  if (setupterm(nullptr, STDOUT_FILENO, &problem) != OK) return;
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::close(ends[1]);
+    wait_and_restore(ends[0], before, screen == Screen::full);
+  }
+  ::close(ends[0]);
+  alive_ = ends[1];
+}
+
+TerminalRestorer::~TerminalRestorer() {
+  if (alive_ == -1) return;
+  [[maybe_unused]] const auto size = ::write(alive_, &released, 1);
+  ::close(alive_);
+  if (process_ > 0) ::waitpid(process_, nullptr, 0);
+}
+
+}  // namespace sbgc::tools

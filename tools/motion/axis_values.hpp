@@ -1,0 +1,39 @@
+/// Options with a number for each axis: --roll, --pitch, --yaw.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include <sbgc/types.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc::tools {
+
+inline constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
+
+using AxisNumbers = Axes<std::optional<double>>;
+
+/// Checks a finite number, and removes the unit, "deg" or "deg/s", that may follow it.
+CLI::Validator number_with_unit(const std::string& unit);
+
+/// Adds the three options; `what` is the noun of their descriptions, such as "Angle", and the unit
+/// "deg" or "deg/s".
+void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& what,
+                      const std::string& unit);
+
+/// Throws CommandError unless an axis has a number.
+void require_an_axis(const AxisNumbers& numbers);
+
+/// Convert numbers in degrees and degrees per second. Throw CommandError, with the option's name,
+/// if the protocol cannot express them; so does a speed that would become 0.
+msg::Angle14 to_angle(double degrees, std::string_view option);
+msg::ControlSpeed to_speed(double degrees_per_second, std::string_view option);
+
+/// For example "pitch -20 deg, yaw 5 deg".
+std::string axes_text(const AxisNumbers& numbers, std::string_view unit);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,47 @@
+/// A process that stops the gimbal if this one cannot.
+#pragma once
+
+#include <sys/types.h>
+
+#include <sbgc/io/transport.hpp>
+
+namespace sbgc::tools {
+
+/// What the guard does after the stop.
+enum class AfterStop : unsigned char {
+  nothing,
+  remove_timeout,  ///< so that RC does not take over: see set_control_timeout()
+};
+
+/// Runs a guard: a process of its own session that also holds the line. If this process ends
+/// without releasing it, for whatever reason, the guard stops the gimbal. It does nothing else.
+class Guard {
+ public:
+  /// Starts the guard. Throws CommandError.
+  Guard();
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+  /// Releases the guard, which ends, unless the stop was left to it.
+  ~Guard();
+
+  /// Hands over the line. Throws CommandError if the transport has no descriptor.
+  void take(io::Transport& transport, AfterStop after) const;
+  /// Lets the guard stop the camera. It goes on after this process.
+  void leave_it_to_guard();
+  /// False once the guard has ended: from then on, nobody stops the camera if this process dies.
+  bool is_alive() const;
+  /// Becomes readable when the guard ends, for poll().
+  int descriptor() const noexcept { return channel_; }
+
+ private:
+  int channel_ = -1;
+  pid_t process_ = -1;
+};
+
+/// True if this process was started as a guard.
+bool is_guard(int argc, char** argv);
+
+/// The guard: waits for the end of the process that started it. Returns the exit status.
+int run_guard();
+
+}  // namespace sbgc::tools

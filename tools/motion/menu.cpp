@@ -1,0 +1,129 @@
+// sbgc menu: performs an action of the menu button.
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/messages/control.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/text.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/remark.hpp"
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/words.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct MenuOptions {
+  std::string action{};
+  bool list = false;
+  Arming arming{};
+};
+
+std::span<const ValueInfo> actions() { return EnumMeta<msg::MenuCommand>::info.values; }
+
+/// The words that all names begin with, including the last underscore.
+std::string_view common_prefix() {
+  std::string_view prefix = actions().front().name;
+  for (const ValueInfo& action : actions()) {
+    const std::string_view name = action.name;
+    const auto [end, other] = std::ranges::mismatch(prefix, name);
+    prefix = prefix.substr(0, static_cast<std::size_t>(end - prefix.begin()));
+  }
+  return prefix.substr(0, prefix.rfind('_') + 1);
+}
+
+/// For example "profile1".
+std::string short_name(const ValueInfo& action) {
+  return lower_case(std::string_view(action.name).substr(common_prefix().size()));
+}
+
+std::string without_dashes(std::string word) {
+  std::ranges::replace(word, '-', '_');
+  return word;
+}
+
+const ValueInfo& action_of(const std::string& word) {
+  std::vector<std::string> names;
+  for (const ValueInfo& action : actions()) {
+    const std::string name = short_name(action);
+    if (is_same_word(without_dashes(word), name) || is_same_word(word, action.name)) return action;
+    names.push_back(name);
+  }
+  const auto near = nearest(without_dashes(lower_case(word)), names);
+  throw CommandError(fmt::format("unknown menu action '{}'{}", clipped(word),
+                                 did_you_mean(near, "`sbgc menu --list` lists them")),
+                     wrong_usage);
+}
+
+void list_actions() {
+  std::size_t width = 0;
+  for (const ValueInfo& action : actions()) width = std::max(width, short_name(action).size());
+  for (const ValueInfo& action : actions()) {
+    const std::size_t column = width + 2;
+    std::string text = action.summary;
+    if (action.since.firmware != 0) {
+      text += fmt::format(" Since firmware {}.",
+                          to_string(msg::FirmwareVersion(action.since.firmware)));
+    }
+    fmt::print("{:{}}{}\n", short_name(action), column,
+               wrapped(text, line_width(), column, column));
+  }
+}
+
+int menu(const MenuOptions& command, const CommandContext& context) {
+  if (command.list) {
+    list_actions();
+    return success;
+  }
+  if (command.action.empty()) {
+    throw CommandError("say which action; `sbgc menu --list` lists them", wrong_usage);
+  }
+  const ValueInfo& action = action_of(command.action);
+  arm(command.arming, fmt::format("The board performs the menu action {}: {} The camera can move.",
+                                  short_name(action), action.summary));
+  Client client = connect(context.gimbal);
+  CallOptions options = call_options(context.gimbal);
+  options.expect_confirmation = true;
+  msg::ExecuteMenu request;
+  request.cmd_id = static_cast<msg::MenuCommand>(action.value);
+  value_of(Result<void>(client.call(request, options)));
+  remark("The board has accepted {}.\n", short_name(action));
+  return success;
+}
+
+}  // namespace
+
+void add_menu(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("menu", "Perform an action of the menu button")->group(heading::move);
+  auto options = std::make_shared<MenuOptions>();
+  command
+      ->add_option("action", options->action,
+                   "Name of the action, with or without " + std::string(common_prefix()))
+      ->type_name("ACTION");
+  command->add_flag("--list", options->list, "List the actions");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Nothing stops an action that moves the camera when this command dies; `sbgc stop` does.\n"
+      "\n"
+      "Example:\n"
+      "  sbgc menu profile2\n"
+      "\n"
+      "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = menu(*options, context); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,63 @@
+// sbgc motors: turns the motors on or off.
+
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/messages/control.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/remark.hpp"
+#include "motion/motor_state.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct MotorsCommand {
+  std::string state{};  // "on" or "off"
+  Arming arming{};
+};
+
+int turn_motors(const MotorsCommand& command, const CommandContext& context) {
+  const bool on = command.state == "on";
+  arm(command.arming, on ? "The motors turn on, and the camera jumps to its target angle."
+                         : "The motors lose power, and the camera drops to its heavy side.");
+  Client client = connect(context.gimbal);
+  CallOptions options = call_options(context.gimbal);
+  options.expect_confirmation = true;
+  Result<void> done = on ? Result<void>(client.call(msg::MotorsOn{}, options))
+                         : Result<void>(client.call(msg::MotorsOff{}, options));
+  if (!done && done.error().code == ErrorCode::board_error) {
+    ClientError error = done.error();
+    const std::string errors = current_errors(client);
+    if (!errors.empty()) error.message += "; current errors of the board: " + errors;
+    done = error;
+  }
+  value_of(done);
+  remark("The motors are {}.\n", command.state);
+  return success;
+}
+
+}  // namespace
+
+void add_motors(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("motors", "Turn the motors on or off")->group(heading::move);
+  auto options = std::make_shared<MotorsCommand>();
+  command->add_option("state", options->state, "on or off")
+      ->required()
+      ->check(CLI::IsMember({"on", "off"}));
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Hold the camera when you turn the motors off.\n"
+      "\n"
+      "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = turn_motors(*options, context); });
+}
+
+}  // namespace sbgc::tools

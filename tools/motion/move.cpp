@@ -1,0 +1,153 @@
+// sbgc move: turns the camera to angles.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/motion.hpp>
+#include <sbgc/messages/realtime.hpp>
+
+#include "board/arming.hpp"
+#include "board/progress_bar.hpp"
+#include "command/commands.hpp"
+#include "command/remark.hpp"
+#include "motion/axis_values.hpp"
+#include "motion/motor_state.hpp"
+#include "motion/moving_gimbal.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct MoveCommand {
+  AxisNumbers angles{};
+  double speed = 10;  // deg/s
+  bool relative = false;
+  bool wait = false;
+  Arming arming{};
+};
+
+/// Returns the targets; relative angles count from the measured ones.
+MoveTarget target_of(const MoveCommand& command, const msg::GetAngles& state) {
+  MoveTarget target;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    if (!command.angles[i]) continue;
+    const double from = command.relative ? state.axes[i].imu_angle.degrees() : 0;
+    target[i] = to_angle(from + *command.angles[i], std::string("--") + axis_names[i]);
+  }
+  return target;
+}
+
+/// Enough time for the farthest axis.
+std::chrono::milliseconds time_for(const MoveTarget& target, const msg::GetAngles& state,
+                                   msg::ControlSpeed speed) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    if (!target[i]) continue;
+    farthest =
+        std::max(farthest, std::abs((*target[i]).degrees() - state.axes[i].imu_angle.degrees()));
+  }
+  constexpr std::chrono::seconds reserve{10};
+  constexpr double allowance = 1.5;
+  const double seconds = allowance * farthest / speed.degrees_per_second();
+  return reserve + std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000));
+}
+
+std::string angles_text(const MoveTarget& target, const MoveProgress& progress) {
+  std::string text;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    if (!target[i]) continue;
+    text += fmt::format("{}{} {:.1f} deg", text.empty() ? "" : ", ", axis_names[i],
+                        progress.angles[i].degrees());
+  }
+  return text;
+}
+
+void move_and_wait(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
+  MovingGimbal gimbal(context.gimbal, AfterStop::nothing);
+  require_motors(gimbal.client());
+  const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+  const MoveTarget target = target_of(command, state);
+  options.timeout = time_for(target, state, options.speed);
+  ProgressBar bar;
+  options.progress = [&](const MoveProgress& progress) {
+    bar.show(angles_text(target, progress));
+    return !gimbal.must_stop();
+  };
+  gimbal.begins_to_move();
+  options.stop_on_failure = false;  // give_up() stops it
+  const Result<MoveProgress> moved = gimbal.client().move_to(target, options);
+  if (!moved) gimbal.give_up(moved.error());
+  gimbal.has_stopped();
+  bar.clear();
+  remark("The camera is at {}.\n", angles_text(target, *moved));
+}
+
+/// Without a guard: a target is where the camera stops by itself.
+void begin_to_move(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
+  Client client = connect(context.gimbal);
+  require_motors(client);
+  const auto state = value_of(Result<msg::GetAngles>(client.get_angles()));
+  options.timeout = std::chrono::seconds(3);
+  const MoveTarget target = target_of(command, state);
+  const MoveProgress begun = value_of(client.begin_move(target, options));
+  remark("{}\n", begun.is_close ? "The camera is there." : "The camera turns to its target.");
+}
+
+int move(const MoveCommand& command, const CommandContext& context) {
+  require_an_axis(command.angles);
+  MoveOptions options;
+  options.speed = to_speed(command.speed, "--speed");
+  if (options.speed.raw() <= 0) {
+    throw CommandError("--speed must be positive; 0 would select the speed in the parameters",
+                       wrong_usage);
+  }
+  if (!command.relative) static_cast<void>(target_of(command, {}));  // before anything is asked
+  arm(command.arming,
+      fmt::format("The camera turns {} {}, at up to {} deg/s.", command.relative ? "by" : "to",
+                  axes_text(command.angles, "deg"), command.speed));
+  if (command.wait) {
+    move_and_wait(command, context, options);
+  } else {
+    begin_to_move(command, context, options);
+  }
+  return success;
+}
+
+}  // namespace
+
+void add_move(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("move", "Turn the camera to angles")->group(heading::move);
+  auto options = std::make_shared<MoveCommand>();
+  add_axis_options(*command, options->angles, "Angle", "deg");
+  command->add_option("--speed", options->speed, "The highest speed, in degrees per second")
+      ->transform(number_with_unit("deg/s"))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->add_flag("--relative", options->relative, "The angles count from the current ones");
+  command->add_flag("--wait", options->wait,
+                    "Wait until the camera is there. Ctrl-C stops it before the command ends, and "
+                    "if the command dies, a guard process stops it");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Other axes stay under, or return to, RC control. Without --wait, the command ends as soon "
+      "as "
+      "the camera turns; it stops at its target by itself, and `sbgc stop` stops it before.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc move --pitch -30 --wait\n"
+      "  sbgc move --yaw 5 --relative --speed 2 --yes\n"
+      "\n"
+      "The exit status is 0 if the camera is at its target, or turns to it without --wait; 1 if "
+      "not; 2 for wrong usage; 130 if it was stopped by Ctrl-C.");
+  command->callback([options, &context] { context.status = move(*options, context); });
+}
+
+}  // namespace sbgc::tools

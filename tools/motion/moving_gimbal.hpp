@@ -1,0 +1,68 @@
+/// A connection of a command that moves the camera.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+
+#include <sbgc/client/client.hpp>
+
+#include "board/connection.hpp"
+#include "command/interruption.hpp"
+#include "motion/guard.hpp"
+
+namespace sbgc::tools {
+
+/// Ignores the signals that would suspend this process while the camera turns (Ctrl-Z), or end it
+/// because nobody reads its remarks.
+class StaysAwake {
+ public:
+  StaysAwake();
+  StaysAwake(const StaysAwake&) = delete;
+  StaysAwake& operator=(const StaysAwake&) = delete;
+  ~StaysAwake();
+
+ private:
+  std::array<struct sigaction, 4> previous_{};
+};
+
+/// A gimbal with a guard. Signals do not end the program as long as it exists; the motion must end
+/// when must_stop() says so.
+class MovingGimbal {
+ public:
+  /// Connects. Throws CommandError.
+  MovingGimbal(const GimbalOptions& options, AfterStop after);
+  MovingGimbal(const MovingGimbal&) = delete;
+  MovingGimbal& operator=(const MovingGimbal&) = delete;
+  /// Leaves a camera that may still turn to the guard.
+  ~MovingGimbal();
+
+  Client& client() noexcept { return *client_; }
+
+  /// Call this before the first command that moves the camera.
+  void begins_to_move() noexcept { motion_ = Motion::maybe; }
+  /// The camera has stopped.
+  void has_stopped() noexcept { motion_ = Motion::ended; }
+  /// Ends a motion that went wrong: stops the camera, and ends the command with `problem`, or with
+  /// the reason of must_stop().
+  [[noreturn]] void give_up(const ClientError& problem);
+
+  /// True if a signal asks the command to end, or the guard has ended.
+  bool must_stop() const;
+  /// Waits until must_stop(), or for `time`, or until `descriptor` is readable. Returns true for
+  /// the last reason.
+  bool wait(std::chrono::milliseconds time, int descriptor = -1) const;
+
+ private:
+  enum class Motion : unsigned char { none, maybe, ended };
+
+  StaysAwake awake_;
+  Interruption interruption_;
+  std::unique_ptr<Guard> guard_;
+  std::unique_ptr<Client> client_;
+  Motion motion_ = Motion::none;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,109 @@
+// sbgc speed: turns the camera at a speed for a time.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/speed_control.hpp>
+
+#include "board/arming.hpp"
+#include "board/progress_bar.hpp"
+#include "command/commands.hpp"
+#include "command/duration.hpp"
+#include "command/remark.hpp"
+#include "command/terminal.hpp"
+#include "motion/axis_values.hpp"
+#include "motion/motor_state.hpp"
+#include "motion/moving_gimbal.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct SpeedCommand {
+  AxisNumbers speeds{};
+  std::optional<std::chrono::milliseconds> time{};  // --for
+  Arming arming{};
+};
+
+/// Turns until the time is over or the motion must stop.
+Result<void> turn(const MovingGimbal& gimbal, SpeedControl& control,
+                  const Axes<msg::ControlSpeed>& speed, Clock::time_point end) {
+  constexpr std::chrono::milliseconds interval{100};
+  ProgressBar bar;
+  const auto start = Clock::now();
+  for (auto now = start; now < end && !gimbal.must_stop(); now = Clock::now()) {
+    if (Result<void> set = control.set(speed); !set) return set;
+    bar.show(
+        fmt::format("turning for {:.1f} s", std::chrono::duration<double>(now - start).count()));
+    static_cast<void>(
+        gimbal.wait(std::min(interval, std::chrono::ceil<std::chrono::milliseconds>(end - now))));
+  }
+  if (Result<void> stopping = control.stop(); !stopping) return stopping;
+  return control.wait();
+}
+
+int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
+  require_an_axis(command.speeds);
+  Axes<msg::ControlSpeed> speed;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    if (command.speeds[i])
+      speed[i] = to_speed(*command.speeds[i], std::string("--") + axis_names[i]);
+  }
+  if (!command.time && !is_terminal(stdin)) {
+    throw CommandError("without a terminal, say how long to turn: --for TIME", wrong_usage);
+  }
+  arm(command.arming, fmt::format("The camera turns at {}, {}.", axes_text(command.speeds, "deg/s"),
+                                  command.time ? "for " + duration_text(*command.time)
+                                               : "until Ctrl-C is pressed"));
+  MovingGimbal gimbal(context.gimbal, AfterStop::remove_timeout);
+  require_motors(gimbal.client());
+  const auto end = command.time ? Clock::now() + *command.time : Clock::time_point::max();
+  gimbal.begins_to_move();
+  Result<void> turned;
+  {
+    SpeedControl control(gimbal.client());
+    turned = turn(gimbal, control, speed, end);
+  }
+  if (!turned) gimbal.give_up(turned.error());
+  gimbal.has_stopped();
+  // Ctrl-C is the usual end of a motion without a time.
+  if (gimbal.must_stop() && (command.time || !was_interrupted_by_key())) gimbal.give_up({});
+  remark("The camera has stopped.\n");
+  return success;
+}
+
+}  // namespace
+
+void add_speed(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("speed", "Turn the camera at a speed for a time")->group(heading::move);
+  auto options = std::make_shared<SpeedCommand>();
+  add_axis_options(*command, options->speeds, "Speed", "deg/s");
+  add_duration(*command, "--for", options->time,
+               "How long to turn: 500ms, 2s, 1m. Without it, until Ctrl-C, in a terminal only");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Other axes hold still. The camera stops when the time is over, with Ctrl-C, and when the "
+      "command or its terminal dies: then a guard process stops it. If the line is lost, firmware "
+      "from 2.61 on ends serial control after half a second, and RC takes over; with older "
+      "firmware "
+      "the camera stops at an angle that is half a second ahead.\n"
+      "\n"
+      "Example:\n"
+      "  sbgc speed --yaw 5 --for 2s\n"
+      "\n"
+      "The exit status is 0 if the camera turned and has stopped, 1 if not, 2 for wrong usage, 130 "
+      "if Ctrl-C ended it before its time, or another signal ended it.");
+  command->callback([options, &context] { context.status = turn_at_speed(*options, context); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,418 @@
+// sbgc params backup, restore, diff, reset.
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/backup.hpp>
+#include <sbgc/client/profiles.hpp>
+#include <sbgc/messages/parameters.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "board/progress_bar.hpp"
+#include "command/commands.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/wording.hpp"
+#include "parameters/defaults.hpp"
+#include "parameters/parameter_messages.hpp"
+#include "parameters/params_commands.hpp"
+#include "parameters/profile_choice.hpp"
+#include "parameters/write_outcome.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// Reads all parameters of the board. Shows the progress.
+Backup read_backup(Client& client) {
+  const Interruption interruption;
+  ProgressBar bar;
+  return value_of(client.make_backup({.progress = bar.handler()}));
+}
+
+std::string board_text(const BoardIdentity& board) {
+  return fmt::format("board {}, firmware {}", board.board_version(), board.firmware_version());
+}
+
+/// Returns a name that no file has yet: that of `file` with the time in it.
+std::string dated_name(const std::filesystem::path& file, const char* what) {
+  std::string time = utc_now();
+  std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
+  std::filesystem::path result = file;
+  const std::string extension = result.extension().string();
+  result.replace_extension();
+  result += fmt::format(".{}-{}", what, time);
+  std::filesystem::path unique = result;
+  unique += extension;
+  for (int number = 2; std::filesystem::exists(unique); ++number) {
+    unique = result;
+    unique += fmt::format("-{}{}", number, extension);
+  }
+  return unique.string();
+}
+
+/// A backup in a task has no date: a task has no clock.
+Result<void> save_dated(const Backup& backup, const std::string& file) {
+  Backup dated = backup;
+  dated.created = utc_now();
+  return save_backup(dated, file);
+}
+
+// ---- backup ----
+
+struct BackupOptions {
+  std::string file{};
+  bool force = false;
+};
+
+int back_up(const BackupOptions& options, const CommandContext& context) {
+  if (options.file == "-") {
+    throw CommandError("name a file: a backup does not go to the standard output", wrong_usage);
+  }
+  std::error_code ignored;
+  if (!options.force && std::filesystem::exists(options.file, ignored)) {
+    throw CommandError(fmt::format("{} already exists; --force replaces it", options.file));
+  }
+  Client client = connect(context.gimbal);
+  const Backup backup = read_backup(client);
+  value_of(save_backup(backup, options.file, options.force ? Existing::replace : Existing::keep));
+  remark("Saved {} of {} to {}.\n", counted(backup.parameters.all().size(), "parameter set"),
+         board_text(backup.board), options.file);
+  return success;
+}
+
+// ---- restore ----
+
+struct RestoreChoice {
+  std::string file{};
+  std::string save_to{};
+  bool dry_run = false;
+  bool other_model = false;
+  bool other_firmware = false;
+  Arming arming{};
+};
+
+/// What to add to the message if the backup is of another board.
+std::string mismatch_hint(const WriteReport& report) {
+  if (report || report.outcome.error().code != ErrorCode::incompatible) return "";
+  return "; --other-model and --other-firmware allow that, at your own risk";
+}
+
+int restore_file(const RestoreChoice& options, const CommandContext& context) {
+  const Backup backup = value_of(load_backup(options.file));
+  Client client = connect(context.gimbal);
+  RestoreOptions restoring{.dry_run = true,
+                           .allow_other_model = options.other_model,
+                           .allow_other_firmware = options.other_firmware};
+  WriteReport plan;
+  {
+    const Interruption interruption;
+    ProgressBar bar;
+    restoring.progress = bar.handler();
+    plan = client.restore(backup, restoring);
+  }
+  if (!plan) {
+    ClientError error = plan.outcome.error();
+    error.message += mismatch_hint(plan);
+    fail(error);
+  }
+  const std::string changes = changes_text(plan);
+  if (changes.empty()) {
+    fmt::print("the board holds the parameters of {} already\n", options.file);
+    return success;
+  }
+  fmt::print("{}", changes);
+  std::fflush(stdout);
+  if (options.dry_run) return success;
+  const std::string save_to =
+      options.save_to.empty() ? dated_name(options.file, "before-restore") : options.save_to;
+  arm(options.arming,
+      fmt::format("Saves the present parameters to {}, then writes {} to {}. Parameters take "
+                  "effect at once, and the camera can move.",
+                  save_to, counted(change_count(plan), "change"), board_text(client.identity())));
+  bool is_saved = false;
+  restoring.dry_run = false;
+  restoring.save_current = [&](const Backup& present) {
+    Result<void> saved = save_dated(present, save_to);
+    is_saved = static_cast<bool>(saved);
+    return saved;
+  };
+  WriteReport report;
+  {
+    const Interruption interruption;
+    ProgressBar bar;
+    restoring.progress = bar.handler();
+    report = client.restore(backup, restoring);
+  }
+  if (is_saved) remark("The parameters from before are in {}.\n", save_to);
+  check_outcome(report);
+  remark("Restored, read back and compared.\n");
+  return success;
+}
+
+// ---- diff ----
+
+struct DiffOptions {
+  std::vector<std::string> files{};
+  std::string format = "text";
+  bool defaults = false;
+  ProfileOption profile{};
+  Arming arming{};
+};
+
+Json to_json(const std::vector<ParametersChange>& changes) {
+  Json list = Json::array();
+  for (const ParametersChange& change : changes) {
+    Json fields = Json::array();
+    for (const FieldChange& field : change.fields) {
+      fields.push_back({{"path", field.path},
+                        {"before", field.before},
+                        {"after", field.after},
+                        {"before_meaning", field.before_meaning},
+                        {"after_meaning", field.after_meaning}});
+    }
+    const char* const kind = change.kind == ParametersChange::Kind::changed       ? "changed"
+                             : change.kind == ParametersChange::Kind::only_before ? "removed"
+                                                                                  : "added";
+    list.push_back({{"message", change.id.message},
+                    {"copy", change.id.copy},
+                    {"kind", kind},
+                    {"fields", std::move(fields)}});
+  }
+  return {{"format", "sbgc-diff"}, {"version", 1}, {"changes", std::move(list)}};
+}
+
+int report_changes(const DiffOptions& options, const std::vector<ParametersChange>& changes,
+                   const std::string& before, const std::string& after) {
+  if (options.format == "json") {
+    fmt::print("{}\n", to_json(changes).dump(2, ' ', false, Json::error_handler_t::replace));
+  } else if (!changes.empty()) {
+    fmt::print("from {} to {}:\n{}", before, after, changes_text(changes));
+  }
+  return changes.empty() ? success : failure;
+}
+
+/// Compares one profile with the factory defaults.
+int compare_with_defaults(const DiffOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  const ChosenProfile profile = choose_profile(client, options.profile);
+  const std::size_t active = value_of(client.active_profile());
+  // The last profile that the board does not work with.
+  const std::size_t spare = active + 1 == profile_count ? profile_count - 2 : profile_count - 1;
+  const std::string save_to = dated_name("parameters.json", "before-defaults");
+  arm(options.arming,
+      fmt::format("The protocol has no request for the factory defaults, only one that goes back "
+                  "to them. Saves the present parameters to {}, sets profile {} to the defaults, "
+                  "reads it, and writes everything back. Meanwhile, general parameters can have "
+                  "their defaults, too, and the camera can move. If this command is killed "
+                  "meanwhile, or the line breaks, restore that backup.",
+                  save_to, spare + 1));
+  const Interruption interruption;  // Ctrl-C must not leave the defaults on the board
+  const Backup before = read_backup(client);
+  value_of(save_backup(before, save_to));
+  remark("The parameters from before are in {}.\n", save_to);
+  if (was_interrupted()) throw CommandError("interrupted; nothing was changed", interrupted);
+  const ParameterSet all =
+      read_defaults(client, before, static_cast<std::uint8_t>(spare), call_options(context.gimbal));
+  if (was_interrupted()) {
+    throw CommandError("interrupted; the parameters are back as they were before", interrupted);
+  }
+  ParameterSet defaults;
+  ParameterSet present;
+  for (const Parameters& block : all.all()) {
+    if (block.id.copy != profile.index) continue;
+    value_of(defaults.put(block));
+    value_of(present.put(*before.parameters.find(block.id)));
+  }
+  return report_changes(options, diff(defaults, present), "the factory defaults", profile.text());
+}
+
+int compare(const DiffOptions& options, const CommandContext& context) {
+  if (options.defaults) return compare_with_defaults(options, context);
+  const Backup before = value_of(load_backup(options.files[0]));
+  Backup after;
+  std::string name = "the board";
+  if (options.files.size() > 1) {
+    name = options.files[1];
+    after = value_of(load_backup(name));
+  } else {
+    Client client = connect(context.gimbal);
+    after = read_backup(client);
+  }
+  for (const std::string& mismatch : mismatches(after.board, before.board)) {
+    remark("note: {}\n", mismatch);
+  }
+  return report_changes(options, diff(before.parameters, after.parameters), options.files[0], name);
+}
+
+int compare_or_tell(const DiffOptions& options, const CommandContext& context) {
+  if (options.files.empty() != options.defaults) {
+    throw CommandError("name a backup to compare the board with, or --defaults", wrong_usage);
+  }
+  if (!options.defaults && (options.profile.number || options.arming.yes)) {
+    throw CommandError("--profile and --yes need --defaults", wrong_usage);
+  }
+  try {
+    return compare(options, context);
+  } catch (const CommandError& error) {
+    throw CommandError(error.what(), error.status() == failure ? cannot_tell : error.status());
+  }
+}
+
+// ---- reset ----
+
+struct ResetChoice {
+  ProfileOption profile{};
+  bool all = false;
+  std::string save_to{};
+  Arming arming{};
+};
+
+/// For example "profile 1 is reset", "profiles 1, 2 are reset"; "no profile is reset".
+std::string reset_text(const std::vector<std::size_t>& profiles) {
+  std::string numbers;
+  for (const std::size_t profile : profiles) {
+    numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", profile + 1);
+  }
+  if (profiles.empty()) return "no profile is reset";
+  return profiles.size() == 1 ? fmt::format("profile {} is reset", numbers)
+                              : fmt::format("profiles {} are reset", numbers);
+}
+
+/// Sets profiles to the factory defaults, and returns all parameters from then. If that fails or is
+/// interrupted, the error names the profiles that are reset, and the backup.
+Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
+                      const std::string& saved_to, const CommandContext& context) {
+  const Interruption interruption;
+  std::vector<std::size_t> done;
+  const auto give_up = [&](const std::string& reason, int status) {
+    throw CommandError(fmt::format("{}; {}; the parameters from before are in {}", reason,
+                                   reset_text(done), saved_to),
+                       status);
+  };
+  for (const std::size_t profile : profiles) {
+    if (was_interrupted()) give_up("interrupted", interrupted);
+    CallOptions call = call_options(context.gimbal);
+    call.expect_confirmation = true;
+    const auto reset =
+        client.call(msg::UseDefaults{.profile_id = static_cast<std::uint8_t>(profile)}, call);
+    if (!reset) {
+      give_up(fmt::format("resetting profile {}: {}", profile + 1, reset.error().message), failure);
+    }
+    done.push_back(profile);
+  }
+  try {
+    return read_backup(client);
+  } catch (const CommandError& error) {
+    give_up(error.what(), error.status());
+  }
+  return {};
+}
+
+int reset(const ResetChoice& options, const CommandContext& context) {
+  if (options.all && options.profile.number) {
+    throw CommandError("--all and --profile exclude each other", wrong_usage);
+  }
+  Client client = connect(context.gimbal);
+  const ChosenProfile profile = choose_profile(client, options.profile);
+  const std::string save_to =
+      options.save_to.empty() ? dated_name("parameters.json", "before-reset") : options.save_to;
+  arm(options.arming,
+      fmt::format(
+          "Saves the present parameters to {}, then goes back to the factory defaults in {}. They "
+          "take effect at once, and the camera can move: the defaults know nothing of "
+          "this gimbal's motors.",
+          save_to, options.all ? "all profiles" : profile.text()));
+  const Backup before = read_backup(client);
+  value_of(save_backup(before, save_to));
+  remark("The parameters from before are in {}.\n", save_to);
+  std::vector<std::size_t> profiles;
+  for (std::size_t i = 0; i < profile_count; ++i) {
+    if (options.all || i == profile.index) profiles.push_back(i);
+  }
+  const Backup after = reset_profiles(client, profiles, save_to, context);
+  const std::string changes = changes_text(diff(before.parameters, after.parameters));
+  fmt::print("{}", changes.empty() ? "the parameters already had their defaults\n" : changes);
+  return success;
+}
+
+}  // namespace
+
+void add_params_backup(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("backup", "Save all parameters of the board");
+  auto options = std::make_shared<BackupOptions>();
+  command->add_option("file", options->file, "The new file; it appears only when it is complete")
+      ->type_name("FILE")
+      ->required();
+  command->add_flag("--force", options->force, "Replace an existing file");
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = back_up(*options, context); });
+}
+
+void add_params_restore(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("restore", "Write the parameters of a backup");
+  auto options = std::make_shared<RestoreChoice>();
+  command->add_option("file", options->file, "A backup")->type_name("FILE")->required();
+  command->add_flag("--dry-run", options->dry_run, "Only print what would change");
+  command
+      ->add_option("--save-to", options->save_to,
+                   "Where to save the present parameters first; by default next to FILE, with "
+                   "the time in the name")
+      ->type_name("FILE");
+  command->add_flag("--other-model", options->other_model,
+                    "Also if the backup is of another board model");
+  command->add_flag("--other-firmware", options->other_firmware,
+                    "Also if the backup is of another firmware");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Only what differs is written, block by block; each is read back and compared, and at the "
+      "end all of them again. After a failure or Ctrl-C, it says what the board holds.");
+  command->callback([options, &context] { context.status = restore_file(*options, context); });
+}
+
+void add_params_diff(CLI::App& params, CommandContext& context) {
+  auto* const command =
+      params.add_subcommand("diff", "Compare the board with a backup, or two backups");
+  auto options = std::make_shared<DiffOptions>();
+  command->add_option("files", options->files, "A backup to compare the board with, or two backups")
+      ->type_name("FILE")
+      ->expected(0, 2);
+  command->add_flag("--defaults", options->defaults,
+                    "Compare a profile with the factory defaults. To read them, the board goes "
+                    "back to them in another profile for a moment");
+  add_profile_option(*command, options->profile);
+  add_arming(*command, options->arming);
+  command->add_option("--format", options->format, "Output format")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "The exit status is 0 if there are no differences, 1 if there are, 3 if they could not be "
+      "compared, 2 for wrong usage.");
+  command->callback([options, &context] { context.status = compare_or_tell(*options, context); });
+}
+
+void add_params_reset(CLI::App& params, CommandContext& context) {
+  auto* const command =
+      params.add_subcommand("reset", "Set the parameters of a profile to the factory defaults");
+  auto options = std::make_shared<ResetChoice>();
+  add_profile_option(*command, options->profile);
+  command->add_flag("--all", options->all, "All profiles");
+  command
+      ->add_option("--save-to", options->save_to,
+                   "Where to save the present parameters first; by default in this folder, "
+                   "with the time in the name")
+      ->type_name("FILE");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = reset(*options, context); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,59 @@
+#include "parameters/defaults.hpp"
+
+#include <fmt/format.h>
+
+#include <sbgc/client/profiles.hpp>
+#include <sbgc/messages/parameters.hpp>
+
+#include "board/connection.hpp"
+#include "board/progress_bar.hpp"
+#include "parameters/parameter_messages.hpp"
+#include "parameters/write_outcome.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// Returns the block as that of another profile.
+Parameters of_profile(const Parameters& block, std::uint8_t profile) {
+  Json fields = fields_of(block);
+  for (const FieldType& field : find_message(block.id.message)->fields()) {
+    if (field.info != nullptr && field.info->role == FieldRole::copy) fields[field.name] = profile;
+  }
+  return block_of({block.id.message, profile}, fields);
+}
+
+std::uint8_t copies_of(const std::string& message) {
+  for (const ParameterMessage& one : parameter_messages()) {
+    if (message == one.type->info->name) return one.copies;
+  }
+  return 1;
+}
+
+}  // namespace
+
+ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
+                           const CallOptions& options) {
+  CallOptions call = options;
+  call.expect_confirmation = true;
+  const auto reset = client.call(msg::UseDefaults{.profile_id = profile}, call);
+  // Written back also if reading fails, and without a way to cancel it.
+  ReadOptions reading;
+  reading.wanted = [&](const ParametersId& id) {
+    return id.copy == profile && copies_of(id.message) > 1;
+  };
+  const Result<ParameterSet> defaults = client.read_parameters(reading);
+  const WriteReport restored = client.write_parameters(before.parameters, {.validate = false});
+  check_outcome(restored, "; the parameters from before are not all back: restore the backup");
+  value_of(reset);
+  if (!defaults) fail(defaults.error());
+  ParameterSet result;
+  for (const Parameters& block : defaults->all()) {
+    for (std::uint8_t copy = 0; copy < copies_of(block.id.message); ++copy) {
+      value_of(result.put(of_profile(block, copy)));
+    }
+  }
+  return result;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,20 @@
+/// The factory defaults of a board.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <sbgc/client/backup.hpp>
+#include <sbgc/client/client.hpp>
+
+namespace sbgc::tools {
+
+/// Returns the factory defaults as the parameters of every profile.
+///
+/// The protocol has no request for them: sets one profile to its defaults, reads it, and writes all
+/// parameters back. `before` has these parameters and must be saved. Throws CommandError; if the
+/// parameters could not be written back, it has printed what the board holds.
+ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
+                           const CallOptions& options);
+
+}  // namespace sbgc::tools

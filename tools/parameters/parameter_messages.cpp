@@ -1,0 +1,158 @@
+#include "parameters/parameter_messages.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <sbgc/meta/all.hpp>
+#include <sbgc/parameters.hpp>
+#include <sbgc/text.hpp>
+
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/names.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+std::vector<FieldSource> parameter_sources() {
+  std::vector<FieldSource> sources;
+  for (const ParameterMessage& message : parameter_messages()) {
+    sources.push_back({message.type->info->name, &message.type->fields()});
+  }
+  return sources;
+}
+
+/// Calls `use(M{})` for the message with this name.
+template <class Use>
+void with_parameter_message(std::string_view name, Use&& use) {
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    if (name == ParametersOf<M>::name) use(M{});
+  });
+}
+
+bool is_settable(const FieldInfo& field) {
+  return field.role != FieldRole::copy && field.role != FieldRole::state && !field.reserved &&
+         &field != &tail_field;
+}
+
+}  // namespace
+
+const std::vector<ParameterMessage>& parameter_messages() {
+  static const std::vector<ParameterMessage> messages = [] {
+    std::vector<ParameterMessage> result;
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      result.push_back({find_message(ParametersOf<M>::name), ParametersOf<M>::copies});
+    });
+    return result;
+  }();
+  return messages;
+}
+
+Json fields_of(const Parameters& block) {
+  Json fields;
+  ParameterSet set;
+  if (!set.put(block)) return fields;
+  with_parameter_message(block.id.message, [&]<class M>(M message) {
+    message = *set.get<M>(block.id.copy);
+    fields = to_dom(message);
+  });
+  return fields;
+}
+
+Parameters block_of(const ParametersId& id, const Json& fields) {
+  Parameters block{id, {}};
+  with_parameter_message(id.message, [&]<class M>(M message) {
+    from_dom(fields, message);
+    block.body.resize(max_body_size);
+    const WriteResult written = encode(message, block.body);
+    if (!written) throw ValueError(to_string(written.status));
+    block.body.resize(written.size);
+  });
+  return block;
+}
+
+FoundParameters find_parameters(std::string_view name) {
+  const std::vector<FieldSource> sources = parameter_sources();
+  const SourcedFields found = find_fields(sources, name);
+  if (found.fields.empty()) {
+    throw ValueError(
+        fmt::format("there is no parameter '{}'{}", clipped(name),
+                    did_you_mean(similar_fields(sources, name), "`sbgc params show` lists them")));
+  }
+  for (const FoundField& field : found.fields) {
+    const FieldInfo* const info = field.type->info;
+    if (info == nullptr || is_settable(*info)) continue;
+    throw ValueError(fmt::format("{} is not a parameter: it {}", steps_text(field.steps),
+                                 info->role == FieldRole::copy    ? "selects the profile"
+                                 : info->role == FieldRole::state ? "reports a state of the board"
+                                                                  : "is reserved"));
+  }
+  return {&parameter_messages()[found.source], found.fields};
+}
+
+bool is_general(const FoundField& field) {
+  return field.type->info != nullptr && field.type->info->role == FieldRole::general;
+}
+
+std::string ShownParameter::text() const {
+  if (meaning.empty()) return raw;
+  return is_special ? fmt::format("{} ({})", raw, meaning) : meaning;
+}
+
+std::string ShownParameter::short_text() const {
+  constexpr std::size_t longest = 32;
+  constexpr std::size_t shown = 16;
+  if (bytes <= longest) return text();
+  return fmt::format("{}… ({} bytes)", raw.substr(0, 2 * shown), bytes);
+}
+
+std::vector<ShownParameter> shown_parameters(const Parameters& block) {
+  std::vector<ShownParameter> result;
+  const MessageType& type = *find_message(block.id.message);
+  type.for_each_value(fields_of(block), [&](const Leaf& leaf) {
+    if (!is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
+    ShownParameter shown{.message = block.id.message,
+                         .path = to_string(leaf.path),
+                         .spec_name = leaf.field.spec_name,
+                         .raw = raw_text(leaf),
+                         .meaning = meaning_text(leaf),
+                         .is_special = special_meaning(leaf) != nullptr,
+                         .is_general = leaf.field.role == FieldRole::general};
+    const bool is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
+    if (is_number && leaf.names == nullptr && leaf.packed == nullptr && !shown.is_special) {
+      const double raw =
+          leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
+      shown.value = leaf.unit != nullptr ? leaf.unit->real(raw) : raw;
+    }
+    if (leaf.kind == LeafKind::bytes) shown.bytes = leaf.bytes.size();
+    if (leaf.unit != nullptr) shown.unit = leaf.unit->name;
+    result.push_back(std::move(shown));
+  });
+  return result;
+}
+
+Json to_json(const ShownParameter& parameter) {
+  Json result{{"message", parameter.message}, {"path", parameter.path}, {"raw", parameter.raw}};
+  result["value"] = parameter.value ? Json(*parameter.value) : Json();
+  result["unit"] = parameter.unit.empty() ? Json() : Json(parameter.unit);
+  result["meaning"] = parameter.meaning.empty() ? Json() : Json(parameter.meaning);
+  result["general"] = parameter.is_general;
+  return result;
+}
+
+std::vector<std::string> parameter_names() {
+  std::vector<std::string> names;
+  for (const ParameterMessage& message : parameter_messages()) {
+    for (const std::string& path : field_paths(message.type->fields())) {
+      const auto found = find_fields(message.type->fields(), path);
+      const FieldInfo* const info = found.empty() ? nullptr : found.front().type->info;
+      if (info != nullptr && !is_settable(*info)) continue;
+      if (std::ranges::find(names, path) == names.end()) names.push_back(path);
+    }
+  }
+  return names;
+}
+
+}  // namespace sbgc::tools

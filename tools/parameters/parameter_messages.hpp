@@ -1,0 +1,70 @@
+/// The parameters of a board by name and as values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/client/parameters.hpp>
+
+#include "values/field_lookup.hpp"
+#include "values/message_type.hpp"
+
+namespace sbgc::tools {
+
+/// A message that holds parameters.
+struct ParameterMessage {
+  const MessageType* type = nullptr;
+  std::uint8_t copies = 1;  ///< one for each profile, or only one
+};
+
+/// All of them, in the order of the specification's families.
+const std::vector<ParameterMessage>& parameter_messages();
+
+/// Returns the values of a block as JSON.
+Json fields_of(const Parameters& block);
+
+/// Returns the block with these values. Throws JsonError.
+Parameters block_of(const ParametersId& id, const Json& fields);
+
+/// The parameters that a name means: fields of one message.
+struct FoundParameters {
+  const ParameterMessage* message = nullptr;
+  std::vector<FoundField> fields{};
+};
+
+/// Finds parameters by path, by the end of a path, or by the name in the specification; with the
+/// name of the message in front if several have it. Throws ValueError, with suggestions.
+FoundParameters find_parameters(std::string_view name);
+
+/// True if the field is the same in all profiles.
+bool is_general(const FoundField& field);
+
+/// One value for the user.
+struct ShownParameter {
+  std::string message{};
+  std::string path{};
+  std::string spec_name{};
+  std::string raw{};
+  std::string meaning{};
+  std::optional<double> value{};  ///< of a number, in its unit
+  std::string unit{};
+  std::size_t bytes{};  ///< of bytes without a meaning as numbers; 0 for others
+  bool is_special{};    ///< the raw value has a meaning of its own
+  bool is_general{};
+
+  /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
+  std::string text() const;
+  /// The same, with the beginning of many bytes only: "00ff12… (128 bytes)".
+  std::string short_text() const;
+};
+
+/// Returns the parameters in a block, without reserved ones.
+std::vector<ShownParameter> shown_parameters(const Parameters& block);
+
+Json to_json(const ShownParameter& parameter);
+
+}  // namespace sbgc::tools

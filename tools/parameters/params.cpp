@@ -1,0 +1,27 @@
+// sbgc params: the parameters that the board stores.
+
+#include "command/commands.hpp"
+#include "parameters/params_commands.hpp"
+
+namespace sbgc::tools {
+
+void add_params(CLI::App& app, CommandContext& context) {
+  auto* const params = app.add_subcommand("params", "Show, change, back up and restore parameters")
+                           ->group(heading::parameters);
+  params->require_subcommand(1);
+  add_params_show(*params, context);
+  add_params_get(*params, context);
+  add_params_set(*params, context);
+  add_params_profiles(*params, context);
+  add_params_rename(*params, context);
+  add_params_backup(*params, context);
+  add_params_restore(*params, context);
+  add_params_diff(*params, context);
+  add_params_reset(*params, context);
+  params->footer(
+      "A parameter is named by its path (axes.pitch.p), by the end of it (pitch.p), or as in the "
+      "specification. Some parameters are general: they apply to the whole board, are stored in "
+      "every profile, and are set in all of them.");
+}
+
+}  // namespace sbgc::tools

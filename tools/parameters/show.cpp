@@ -1,0 +1,274 @@
+// sbgc params show, get, profiles, rename.
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/profiles.hpp>
+#include <sbgc/text.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/remark.hpp"
+#include "command/suggestions.hpp"
+#include "command/terminal.hpp"
+#include "command/wording.hpp"
+#include "parameters/parameter_messages.hpp"
+#include "parameters/params_commands.hpp"
+#include "parameters/profile_choice.hpp"
+#include "values/field_text.hpp"
+#include "values/words.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct ShowOptions {
+  std::vector<std::string> names{};
+  std::string filter{};
+  std::string format = "text";
+  ProfileOption profile{};
+};
+
+constexpr const char* parameters_format = "sbgc-parameters";
+
+void print_json(const ChosenProfile& profile, const std::vector<ShownParameter>& parameters) {
+  Json list = Json::array();
+  for (const ShownParameter& parameter : parameters) list.push_back(to_json(parameter));
+  const Json document{{"format", parameters_format},
+                      {"version", 1},
+                      {"profile", profile.index + 1},
+                      {"active", profile.is_active},
+                      {"parameters", std::move(list)}};
+  fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+bool fits(const ShownParameter& parameter, const std::string& filter) {
+  const std::string wanted = lower_case(filter);
+  const std::string name = lower_case(parameter.message + '.' + parameter.path);
+  return name.find(wanted) != std::string::npos ||
+         lower_case(parameter.spec_name).find(wanted) != std::string::npos;
+}
+
+void print_table(const std::vector<ShownParameter>& parameters) {
+  const Colors colors(stdout);
+  std::size_t width = 0;
+  for (const ShownParameter& parameter : parameters) {
+    width = std::max(width, parameter.path.size());
+  }
+  std::string message;
+  for (const ShownParameter& parameter : parameters) {
+    if (parameter.message != message) {
+      message = parameter.message;
+      const char* const summary = find_message(message)->info->summary;
+      fmt::print("{}\n", wrapped(fmt::format("{}: {}", colors(Color::bold, message), summary),
+                                 line_width()));
+    }
+    const std::size_t column = width + 4;
+    fmt::print("  {:<{}}  {}\n", parameter.path, width,
+               wrapped(parameter.short_text(), line_width(), column, column));
+  }
+}
+
+int show(const ShowOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  const ChosenProfile profile = choose_profile(client, options.profile);
+  const ParameterSet set = read_parameters(client, [&](const ParametersId& id) {
+    const auto& messages = parameter_messages();
+    const auto of = std::ranges::find(messages, id.message, [](const ParameterMessage& message) {
+      return std::string(message.type->info->name);
+    });
+    return of->copies == 1 || id.copy == profile.index;
+  });
+  std::vector<ShownParameter> parameters;
+  for (const Parameters& block : set.all()) {
+    for (ShownParameter& parameter : shown_parameters(block)) {
+      if (fits(parameter, options.filter)) parameters.push_back(std::move(parameter));
+    }
+  }
+  if (parameters.empty()) {
+    throw CommandError(fmt::format("no parameter has '{}' in its name", clipped(options.filter)));
+  }
+  if (options.format == "json") {
+    print_json(profile, parameters);
+  } else {
+    fmt::print("{}\n", profile.text());
+    print_table(parameters);
+  }
+  return success;
+}
+
+bool is_inside(const std::string& path, const std::string& whole) {
+  if (!path.starts_with(whole)) return false;
+  return path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[';
+}
+
+int get(const ShowOptions& options, const CommandContext& context) {
+  std::vector<FoundParameters> wanted;
+  try {
+    for (const std::string& name : options.names) wanted.push_back(find_parameters(name));
+  } catch (const ValueError& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+  Client client = connect(context.gimbal);
+  const ChosenProfile profile = choose_profile(client, options.profile);
+  const ParameterSet set = read_parameters(client, [&](const ParametersId& id) {
+    return std::ranges::any_of(wanted, [&](const FoundParameters& one) {
+      return id.message == one.message->type->info->name &&
+             (one.message->copies == 1 || id.copy == profile.index);
+    });
+  });
+  std::vector<ShownParameter> parameters;
+  std::vector<const FieldType*> types;
+  for (const FoundParameters& one : wanted) {
+    const char* const message = one.message->type->info->name;
+    const std::uint8_t copy = one.message->copies == 1 ? std::uint8_t{0} : profile.index;
+    const Parameters* const block = set.find({message, copy});
+    if (block == nullptr) throw CommandError(fmt::format("this board does not have {}", message));
+    const std::vector<ShownParameter> all = shown_parameters(*block);
+    for (const FoundField& field : one.fields) {
+      const std::string path = steps_text(field.steps);
+      const std::size_t before = parameters.size();
+      for (const ShownParameter& parameter : all) {
+        if (!is_inside(parameter.path, path)) continue;
+        parameters.push_back(parameter);
+        types.push_back(field.type);
+      }
+      if (parameters.size() != before) continue;
+      const std::string since =
+          field.type->info == nullptr ? "" : versions_text(field.type->info->since);
+      throw CommandError(fmt::format("this board does not have {}{}", path,
+                                     since.empty() ? "" : "; it needs " + since));
+    }
+  }
+  if (options.format == "json") {
+    print_json(profile, parameters);
+    return success;
+  }
+  const Colors colors(stdout);
+  const FieldInfo* explained = nullptr;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    fmt::print("{} = {}\n", colors(Color::bold, parameters[i].path), parameters[i].text());
+    const FieldInfo* const info = types[i]->info;
+    const bool is_last = i + 1 == parameters.size() || types[i + 1]->info != info;
+    if (info == nullptr || info == explained || !is_last) continue;
+    explained = info;
+    std::string facts = info->summary;
+    for (const std::string& fact : field_facts(*types[i])) facts += "\n" + fact;
+    for (std::size_t at = 0; at <= facts.size();) {
+      const std::size_t end = std::min(facts.find('\n', at), facts.size());
+      fmt::print("    {}\n", wrapped(facts.substr(at, end - at), line_width(), 4, 4));
+      at = end + 1;
+    }
+  }
+  remark("({})\n", profile.text());
+  return success;
+}
+
+int list_profiles(const ShowOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  const ProfileNames names = value_of(client.profile_names());
+  const std::size_t active = value_of(client.active_profile());
+  if (options.format == "json") {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      list.push_back(
+          {{"profile", i + 1}, {"name", detail::to_utf8(names[i])}, {"active", i == active}});
+    }
+    const Json document{{"format", "sbgc-profiles"}, {"version", 1}, {"profiles", std::move(list)}};
+    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+    return success;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fmt::print("{} {}  {}\n", i == active ? '*' : ' ', i + 1, detail::quoted(names[i]));
+  }
+  remark("(* is active)\n");
+  return success;
+}
+
+struct RenameOptions {
+  unsigned profile = 1;
+  std::string name{};
+  Arming arming{};
+};
+
+int rename_one(const RenameOptions& options, const CommandContext& context) {
+  if (const auto checked = check_profile_name(options.name); !checked) {
+    throw CommandError(checked.error().message, wrong_usage);
+  }
+  Client client = connect(context.gimbal);
+  const ProfileNames names = value_of(client.profile_names());
+  const std::size_t index = options.profile - 1;
+  if (names[index] == options.name) {
+    fmt::print("profile {} already has this name\n", options.profile);
+    return success;
+  }
+  arm(options.arming, fmt::format("Renames profile {} from {} to {}.", options.profile,
+                                  detail::quoted(names[index]), detail::quoted(options.name)));
+  value_of(client.rename_profile(index, options.name));
+  fmt::print("profile {}: {} -> {}\n", options.profile, detail::quoted(names[index]),
+             detail::quoted(options.name));
+  return success;
+}
+
+void add_format(CLI::App& command, std::string& format) {
+  command.add_option("--format", format, "Output format")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_params_show(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("show", "List the parameters of a profile");
+  auto options = std::make_shared<ShowOptions>();
+  command->add_option("filter", options->filter, "Only the parameters with this text in their name")
+      ->type_name("TEXT");
+  add_profile_option(*command, options->profile);
+  add_format(*command, options->format);
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = show(*options, context); });
+}
+
+void add_params_get(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("get", "Print parameters and what they mean");
+  auto options = std::make_shared<ShowOptions>();
+  command
+      ->add_option("names", options->names,
+                   "Paths (axes.pitch.p), ends of paths (pitch.p) or names of the "
+                   "specification; without an axis, all axes")
+      ->type_name("PARAMETER")
+      ->required();
+  add_profile_option(*command, options->profile);
+  add_format(*command, options->format);
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = get(*options, context); });
+}
+
+void add_params_profiles(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("profiles", "List the profiles and their names");
+  auto options = std::make_shared<ShowOptions>();
+  add_format(*command, options->format);
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = list_profiles(*options, context); });
+}
+
+void add_params_rename(CLI::App& params, CommandContext& context) {
+  auto* const command = params.add_subcommand("rename", "Rename a profile");
+  auto options = std::make_shared<RenameOptions>();
+  command->add_option("profile", options->profile, "The profile, counted from 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, static_cast<int>(profile_count)).description(""))
+      ->required();
+  command->add_option("name", options->name, "The new name, up to 48 bytes of UTF-8")->required();
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->callback([options, &context] { context.status = rename_one(*options, context); });
+}
+
+}  // namespace sbgc::tools

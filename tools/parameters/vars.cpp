@@ -1,0 +1,228 @@
+// sbgc vars: the adjustable variables.
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/client/variables.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/text.hpp>
+
+#include "board/arming.hpp"
+#include "board/connection.hpp"
+#include "command/commands.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/assignments.hpp"
+#include "values/field_text.hpp"
+#include "values/names.hpp"
+#include "values/value_text.hpp"
+#include "values/words.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct VarsOptions {
+  std::vector<std::string> names{};
+  std::string format = "text";
+  bool save = false;
+  Arming arming{};
+};
+
+const VariableInfo& variable_named(const std::string& name) {
+  for (const VariableInfo& variable : variables) {
+    if (is_same_word(name, variable.name)) return variable;
+  }
+  const auto near = nearest(upper_case(name), variable_names());
+  throw CommandError(fmt::format("there is no adjustable variable '{}'{}", clipped(name),
+                                 did_you_mean(near, "`sbgc vars list` lists them")),
+                     wrong_usage);
+}
+
+/// The variable as a field, for the reading of values.
+FieldType field_of(const VariableInfo& variable, FieldInfo& info) {
+  info.range = &variable.range;
+  return {.info = &info,
+          .shape = FieldShape::integer,
+          .lowest = static_cast<std::int64_t>(variable.range.lowest),
+          .highest = static_cast<std::int64_t>(variable.range.highest),
+          .unit = &variable.unit};
+}
+
+std::string value_in_unit(const VariableInfo& variable, double value) {
+  return detail::unit_text(value, variable.unit);
+}
+
+std::string range_of(const VariableInfo& variable) {
+  FieldInfo info;
+  return range_text(field_of(variable, info));
+}
+
+/// Returns the variables that this firmware has.
+std::vector<const VariableInfo*> variables_of(const BoardIdentity& board) {
+  std::vector<const VariableInfo*> result;
+  for (const VariableInfo& variable : variables) {
+    for (const ValueInfo& known : EnumMeta<msg::VariableId>::info.values) {
+      const bool is_it = known.value == static_cast<std::int64_t>(variable.id);
+      if (is_it && is_available(known.since, board.versions())) result.push_back(&variable);
+    }
+  }
+  return result;
+}
+
+int print_variables(const VarsOptions& options, const CommandContext& context) {
+  std::vector<const VariableInfo*> wanted;
+  for (const std::string& name : options.names) wanted.push_back(&variable_named(name));
+  Client client = connect(context.gimbal);
+  if (wanted.empty()) wanted = variables_of(client.identity());
+  std::vector<std::string> names;
+  std::size_t width = 0;
+  for (const VariableInfo* const variable : wanted) {
+    names.emplace_back(variable->name);
+    width = std::max(width, names.back().size());
+  }
+  const std::vector<double> values = value_of(client.get_variables(names));
+  if (options.format == "json") {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const VariableInfo& variable = *wanted[i];
+      list.push_back({{"name", variable.name},
+                      {"id", static_cast<int>(variable.id)},
+                      {"value", values[i]},
+                      {"unit", *variable.unit.name == '\0' ? Json() : Json(variable.unit.name)},
+                      {"min", variable.unit.real(variable.range.lowest)},
+                      {"max", variable.unit.real(variable.range.highest)}});
+    }
+    const Json document{{"format", "sbgc-variables"}, {"version", 1}, {"variables", list}};
+    fmt::print("{}\n", document.dump(2));
+    return success;
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    fmt::print("{:<{}}  {:<14}  {}\n", names[i], width, value_in_unit(*wanted[i], values[i]),
+               range_of(*wanted[i]));
+  }
+  return success;
+}
+
+/// The sentences of the arming.
+std::string what_happens(std::size_t changes, bool is_saved) {
+  constexpr const char* saving =
+      "all parameters in use to the active profile, so that they survive a restart";
+  if (changes == 0) return fmt::format("Saves {}.", saving);
+  return fmt::format("Sets {}{}{}. {} effect at once, and the camera can move.",
+                     counted(changes, "variable"),
+                     is_saved ? ", and saves " : " until the board restarts",
+                     is_saved ? saving : "", changes == 1 ? "It takes" : "They take");
+}
+
+int set_them(const VarsOptions& options, const CommandContext& context) {
+  std::vector<VariableValue> values;
+  std::vector<const VariableInfo*> wanted;
+  std::vector<std::string> names;
+  try {
+    for (const Assignment& assignment : parse_assignments(options.names)) {
+      const VariableInfo& variable = variable_named(assignment.name);
+      FieldInfo info;
+      const FieldType field = field_of(variable, info);
+      if (std::ranges::find(wanted, &variable) != wanted.end()) {
+        throw ValueError(fmt::format("{} is set twice", variable.name));
+      }
+      try {
+        const Json raw = parse_value(field, &variable.unit, assignment.value, Json());
+        values.push_back({variable.name, variable.unit.real(raw.get<double>())});
+      } catch (const ValueError& error) {
+        throw ValueError(fmt::format("{}: {}", variable.name, error.what()));
+      }
+      wanted.push_back(&variable);
+      names.emplace_back(variable.name);
+    }
+  } catch (const ValueError& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+  Client client = connect(context.gimbal);
+  const std::vector<double> before = value_of(client.get_variables(names));
+  std::vector<VariableValue> changed;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (before[i] == values[i].value) continue;
+    changed.push_back(values[i]);
+    fmt::print("{}: {} -> {}\n", names[i], value_in_unit(*wanted[i], before[i]),
+               value_in_unit(*wanted[i], values[i].value));
+  }
+  if (changed.empty()) fmt::print("nothing to change\n");
+  std::fflush(stdout);
+  if (changed.empty() && !options.save) return success;
+  arm(options.arming, what_happens(changed.size(), options.save));
+  const Interruption interruption;
+  if (!changed.empty()) value_of(client.set_variables(changed));
+  const std::vector<double> after = value_of(client.get_variables(names));
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (after[i] == values[i].value) continue;
+    throw CommandError(fmt::format("{} is {} on the board, although {} was set", names[i],
+                                   value_in_unit(*wanted[i], after[i]),
+                                   value_in_unit(*wanted[i], values[i].value)));
+  }
+  if (was_interrupted()) {
+    throw CommandError(fmt::format("interrupted; {} set{}",
+                                   values.size() == 1 ? "the variable is" : "the variables are",
+                                   options.save ? ", but not saved" : ""),
+                       interrupted);
+  }
+  if (options.save) value_of(client.save_variables());
+  remark("{}\n", options.save ? "Set, read back and saved."
+                              : "Set and read back; --save makes it permanent.");
+  return success;
+}
+
+}  // namespace
+
+std::vector<std::string> variable_names() {
+  std::vector<std::string> names;
+  for (const VariableInfo& variable : variables) names.emplace_back(variable.name);
+  return names;
+}
+
+void add_vars(CLI::App& app, CommandContext& context) {
+  auto* const vars = app.add_subcommand("vars", "Show and set the adjustable variables")
+                         ->group(heading::parameters);
+  vars->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help) {
+    auto* const command = vars->add_subcommand(name, help);
+    add_gimbal_options(*command, context.gimbal);
+    return command;
+  };
+  const auto add_format = [](CLI::App& command, std::string& format) {
+    command.add_option("--format", format, "Output format")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+  };
+  auto listing = std::make_shared<VarsOptions>();
+  auto* const list = add("list", "List all variables with their values and ranges");
+  add_format(*list, listing->format);
+  list->callback([listing, &context] { context.status = print_variables(*listing, context); });
+
+  auto getting = std::make_shared<VarsOptions>();
+  auto* const get = add("get", "Print variables");
+  get->add_option("names", getting->names, "Names as `vars list` prints them")
+      ->type_name("VARIABLE")
+      ->required();
+  add_format(*get, getting->format);
+  get->callback([getting, &context] { context.status = print_variables(*getting, context); });
+
+  auto setting = std::make_shared<VarsOptions>();
+  auto* const set = add("set", "Set variables");
+  set->add_option("values", setting->names, "For example LPF_FREQ_ROLL=30Hz")
+      ->type_name("VARIABLE=VALUE")
+      ->required();
+  set->add_flag("--save", setting->save, "Save the change, so that it survives a restart");
+  add_arming(*set, setting->arming);
+  set->callback([setting, &context] { context.status = set_them(*setting, context); });
+}
+
+}  // namespace sbgc::tools

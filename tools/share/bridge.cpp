@@ -1,0 +1,249 @@
+// sbgc bridge: one board for several programs at once.
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "board/progress_bar.hpp"
+#include "board/reconnecting.hpp"
+#include "command/commands.hpp"
+#include "command/duration.hpp"
+#include "command/wording.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/nonblocking_lines.hpp"
+#include "share/bridge_client.hpp"
+#include "share/bridge_ports.hpp"
+#include "share/line_gate.hpp"
+#include "share/places.hpp"
+#include "share/web_socket.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// A request that has waited longer is useless to its host.
+constexpr std::chrono::milliseconds longest_wait{2'000};
+constexpr std::chrono::milliseconds tick_time{100};
+constexpr int ticks_per_status = 10;
+constexpr const char* token_variable = "SBGC_TOKEN";
+
+struct BridgeOptions {
+  std::string address{};
+  Places places{};
+  std::vector<serving::ListenAddress> web_sockets{};
+  WebSocketAccess access{};
+  bool is_token_private = false;  ///< it is from the environment
+  std::optional<std::chrono::milliseconds> time{};
+};
+
+/// Everything that runs while hosts are served.
+class BridgeService {
+ public:
+  BridgeService(asio::io_context& context, const CommandContext& command,
+                const BridgeOptions& options)
+      : timer_(context),
+        signals_(context),
+        gate_(
+            [this, executor = context.get_executor()](LineGate::Bytes bytes) {
+              asio::post(executor, [this, bytes = std::move(bytes)] { ports_.raw_arrived(bytes); });
+            },
+            [this, executor = context.get_executor()] {
+              asio::post(executor, [this] { ports_.raw_sent(); });
+            }),
+        line_(context.get_executor(), connect(command), gate_),
+        ports_(line_, io::now, [this](const std::string& text) { log(text); }) {
+    // Until here, a signal ends the program at once.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
+    signals_.async_wait([&context](std::error_code error, int) {
+      if (!error) context.stop();
+    });
+    const auto logger = [this](const std::string& text) { log(text); };
+    endpoints_ =
+        open_places(context.get_executor(), ports_, options.places, "bridge", {logger, logger});
+    for (const serving::ListenAddress& at : options.web_sockets) {
+      endpoints_.push_back(
+          listen_web_socket(context.get_executor(), ports_, at, options.access, {logger, logger}));
+      const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
+      fmt::print("bridge: {}{}\n", endpoints_.back()->address(), shown);
+    }
+    std::fflush(stdout);
+    line_.begin(ports_, [this](const LinkChange& change) { changed(change); });
+    tick();
+  }
+  BridgeService(const BridgeService&) = delete;
+  BridgeService& operator=(const BridgeService&) = delete;
+  ~BridgeService() {
+    line_.client().close();
+    endpoints_.clear();
+  }
+
+ private:
+  ReconnectingClient connect(const CommandContext& command) {
+    ReconnectingClient client = connect_for_long(command.gimbal, [this](ConnectOptions& options) {
+      options.queue_timeout = longest_wait;
+      options.wrap = [this, wrap = options.wrap](std::unique_ptr<io::Transport> transport) {
+        return gate_.pass(wrap ? wrap(std::move(transport)) : std::move(transport));
+      };
+    });
+    log(client.description());
+    return client;
+  }
+
+  void log(const std::string& text) { lines_.write_line("sbgc: " + text); }
+
+  void changed(const LinkChange& change) {
+    const bool is_lost = change.state == LinkState::lost;
+    const bool is_news = !is_lost || ports_.line_lost();
+    if (is_news)
+      log(change.state == LinkState::searching ? "connecting again ..." : change.message);
+    if (change.state == LinkState::connected) ports_.restart_streams();
+  }
+
+  void tick() {
+    ports_.tick();
+    if (++ticks_ % ticks_per_status == 0) show_status();
+    timer_.expires_after(tick_time);
+    timer_.async_wait([this](std::error_code error) {
+      if (!error) tick();
+    });
+  }
+
+  void show_status() {
+    const std::vector<BridgePorts::HostCounters> hosts = ports_.counters();
+    std::string text =
+        fmt::format("{}, {}", name(line_.client().state()), counted(hosts.size(), "host"));
+    if (const auto host = ports_.exclusive_host()) {
+      text += fmt::format(" | host {} has the line for itself", *host);
+    }
+    for (const auto& host : hosts) {
+      text += fmt::format(" | {}: {} in, {} out", host.port, host.requests, host.messages);
+      if (host.dropped != 0) text += fmt::format(", {} dropped", host.dropped);
+    }
+    status_.show(text);
+  }
+
+  serving::NonblockingLines lines_{STDERR_FILENO};
+  asio::steady_timer timer_;
+  asio::signal_set signals_;
+  LineGate gate_;
+  BridgeClient line_;
+  BridgePorts ports_;
+  ProgressBar status_;
+  int ticks_ = 0;
+  std::vector<std::unique_ptr<serving::Endpoint>> endpoints_{};
+};
+
+int run_bridge(const BridgeOptions& options, const CommandContext& context) {
+  std::signal(SIGPIPE, SIG_IGN);
+  asio::io_context loop(1);
+  asio::steady_timer end(loop);
+  if (options.time) {
+    end.expires_after(*options.time);
+    end.async_wait([&](std::error_code error) {
+      if (!error) loop.stop();
+    });
+  }
+  const BridgeService service(loop, context, options);
+  loop.run();
+  return success;
+}
+
+void take_address(const BridgeOptions& options, GimbalOptions& gimbal) {
+  if (options.address.empty()) return;
+  if (!gimbal.port.empty() || !gimbal.name.empty()) {
+    throw CommandError("the address is given twice", wrong_usage);
+  }
+  gimbal.port = options.address;
+}
+
+/// Throws CommandError if there is no place for programs, or an option for another kind of place.
+void require_places(const BridgeOptions& options, bool has_token) {
+  if (options.places.empty() && options.web_sockets.empty()) {
+    throw CommandError("choose where programs connect: --tcp, --udp, --pty, --link or --ws",
+                       wrong_usage);
+  }
+  if (!options.web_sockets.empty()) return;
+  if (has_token) throw CommandError("--token is for --ws, which is missing", wrong_usage);
+  if (!options.access.origins.empty()) {
+    throw CommandError("--origin is for --ws, which is missing", wrong_usage);
+  }
+}
+
+/// Chooses the token: that of the command line, of the environment, or a new one.
+void choose_token(BridgeOptions& options) {
+  if (options.web_sockets.empty() || !options.access.token.empty()) return;
+  const char* const from_environment = std::getenv(token_variable);
+  options.is_token_private = from_environment != nullptr && *from_environment != '\0';
+  options.access.token = options.is_token_private ? from_environment : make_token();
+  const std::string problem = token_problem(options.access.token);
+  if (!problem.empty()) {
+    throw CommandError(fmt::format("{}: {}", token_variable, problem), wrong_usage);
+  }
+}
+
+}  // namespace
+
+void add_bridge(CLI::App& app, CommandContext& context) {
+  auto* const command = app.add_subcommand("bridge", "Share one gimbal between several programs")
+                            ->group(heading::share);
+  auto options = std::make_shared<BridgeOptions>();
+  command->add_option("address", options->address, "The address of the gimbal, as for --port")
+      ->type_name("ADDRESS");
+  add_places(*command, options->places);
+  add_listen(*command, "--ws", options->web_sockets,
+             "Listen for WebSockets, whose binary messages are the bytes of the protocol");
+  auto* const token = command->add_option(
+      "--token", options->access.token,
+      "What a WebSocket must know; by default a random text, which is printed. Others on "
+      "this machine see the command line; the environment variable SBGC_TOKEN is "
+      "private, and is not printed");
+  token->check(token_problem)->type_name("TEXT")->group(places_group);
+  command
+      ->add_option("--origin", options->access.origins,
+                   "A web site whose pages may connect, such as http://localhost:8000; none by "
+                   "default")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(origin_problem)
+      ->type_name("ORIGIN")
+      ->group(places_group);
+  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "Each program talks to the gimbal as if it were alone. Requests are executed one after "
+      "another, and each response goes to the program that asked. The gimbal sends a data stream "
+      "at the highest rate that a program wants, and each program gets its own rate; it has one "
+      "configuration at a time: while one runs, a request for other contents of "
+      "RealtimeDataCustom, "
+      "for example, gets an error. Other messages go to all. If the line is lost, the programs "
+      "stay connected, and the bridge connects again "
+      "and starts the streams again. Whoever can connect can move the gimbal: only programs on "
+      "this "
+      "machine, unless HOST says otherwise. A web page connects with new WebSocket(url, [\"sbgc\", "
+      "\"token.TOKEN\"]), or with '?token=TOKEN' in the URL. The exit status is 0 after Ctrl-C, 1 "
+      "if the gimbal is "
+      "not found or a place cannot be opened, 2 for wrong usage.\n\n"
+      "Examples:\n  sbgc bridge /dev/ttyUSB0 --tcp 5000\n  sbgc bridge --link /tmp/gimbal --tcp "
+      "5000 -p tcp:10.0.0.7:5000");
+  command->callback([options, token, &context] {
+    take_address(*options, context.gimbal);
+    require_places(*options, token->count() != 0);
+    choose_token(*options);
+    context.status = run_bridge(*options, context);
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,59 @@
+#include "share/bridge_client.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <asio/post.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+/// A copy of a frame.
+struct OwnFrame {
+  explicit OwnFrame(const Frame& from)
+      : id(from.id), body(from.body.begin(), from.body.end()), framing(from.framing) {}
+
+  Frame frame() const { return {.id = id, .body = body, .framing = framing}; }
+
+  std::uint8_t id;
+  std::vector<std::uint8_t> body;
+  Framing framing;
+};
+
+}  // namespace
+
+BridgeClient::BridgeClient(asio::any_io_executor executor, ReconnectingClient client,
+                           LineGate& gate)
+    : executor_(std::move(executor)), gate_(gate), client_(std::move(client)) {}
+
+BridgeClient::~BridgeClient() { client_.close(); }
+
+void BridgeClient::begin(BridgePorts& ports, std::function<void(const LinkChange&)> on_change) {
+  ports_ = &ports;
+  on_change_ = std::move(on_change);
+  frames_ = client_.on_frame([this](const BoardFrame& arrived) {
+    asio::post(executor_,
+               [this, own = OwnFrame(arrived.frame), copy = BoardFrame(arrived)]() mutable {
+                 copy.frame = own.frame();
+                 ports_->arrived(copy);
+               });
+  });
+  changes_ = client_.on_change([this](const LinkChange& change) {
+    asio::post(executor_, [this, change] { on_change_(change); });
+  });
+}
+
+void BridgeClient::send(std::uint64_t tag, RawRequest request) {
+  request.on_frame = [this, tag](const Frame& frame) {
+    asio::post(executor_,
+               [this, tag, own = OwnFrame(frame)] { ports_->answered(tag, own.frame()); });
+  };
+  // The host repeats its requests if it wants to.
+  client_.start_raw(request, {.retries = 0}, [this, tag](const Result<Reply>& reply) {
+    const bool timed_out = !reply && reply.error().code == ErrorCode::timeout;
+    asio::post(executor_, [this, tag, timed_out] { ports_->ended(tag, timed_out); });
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,53 @@
+/// The connection of a bridge to its board.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <asio/any_io_executor.hpp>
+
+#include <sbgc/client/reconnecting_client.hpp>
+
+#include "share/bridge_ports.hpp"
+#include "share/line_gate.hpp"
+
+namespace sbgc::tools {
+
+/// Sends the requests of a bridge with a client. What the client reports on its own thread is
+/// handed over to the bridge on its executor.
+class BridgeClient final : public BridgeLine {
+ public:
+  /// The executor must not run any more when this is destroyed.
+  /// The transports of the client pass through the gate.
+  BridgeClient(asio::any_io_executor executor, ReconnectingClient client, LineGate& gate);
+  BridgeClient(const BridgeClient&) = delete;
+  BridgeClient& operator=(const BridgeClient&) = delete;
+  ~BridgeClient() override;
+
+  /// Begins to pass on what the board sends; `on_change` is called on the executor.
+  void begin(BridgePorts& ports, std::function<void(const LinkChange&)> on_change);
+
+  void send(std::uint64_t tag, RawRequest request) override;
+  void take_line() override { gate_.take(); }
+  void write_raw(std::vector<std::uint8_t> bytes) override { gate_.write(std::move(bytes)); }
+  std::size_t raw_waiting() const override { return gate_.waiting(); }
+  void give_line_back() override { gate_.give_back(); }
+  void check() override { client_.check(); }
+
+  ReconnectingClient& client() { return client_; }
+
+ private:
+  asio::any_io_executor executor_;
+  LineGate& gate_;
+  BridgePorts* ports_ = nullptr;
+  std::function<void(const LinkChange&)> on_change_;
+  ReconnectingClient client_;
+  Subscription frames_;
+  Subscription changes_;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,464 @@
+#include "share/bridge_ports.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/messages/system.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/text.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+/// Unlike responses, samples and unsolicited messages do not fill all of a host's output.
+constexpr std::size_t room_of_exclusive_host = 2048;
+constexpr std::size_t most_for_samples = BridgePorts::max_output / 4;
+
+std::span<const std::uint8_t> body_of(const RawRequest& request) {
+  return {request.body.data(), request.body.size()};
+}
+
+std::optional<roles::StreamRequest> as_stream_request(const RawRequest& request) {
+  if (request.policy.stream.command == 0 ||
+      request.id != static_cast<std::uint8_t>(roles::StreamRequest::command)) {
+    return std::nullopt;
+  }
+  roles::StreamRequest message{};
+  if (!decode(body_of(request), message)) return std::nullopt;
+  return message;
+}
+
+/// Returns the time between two samples.
+std::int64_t microseconds_of(std::int64_t interval) {
+  return interval == std::int64_t{roles::stream_cycle}
+             ? std::int64_t{roles::stream_cycle_us}
+             : interval * std::int64_t{roles::stream_interval_us};
+}
+
+/// Returns the request with another interval.
+RawRequest with_interval(const RawRequest& request, std::int64_t interval) {
+  auto message = as_stream_request(request);
+  if (!message) return request;
+  auto& place = roles::stream_interval(*message);
+  using Interval = std::remove_reference_t<decltype(place)>;
+  place = Interval(static_cast<typename Interval::raw_type>(interval));
+  std::array<std::uint8_t, max_body_size> body{};
+  const WriteResult written = encode(*message, std::span(body));
+  if (!written) return request;
+  auto changed = raw_request(request.id, std::span(body).first(written.size));
+  return changed ? *std::move(changed) : request;
+}
+
+}  // namespace
+
+// The hosts' side.
+
+std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake) {
+  auto* const free = std::ranges::find_if(hosts_, [](const auto& host) { return host == nullptr; });
+  if (free == hosts_.end()) return std::nullopt;
+  *free = std::make_unique<Host>();
+  const auto port = static_cast<std::size_t>(free - hosts_.begin());
+  (*free)->wake = std::move(wake);
+  (*free)->counters.port = port;
+  return port;
+}
+
+void BridgePorts::disconnect(std::size_t port) {
+  hosts_[port].reset();
+  std::erase_if(calls_, [&](const auto& one) { return one.second.port == port; });
+  std::erase_if(last_sender_, [&](const auto& one) { return one.second == port; });
+  for (auto place = streams_.begin(); place != streams_.end();) {
+    Stream& stream = place->second;
+    const std::int64_t before = stream.interval();
+    const bool had_share = stream.shares.erase(port) != 0;
+    const std::int64_t after = stream.interval();
+    if (had_share && before != after) send(std::nullopt, with_interval(stream.request, after));
+    if (stream.shares.empty()) ended_streams_[place->first.first] = now();
+    place = stream.shares.empty() ? streams_.erase(place) : std::next(place);
+  }
+  if (exclusive_ && exclusive_->port == port) {
+    end_exclusive();
+  } else {
+    begin_exclusive();
+  }
+}
+
+void BridgePorts::end_input(std::size_t port) {
+  Host& host = *hosts_[port];
+  host.parser.flush([&](const Frame& frame) { take_request(port, frame); });
+}
+
+std::size_t BridgePorts::queued_bytes(std::size_t port) const {
+  return room(port) == 0 ? 1 : 0;  // the exact number does not matter
+}
+
+std::size_t BridgePorts::room(std::size_t port) const {
+  const Host& host = *hosts_[port];
+  if (exclusive_ && (exclusive_->port != port || !exclusive_->is_active)) return 0;
+  if (exclusive_) {
+    const std::size_t waiting = line_.raw_waiting();
+    if (host.output.size() >= max_output || waiting >= max_raw) return 0;
+    return std::min(room_of_exclusive_host, max_raw - waiting);
+  }
+  if (host.pending >= max_requests || host.output.size() >= max_output) return 0;
+  // Even if all of it is the shortest requests, they must not be too many.
+  return (max_requests - host.pending) * frame_size(basic_framing, 0);
+}
+
+bool BridgePorts::is_quiet(std::size_t port) const {
+  const Host& host = *hosts_[port];
+  return host.pending == 0 && host.output.empty();
+}
+
+void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
+  Host& host = *hosts_[port];
+  host.heard = now();
+  if (exclusive_ && exclusive_->port == port && exclusive_->is_active) return receive_raw(bytes);
+  host.parser.feed(bytes, [&](const Frame& frame) { take_request(port, frame); });
+}
+
+std::span<const std::uint8_t> BridgePorts::output(std::size_t port) const {
+  return hosts_[port]->output;
+}
+
+void BridgePorts::take(std::size_t port, std::size_t size) {
+  std::vector<std::uint8_t>& output = hosts_[port]->output;
+  output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(size));
+}
+
+void BridgePorts::tick() {
+  for (std::size_t port = 0; port < hosts_.size(); ++port) {
+    if (hosts_[port] && now() - hosts_[port]->heard > idle) end_input(port);
+  }
+  if (!exclusive_) start_silent_streams();
+  if (!exclusive_ && unanswered_ >= most_unanswered) {
+    unanswered_ = 0;
+    line_.check();
+  }
+  if (!exclusive_ || !exclusive_->is_active) return;
+  const bool is_only_restart = !exclusive_->is_raw && now() - exclusive_->begin > restart_time;
+  if (exclusive_->is_back || is_only_restart || now() - exclusive_->last > longest_silence)
+    end_exclusive();
+}
+
+// A host that has the line for itself.
+
+std::optional<std::size_t> BridgePorts::exclusive_host() const {
+  if (!exclusive_ || !exclusive_->is_active) return std::nullopt;
+  return exclusive_->port;
+}
+
+void BridgePorts::begin_exclusive() {
+  if (!exclusive_ || exclusive_->is_active || !calls_.empty()) return;
+  exclusive_->is_active = true;
+  exclusive_->begin = exclusive_->last = now();
+  log(fmt::format("host {} has the line for itself while the board restarts", exclusive_->port));
+  line_.take_line();
+  line_.write_raw(std::move(exclusive_->first));
+  wake(exclusive_->port);
+}
+
+void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
+  Host& host = *hosts_[exclusive_->port];
+  const std::uint64_t skipped = host.parser.counters().skipped_bytes;
+  host.parser.feed(bytes, [&](const Frame&) { ++host.counters.requests; });
+  if (host.parser.counters().skipped_bytes != skipped) exclusive_->is_raw = true;
+  exclusive_->last = now();
+  line_.write_raw({bytes.begin(), bytes.end()});
+}
+
+void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
+  if (!exclusive_ || !exclusive_->is_active) return;
+  Host& host = *hosts_[exclusive_->port];
+  exclusive_->last = now();
+  // A host that does not read loses bytes.
+  if (host.output.size() + bytes.size() <= max_output) {
+    host.output.insert(host.output.end(), bytes.begin(), bytes.end());
+  } else {
+    ++host.counters.dropped;
+  }
+  bool is_back = false;
+  exclusive_->from_board.feed(bytes, [&](const Frame& frame) {
+    ++host.counters.messages;
+    is_back = is_back || roles::is_introduction(frame);
+  });
+  // An introduction before the restart is none of the restarted board.
+  if (is_back && now() - exclusive_->begin > restart_delay) exclusive_->is_back = true;
+  wake(exclusive_->port);
+}
+
+void BridgePorts::raw_sent() {
+  if (exclusive_) wake(exclusive_->port);
+}
+
+bool BridgePorts::line_lost() {
+  unanswered_ = 0;
+  if (exclusive_) {
+    exclusive_.reset();
+    wake_all();
+  }
+  return !std::exchange(is_reopening_, false);
+}
+
+void BridgePorts::end_exclusive() {
+  const bool was_active = exclusive_->is_active;
+  exclusive_.reset();
+  is_reopening_ = was_active;
+  if (was_active) {
+    log("the line is opened again for all hosts");
+    line_.give_line_back();
+  }
+  wake_all();
+}
+
+void BridgePorts::wake_all() {
+  for (std::size_t port = 0; port < hosts_.size(); ++port) wake(port);
+}
+
+void BridgePorts::take_request(std::size_t port, const Frame& frame) {
+  Host& host = *hosts_[port];
+  host.framing = frame.framing;
+  ++host.counters.requests;
+  Result<RawRequest> request = raw_request(frame.id, frame.body);
+  if (!request) return;
+  const bool is_exclusive = exclusive_ && exclusive_->port == port;
+  if (is_exclusive || (!exclusive_ && request->policy.restarts_board)) {
+    if (!exclusive_) exclusive_ = Exclusive{.port = port};
+    std::array<std::uint8_t, max_frame_size> bytes{};
+    const std::size_t size = write_frame(host.framing, frame.id, frame.body, bytes).size;
+    exclusive_->first.insert(exclusive_->first.end(), bytes.begin(),
+                             bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    return begin_exclusive();
+  }
+  last_sender_[frame.id] = port;
+  if (as_stream_request(*request)) return take_stream_request(port, *request);
+  send(port, *std::move(request));
+}
+
+void BridgePorts::take_stream_request(std::size_t port, const RawRequest& request) {
+  const StreamKey key{request.policy.stream.command, request.policy.stream.config};
+  if (has_other_configuration(key)) {
+    msg::ErrorExt error;
+    error.cmd_id = roles::StreamRequest::command;
+    error.error_code = roles::ErrorReason::temporary;
+    std::array<std::uint8_t, max_body_size> body{};
+    const std::size_t size = encode(error, std::span(body)).size;
+    const auto id = static_cast<std::uint8_t>(msg::ErrorExt::command);
+    give(port, {.id = id, .body = std::span(body).first(size)}, false);
+    log(
+        fmt::format("host {}: a stream of {} is refused, because one with another configuration is "
+                    "running",
+                    port, to_string(static_cast<msg::CommandFromBoard>(key.first))));
+    return;
+  }
+  const auto ended = ended_streams_.find(key.first);
+  const bool may_mix = !streams_.contains(key) && ended != ended_streams_.end() &&
+                       now() - ended->second < end_of_stream_time;
+  const std::uint64_t tag = send(port, merged(port, request));
+  calls_[tag].stream = key;
+  const auto stream = streams_.find(key);
+  // Until the board confirms, samples are those of the stream before.
+  if (may_mix && stream != streams_.end()) stream->second.starting = tag;
+}
+
+bool BridgePorts::has_other_configuration(const StreamKey& key) const {
+  return std::ranges::any_of(streams_, [&](const auto& one) {
+    return one.first.first == key.first && one.first.second != key.second;
+  });
+}
+
+RawRequest BridgePorts::merged(std::size_t port, const RawRequest& request) {
+  const StreamChange& change = request.policy.stream;
+  const StreamKey key{change.command, change.config};
+  const auto message = as_stream_request(request);
+  const std::int64_t wanted = roles::stream_interval(*message).raw();
+  Stream& stream = streams_[key];
+  stream.size = change.size;
+  stream.request = request;
+  stream.heard = now();
+  if (wanted == roles::stream_end) {
+    stream.shares.erase(port);
+  } else {
+    stream.shares[port] = {wanted, 0};
+  }
+  RawRequest result = with_interval(request, stream.interval());
+  if (stream.shares.empty()) {
+    ended_streams_[key.first] = now();
+    streams_.erase(key);
+  }
+  return result;
+}
+
+std::int64_t BridgePorts::Stream::interval() const {
+  if (shares.empty()) return roles::stream_end;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const auto& [port, share] : shares) least = std::min(least, share.interval);
+  return least;
+}
+
+std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest request) {
+  const std::uint64_t tag = ++last_tag_;
+  if (port) {
+    calls_[tag] = {*port, request.id, {}};
+    ++hosts_[*port]->pending;
+  }
+  line_.send(tag, std::move(request));
+  return tag;
+}
+
+// The board's side.
+
+void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
+  const auto call = calls_.find(tag);
+  if (call == calls_.end()) return;
+  if (call->second.stream && roles::is_error(frame)) {
+    refused(call->second.port, *call->second.stream);
+  }
+  give(call->second.port, frame, false);
+}
+
+/// The board does not start the stream for this host.
+void BridgePorts::refused(std::size_t port, const StreamKey& key) {
+  const auto stream = streams_.find(key);
+  if (stream == streams_.end()) return;
+  stream->second.shares.erase(port);
+  if (stream->second.shares.empty()) streams_.erase(stream);
+}
+
+void BridgePorts::ended(std::uint64_t tag, bool timed_out) {
+  if (timed_out) ++unanswered_;
+  for (auto& [key, stream] : streams_) {
+    if (stream.starting == tag) stream.starting = 0;
+  }
+  const auto call = calls_.find(tag);
+  if (call == calls_.end()) return;
+  const std::size_t port = call->second.port;
+  calls_.erase(call);
+  --hosts_[port]->pending;
+  begin_exclusive();
+  wake(port);
+}
+
+void BridgePorts::arrived(const BoardFrame& message) {
+  const Frame& frame = message.frame;
+  heard_ = now();
+  unanswered_ = 0;
+  if (message.is_late) return;
+  if (message.belongs_to_call) {
+    if (message.may_be_sample) give_sample(frame, true);
+    return;
+  }
+  if (is_streamed(frame.id)) return give_sample(frame, false);
+  const auto ended = ended_streams_.find(frame.id);
+  if (ended != ended_streams_.end() && now() - ended->second < end_of_stream_time) return;
+  // A response that is not certain to come arrives when its request has ended.
+  std::uint8_t command = 0;
+  if (roles::is_confirmation(frame)) command = roles::confirmed_command(frame);
+  if (roles::is_error(frame)) command = roles::failed_command(frame);
+  const auto sender = last_sender_.find(command);
+  if (sender != last_sender_.end()) return give(sender->second, frame, false);
+  give_all(frame);
+}
+
+void BridgePorts::restart_streams() {
+  for (auto& [key, stream] : streams_) {
+    send(std::nullopt, with_interval(stream.request, stream.interval()));
+    stream.heard = now();
+    stream.is_started_again = false;
+  }
+}
+
+void BridgePorts::start_silent_streams() {
+  bool is_silent = false;
+  for (auto& [key, stream] : streams_) {
+    const Duration three_intervals = microseconds(3 * microseconds_of(stream.interval()));
+    if (now() - stream.heard <= std::max(silence_of_stream, three_intervals)) continue;
+    // Not even the last start was confirmed.
+    is_silent = is_silent || (stream.is_started_again && heard_ < stream.heard);
+    send(std::nullopt, with_interval(stream.request, stream.interval()));
+    stream.heard = now();
+    stream.is_started_again = true;
+  }
+  if (is_silent) line_.check();
+}
+
+bool BridgePorts::is_streamed(std::uint8_t id) const {
+  return std::ranges::any_of(streams_, [&](const auto& one) { return one.first.first == id; });
+}
+
+bool BridgePorts::awaits(std::size_t port, std::uint8_t id) const {
+  return std::ranges::any_of(
+      calls_, [&](const auto& one) { return one.second.port == port && one.second.id == id; });
+}
+
+void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
+  const auto is_of = [&](const auto& one) {
+    return one.first.first == frame.id && one.second.size == frame.body.size();
+  };
+  // A message of another size than documented can be of any stream with this id.
+  const bool has_size = std::ranges::any_of(streams_, is_of);
+  std::array<bool, max_hosts> is_due{};
+  for (auto& one : streams_) {
+    if (one.first.first != frame.id || (has_size && !is_of(one))) continue;
+    if (one.second.starting != 0) continue;
+    one.second.heard = now();
+    one.second.is_started_again = false;
+    const std::int64_t passed = microseconds_of(one.second.interval());
+    for (auto& [port, share] : one.second.shares) {
+      const std::int64_t wanted = microseconds_of(share.interval);
+      share.credit += passed;
+      if (share.credit < wanted) continue;
+      share.credit = std::min(share.credit - wanted, wanted);
+      is_due[port] = true;
+    }
+  }
+  for (std::size_t port = 0; port < is_due.size(); ++port) {
+    // The one who asked gets it as its response.
+    if (is_due[port] && !(is_answer && awaits(port, frame.id))) give(port, frame, true);
+  }
+}
+
+void BridgePorts::give_all(const Frame& frame) {
+  for (std::size_t port = 0; port < hosts_.size(); ++port) {
+    if (hosts_[port]) give(port, frame, true);
+  }
+}
+
+void BridgePorts::give(std::size_t port, const Frame& frame, bool may_be_dropped) {
+  Host& host = *hosts_[port];
+  if (may_be_dropped && host.output.size() > most_for_samples) {
+    ++host.counters.dropped;
+    return;
+  }
+  std::array<std::uint8_t, max_frame_size> bytes{};
+  const WriteResult written = write_frame(host.framing, frame.id, frame.body, bytes);
+  if (!written) return;
+  host.output.insert(host.output.end(), bytes.begin(),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(written.size));
+  ++host.counters.messages;
+  wake(port);
+}
+
+void BridgePorts::log(const std::string& text) const {
+  if (log_) log_(text);
+}
+
+void BridgePorts::wake(std::size_t port) {
+  if (hosts_[port] && hosts_[port]->wake) hosts_[port]->wake();
+}
+
+auto BridgePorts::counters() const -> std::vector<HostCounters> {
+  std::vector<HostCounters> result;
+  for (const auto& host : hosts_) {
+    if (host) result.push_back(host->counters);
+  }
+  return result;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,220 @@
+/// Several hosts at one board, without I/O.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <sbgc/client/raw_request.hpp>
+#include <sbgc/io/clock.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/roles.hpp>
+
+#include "serving/host_ports.hpp"
+
+namespace sbgc::tools {
+
+/// The board's side of a bridge.
+class BridgeLine {
+ public:
+  BridgeLine() = default;
+  BridgeLine(const BridgeLine&) = delete;
+  BridgeLine& operator=(const BridgeLine&) = delete;
+  virtual ~BridgeLine() = default;
+
+  /// Sends a request. Its frames and its end are reported with the same tag, but not from inside
+  /// this call.
+  virtual void send(std::uint64_t tag, RawRequest request) = 0;
+
+  /// Takes the line for raw bytes. From now on, nothing is sent but the bytes of write_raw(), and
+  /// what arrives is reported as it is.
+  virtual void take_line() = 0;
+  virtual void write_raw(std::vector<std::uint8_t> bytes) = 0;
+  /// How many of these bytes have not been sent yet.
+  virtual std::size_t raw_waiting() const = 0;
+  /// Ends this when they have been sent: connects to the board again.
+  virtual void give_line_back() = 0;
+
+  /// Asks the board for a sign of life; without one, connects again.
+  virtual void check() = 0;
+};
+
+/// Gives each host the responses to its own requests, the samples of the data streams that it has
+/// asked for, and all unsolicited messages.
+///
+/// - The bodies of requests and responses pass unchanged; frames are rewritten in the framing that
+///   the host uses.
+/// - The board gets the shortest interval that a host wants for a data stream; each host gets every
+///   sample that is due at its own interval. The share of a host ends when it leaves.
+/// - The messages of a stream do not say with which configuration they were requested. Therefore a
+///   stream has one configuration at a time: while it runs, a request for another one gets an error
+///   in place of a confirmation.
+/// - A host that sends faster than the board executes is read more slowly. A host that does not
+///   read loses samples and unsolicited messages, and disturbs no other.
+/// - A request that fails has no response, as on a line to the board.
+/// - After a request that restarts the board, its host has the line for itself, with all bytes as
+///   they are, because a bootloader speaks another protocol. The others wait until the host has
+///   left, the board introduces itself again, or nothing of that kind happens.
+class BridgePorts final : public serving::HostPorts {
+ public:
+  static constexpr std::size_t max_hosts = 32;
+  /// Requests of one host that have not ended.
+  static constexpr std::size_t max_requests = 16;
+  /// Bytes that wait for one host.
+  static constexpr std::size_t max_output = 65536;
+  /// Silence of a host that ends an incomplete frame.
+  static constexpr Duration idle = sbgc::milliseconds(100);
+  /// How long a host that restarts the board has the line for itself without using it for raw
+  /// bytes, and how long both sides may be silent.
+  static constexpr Duration restart_time = sbgc::seconds(5);
+  /// A board that has announced its restart still responds for this long.
+  static constexpr Duration restart_delay = sbgc::milliseconds(roles::reset_delay_ms + 500);
+  /// Samples may still arrive for this long after a stream was ended.
+  static constexpr Duration end_of_stream_time = sbgc::seconds(1);
+  /// The silence of a data stream after which it is started again, at least three intervals: a
+  /// board that has lost its power for a moment has lost its streams.
+  static constexpr Duration silence_of_stream = sbgc::seconds(3);
+  static constexpr Duration longest_silence = sbgc::seconds(60);
+  /// The board is asked for a sign of life after so many requests without any response.
+  static constexpr int most_unanswered = 3;
+  /// Bytes of a host that has the line for itself that wait to be sent.
+  static constexpr std::size_t max_raw = 4096;
+
+  struct HostCounters {
+    std::size_t port{};
+    std::uint64_t requests{};
+    std::uint64_t messages{};  ///< sent to it
+    std::uint64_t dropped{};   ///< because it does not read
+  };
+
+  /// `log` receives sentences for the user.
+  explicit BridgePorts(BridgeLine& line, std::function<Instant()> clock = io::now,
+                       std::function<void(const std::string&)> log = {})
+      : line_(line), clock_(std::move(clock)), log_(std::move(log)) {}
+
+  // The hosts' side.
+
+  std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake) override;
+  void disconnect(std::size_t port) override;
+  void end_input(std::size_t port) override;
+  void set_host_rate(std::size_t, std::uint32_t) override {}
+  std::size_t queued_bytes(std::size_t port) const override;
+  std::size_t room(std::size_t port) const override;
+  bool is_quiet(std::size_t port) const override;
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes) override;
+  std::span<const std::uint8_t> output(std::size_t port) const override;
+  void take(std::size_t port, std::size_t size) override;
+  Instant now() const override { return clock_(); }
+
+  // The board's side.
+
+  /// A frame that belongs to the request with this tag.
+  void answered(std::uint64_t tag, const Frame& frame);
+  /// The request has ended; `timed_out` if the board has not responded.
+  void ended(std::uint64_t tag, bool timed_out);
+  /// Every frame of the board, including those of answered().
+  void arrived(const BoardFrame& message);
+  /// The board is connected again and has no data streams: starts those that hosts want.
+  void restart_streams();
+  /// Bytes that arrive while the line is taken.
+  void raw_arrived(std::span<const std::uint8_t> bytes);
+  /// Bytes of write_raw() have been sent.
+  void raw_sent();
+  /// The line is lost. Returns false if it is only opened again after a host had it for itself.
+  bool line_lost();
+  /// The host that has the line for itself.
+  std::optional<std::size_t> exclusive_host() const;
+  /// Does what is due: ends incomplete frames of silent hosts, starts silent data streams again,
+  /// and gives the line back. To be called from time to time.
+  void tick();
+
+  std::vector<HostCounters> counters() const;
+
+ private:
+  struct Host {
+    std::function<void()> wake{};
+    ParserOfAll parser{};
+    Framing framing = basic_framing;
+    Instant heard{};
+    std::vector<std::uint8_t> output{};
+    std::size_t pending = 0;
+    HostCounters counters{};
+  };
+  /// Identifies a data stream by the id of its messages and its configuration.
+  using StreamKey = std::pair<std::uint8_t, std::array<std::uint8_t, max_stream_config>>;
+  struct Call {
+    std::size_t port{};
+    std::uint8_t id{};
+    std::optional<StreamKey> stream{};  // that it starts or changes
+  };
+  /// What one host wants of it.
+  struct Share {
+    std::int64_t interval{};  // in counts of the request
+    std::int64_t credit{};    // what has passed since its last sample, in microseconds
+  };
+  struct Stream {
+    std::uint8_t size{};  // of the bodies of its messages
+    RawRequest request{};
+    std::map<std::size_t, Share> shares{};  // by port
+    Instant heard{};                        // the last sample, or its last start
+    bool is_started_again = false;          // since its last sample
+    std::uint64_t starting{};               // the request that must end before it has samples; or 0
+    std::int64_t interval() const;          // 0 without shares
+  };
+
+  /// A host that has the line for itself, or waits until the requests of all have ended.
+  struct Exclusive {
+    std::size_t port{};
+    bool is_active = false;
+    bool is_raw = false;                // it has sent bytes that are no requests
+    bool is_back = false;               // the board has introduced itself
+    std::vector<std::uint8_t> first{};  // what it sends before it has the line
+    Instant begin{};
+    Instant last{};  // when bytes passed
+    ParserOfAll from_board{};
+  };
+
+  void take_request(std::size_t port, const Frame& frame);
+  void take_stream_request(std::size_t port, const RawRequest& request);
+  void start_silent_streams();
+  void receive_raw(std::span<const std::uint8_t> bytes);
+  void log(const std::string& text) const;
+  void begin_exclusive();
+  void end_exclusive();
+  void wake_all();
+  /// Notes what the host wants; returns the request that the board gets instead.
+  RawRequest merged(std::size_t port, const RawRequest& request);
+  void refused(std::size_t port, const StreamKey& key);
+  bool has_other_configuration(const StreamKey& key) const;
+  std::uint64_t send(std::optional<std::size_t> port, RawRequest request);
+  void give(std::size_t port, const Frame& frame, bool may_be_dropped);
+  void give_all(const Frame& frame);
+  void give_sample(const Frame& frame, bool is_answer);
+  void wake(std::size_t port);
+  bool is_streamed(std::uint8_t id) const;
+  bool awaits(std::size_t port, std::uint8_t id) const;
+
+  BridgeLine& line_;
+  std::function<Instant()> clock_;
+  std::function<void(const std::string&)> log_;
+  std::array<std::unique_ptr<Host>, max_hosts> hosts_{};
+  std::uint64_t last_tag_ = 0;
+  std::unordered_map<std::uint64_t, Call> calls_;
+  std::map<std::uint8_t, std::size_t> last_sender_;  // of each command
+  std::map<StreamKey, Stream> streams_;
+  std::map<std::uint8_t, Instant> ended_streams_{};  // when the last host left, by message
+  Instant heard_{};                                  // the last frame of the board
+  int unanswered_ = 0;                               // requests since then
+  std::optional<Exclusive> exclusive_{};
+  bool is_reopening_ = false;  // after a host had the line for itself
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,79 @@
+#include "share/places.hpp"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "serving/arguments.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// TCP and UDP each have as many places.
+constexpr std::size_t places_of_each = 16;
+
+}  // namespace
+
+void add_listen(CLI::App& command, const std::string& name,
+                std::vector<serving::ListenAddress>& addresses, const std::string& help) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&addresses](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) addresses.push_back(serving::parse_listen(text));
+          },
+          help)
+      ->check([](const std::string& text) -> std::string {
+        try {
+          static_cast<void>(serving::parse_listen(text));
+          return {};
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      })
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("[HOST:]PORT")
+      ->group(places_group);
+}
+
+void add_places(CLI::App& command, Places& places) {
+  add_listen(command, "--tcp", places.tcp,
+             "Listen on this TCP port, 0 for any free one; on localhost unless HOST is another "
+             "address of this machine");
+  add_listen(command, "--udp", places.udp, "Listen on this UDP port; each sender is a program");
+  command.add_flag("--pty", places.terminal, "A pseudo-terminal")->group(places_group);
+  command.add_option("--link", places.links, "A pseudo-terminal with this symbolic link to it")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("PATH")
+      ->group(places_group);
+}
+
+std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_executor& executor,
+                                                            serving::HostPorts& ports,
+                                                            const Places& places,
+                                                            const std::string& name,
+                                                            const serving::EndpointLogs& logs) {
+  std::vector<std::unique_ptr<serving::Endpoint>> opened;
+  const auto add = [&](std::unique_ptr<serving::Endpoint> endpoint) {
+    fmt::print("{}: {}\n", name, endpoint->address());
+    opened.push_back(std::move(endpoint));
+  };
+  for (const auto& at : places.tcp) {
+    add(serving::listen_tcp(executor, ports, at, places_of_each, logs));
+  }
+  for (const auto& at : places.udp) {
+    add(serving::listen_udp(executor, ports, at, places_of_each, logs));
+  }
+  if (places.terminal) add(serving::open_terminal(executor, ports, "", false, logs));
+  for (const std::string& link : places.links) {
+    add(serving::open_terminal(executor, ports, link, false, logs));
+  }
+  std::fflush(stdout);
+  return opened;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,75 @@
+// sbgc replay: serves a capture in place of a board.
+
+#include <csignal>
+#include <memory>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <asio/signal_set.hpp>
+#include <unistd.h>
+
+#include <sbgc/io/replay.hpp>
+
+#include "command/commands.hpp"
+#include "command/number_range.hpp"
+#include "command/wording.hpp"
+#include "serving/nonblocking_lines.hpp"
+#include "share/places.hpp"
+#include "share/replay_ports.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct ReplayOptions {
+  std::string file;
+  double speed = 1;
+  Places places{};
+};
+
+int run_replay(const ReplayOptions& options) {
+  std::signal(SIGPIPE, SIG_IGN);
+  asio::io_context loop(1);
+  io::OpenResult capture =
+      io::open_replay(loop.get_executor(), options.file, io::ReplayTiming::original, options.speed);
+  if (!capture) throw CommandError(without_period(capture.error.message));
+  serving::NonblockingLines lines(STDERR_FILENO);
+  const auto log = [&](const std::string& text) { lines.write_line("sbgc: " + text); };
+  asio::signal_set signals(loop, SIGINT, SIGTERM, SIGHUP);
+  signals.async_wait([&](std::error_code error, int) {
+    if (!error) loop.stop();
+  });
+  ReplayPorts ports(std::move(capture.transport), [&] {
+    // The hosts get their last bytes first.
+    asio::post(loop, [&] { loop.stop(); });
+  });
+  const auto endpoints =
+      open_places(loop.get_executor(), ports, options.places, "replay", {log, log});
+  loop.run();
+  return success;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, CommandContext& context) {
+  auto* const command =
+      app.add_subcommand("replay", "Serve a capture in place of a board")->group(heading::bytes);
+  auto options = std::make_shared<ReplayOptions>();
+  command->add_option("file", options->file, "A capture, or the raw bytes of a board")->required();
+  command->add_option("--speed", options->speed, "How many times as fast as recorded")
+      ->check(number_range(0.001, 1000.0))
+      ->capture_default_str();
+  add_places(*command, options->places);
+  command->footer(
+      "Programs that connect get what the board sent, at the recorded times since the first one "
+      "connected; what they send is ignored. Without a place, a pseudo-terminal is opened. For "
+      "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end of "
+      "the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
+  command->callback([options, &context] {
+    if (options->places.empty()) options->places.terminal = true;
+    context.status = run_replay(*options);
+  });
+}
+
+}  // namespace sbgc::tools

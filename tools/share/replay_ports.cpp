@@ -1,0 +1,58 @@
+#include "share/replay_ports.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sbgc::tools {
+
+std::optional<std::size_t> ReplayPorts::connect(bool, std::function<void()> wake) {
+  std::size_t port = 0;
+  while (hosts_.contains(port)) ++port;
+  if (port >= max_hosts) return std::nullopt;
+  hosts_[port].wake = std::move(wake);
+  if (!std::exchange(is_playing_, true)) read();
+  return port;
+}
+
+void ReplayPorts::disconnect(std::size_t port) {
+  hosts_.erase(port);
+  end_if_done();
+}
+
+std::span<const std::uint8_t> ReplayPorts::output(std::size_t port) const {
+  return hosts_.at(port).output;
+}
+
+void ReplayPorts::take(std::size_t port, std::size_t size) {
+  std::vector<std::uint8_t>& output = hosts_.at(port).output;
+  output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(size));
+  end_if_done();
+}
+
+void ReplayPorts::read() {
+  capture_->async_read(buffer_, [this](std::error_code error, std::size_t size) {
+    if (error) {
+      has_ended_ = true;
+      return end_if_done();
+    }
+    for (auto& [port, host] : hosts_) {
+      if (host.output.size() + size > max_output) continue;
+      host.output.insert(host.output.end(), buffer_.begin(),
+                         buffer_.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    for (std::size_t port = 0; port < max_hosts; ++port) {
+      const auto host = hosts_.find(port);
+      if (host != hosts_.end() && host->second.wake) host->second.wake();
+    }
+    read();
+  });
+}
+
+void ReplayPorts::end_if_done() {
+  const bool is_taken =
+      std::ranges::all_of(hosts_, [](const auto& one) { return one.second.output.empty(); });
+  if (!has_ended_ || !is_taken) return;
+  if (const auto on_end = std::exchange(on_end_, nullptr)) on_end();
+}
+
+}  // namespace sbgc::tools

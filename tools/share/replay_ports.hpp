@@ -1,0 +1,60 @@
+/// A capture in place of a board, for several hosts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include <sbgc/io/clock.hpp>
+#include <sbgc/io/transport.hpp>
+
+#include "serving/host_ports.hpp"
+
+namespace sbgc::tools {
+
+/// Gives all hosts what a board sent, from the moment when the first one connects, and ignores what
+/// they send. A host that does not read loses bytes.
+class ReplayPorts final : public serving::HostPorts {
+ public:
+  /// `on_end` is called once all bytes have been given and all hosts have taken them or left.
+  ReplayPorts(std::unique_ptr<io::Transport> capture, std::function<void()> on_end)
+      : capture_(std::move(capture)), on_end_(std::move(on_end)) {}
+
+  std::optional<std::size_t> connect(bool, std::function<void()> wake) override;
+  void disconnect(std::size_t port) override;
+  void end_input(std::size_t) override {}
+  void set_host_rate(std::size_t, std::uint32_t) override {}
+  std::size_t queued_bytes(std::size_t) const override { return 0; }
+  std::size_t room(std::size_t) const override { return room_of_host; }
+  bool is_quiet(std::size_t port) const override { return has_ended_ && output(port).empty(); }
+  void receive(std::size_t, std::span<const std::uint8_t>) override {}
+  std::span<const std::uint8_t> output(std::size_t port) const override;
+  void take(std::size_t port, std::size_t size) override;
+  Instant now() const override { return io::now(); }
+
+ private:
+  static constexpr std::size_t max_hosts = 32;
+  static constexpr std::size_t max_output = std::size_t{1} << 20;
+  static constexpr std::size_t room_of_host = 2048;
+
+  struct Host {
+    std::function<void()> wake{};
+    std::vector<std::uint8_t> output{};
+  };
+
+  void read();
+  void end_if_done();
+
+  std::unique_ptr<io::Transport> capture_;
+  std::function<void()> on_end_;
+  std::array<std::uint8_t, 4096> buffer_{};
+  std::map<std::size_t, Host> hosts_{};
+  bool is_playing_ = false;
+  bool has_ended_ = false;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,32 @@
+/// Who may connect over a WebSocket.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbgc::tools {
+
+/// A page of any web site can open connections to this machine, so a program must know the token,
+/// and a browser must show a page of an allowed origin.
+struct WebSocketAccess {
+  std::string token{};
+  std::vector<std::string> origins{};  ///< such as "http://localhost:8000"
+
+  bool allows_origin(std::string_view origin) const;
+  /// True if the query of the target has "token=TOKEN", or one of the subprotocols, separated by
+  /// commas, is "token.TOKEN".
+  bool knows_token(std::string_view target, std::string_view protocols) const;
+};
+
+/// Returns what is wrong with a token or an origin that a user chose; "" if nothing is.
+std::string token_problem(std::string_view token);
+std::string origin_problem(std::string_view origin);
+
+/// Returns a random token of 32 hex digits.
+std::string make_token();
+
+/// True if both texts are equal. Takes the same time wherever they differ.
+bool is_same_secret(std::string_view one, std::string_view other);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,36 @@
+/// What a command line consists of, as the help, the manual and the completion need it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace sbgc::tools {
+
+/// Returns the subcommands that the help lists.
+std::vector<const CLI::App*> subcommands_of(const CLI::App& command);
+
+/// Returns the options without the positional arguments, in the order of their definition.
+std::vector<const CLI::Option*> options_of(const CLI::App& command);
+
+/// Returns the positional arguments in order.
+std::vector<const CLI::Option*> arguments_of(const CLI::App& command);
+
+/// Returns the subcommand with this name; null if there is none.
+const CLI::App* find_subcommand(const CLI::App& command, const std::string& name);
+
+/// Returns the option with this name, such as "-p" or "--port"; null if there is none.
+const CLI::Option* find_option(const CLI::App& command, const std::string& name);
+
+/// True if the option takes a value.
+bool takes_value(const CLI::Option& option);
+
+/// Returns the values that an option of a choice accepts; empty for others.
+std::vector<std::string> choices_of(const CLI::Option& option);
+
+/// Returns what the value of an option or argument is called in the help: "FILE", "ADDRESS". It
+/// tells the completion what to offer.
+std::string value_name(const CLI::Option& option);
+
+}  // namespace sbgc::tools

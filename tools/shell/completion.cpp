@@ -1,0 +1,329 @@
+// sbgc completion: completion for shells, from the same source as the help.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <sbgc/meta/all.hpp>
+#include <sbgc/roles.hpp>
+
+#include "board/configuration.hpp"
+#include "care/calibrations.hpp"
+#include "command/command_error.hpp"
+#include "command/commands.hpp"
+#include "line/listed_ports.hpp"
+#include "line/stream_type.hpp"
+#include "shell/command_line_facts.hpp"
+#include "shell/scripts.hpp"
+#include "values/field_lookup.hpp"
+#include "values/message_names.hpp"
+#include "values/names.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// A word that can stand at the place of the cursor.
+struct Candidate {
+  std::string word{};
+  std::string description{};
+};
+using Candidates = std::vector<Candidate>;
+
+/// Returns the beginning of a description, which is enough in a list.
+std::string brief(const std::string& description) {
+  return description.substr(0, description.find_first_of(".:;("));
+}
+
+Candidates words(const std::vector<std::string>& names) {
+  Candidates result;
+  for (const std::string& name : names) result.push_back({name, ""});
+  return result;
+}
+
+Candidates addresses() {
+  Candidates result;
+  for (const io::PortInfo& port : listed_ports().ports) {
+    result.push_back({port.name, port.description});
+  }
+  for (const char* const kind : {"serial:", "tcp:", "udp:", "capture:"}) {
+    result.push_back({kind, ""});
+  }
+  return result;
+}
+
+Candidates gimbals() {
+  Candidates result;
+  for (const NamedGimbal& gimbal : named_gimbals()) result.push_back({gimbal.name, gimbal.port});
+  return result;
+}
+
+Candidates calibration_names() {
+  Candidates result;
+  for (const Calibration& one : calibrations()) result.push_back({one.name, one.info().summary});
+  return result;
+}
+
+Candidates menu_actions() {
+  Candidates result;
+  for (const ValueInfo& action : EnumMeta<msg::MenuCommand>::info.values) {
+    result.push_back({action.name, action.summary});
+  }
+  return result;
+}
+
+/// Names of things to which a value is assigned.
+Candidates assignable(const std::vector<std::string>& names) {
+  Candidates result;
+  for (const std::string& name : names) result.push_back({name + '=', ""});
+  return result;
+}
+
+/// Returns the paths of parameters, and those ends of them that mean only one, as on the command
+/// line.
+std::vector<std::string> parameter_words() {
+  const std::vector<std::string> paths = parameter_names();
+  std::map<std::string, unsigned> ends;
+  for (const std::string& path : paths) {
+    for (std::size_t dot = path.find('.'); dot != std::string::npos;
+         dot = path.find('.', dot + 1)) {
+      ++ends[path.substr(dot + 1)];
+    }
+  }
+  std::vector<std::string> result = paths;
+  for (const auto& [end, count] : ends) {
+    if (count == 1) result.push_back(end);
+  }
+  return result;
+}
+
+/// Returns "FIELD=" for the fields of a message, or after "FIELD=" the names of its values.
+Candidates field_values(const std::string& message, const std::string& word) {
+  Candidates result;
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos) return assignable(field_names(message));
+  for (const MessageType* const form : messages_named(message, Direction::to_board)) {
+    std::vector<FoundField> found;
+    try {
+      found = find_fields(form->fields(), word.substr(0, equals));
+    } catch (const ValueError&) {
+      continue;  // it does not mean one field
+    }
+    if (found.empty()) continue;
+    const FieldType& type = *found.front().type;
+    const auto add = [&](const EnumInfo* names) {
+      if (names == nullptr) return;
+      for (const ValueInfo& value : names->values) {
+        result.push_back({word.substr(0, equals + 1) + value.name, value.summary});
+      }
+    };
+    add(type.names);
+    if (type.packed == nullptr) continue;
+    for (const PartInfo& part : type.packed->parts) add(part.values);
+  }
+  return result;
+}
+
+Candidates streams() {
+  Candidates result;
+  const auto add = [&]<class M>(Type<M>) {
+    result.push_back({Meta<M>::info.name, Meta<M>::info.summary});
+  };
+  roles::StreamMessages::for_each(add);
+  return result;
+}
+
+/// Continues a list: the last of the words between these separators is one of the names.
+Candidates list_items(const std::vector<std::string>& names, const std::string& word,
+                      const char* separators) {
+  const std::string before = word.substr(0, word.find_last_of(separators) + 1);
+  Candidates result;
+  for (const std::string& name : names) result.push_back({before + name, ""});
+  return result;
+}
+
+/// The words of a command line before the one to complete, and that word.
+struct Place {
+  const CLI::App& app;
+  std::vector<std::string> arguments{};  ///< of the command
+  std::string word{};
+};
+
+/// The kind of stream that the command line names; null if it names none.
+std::unique_ptr<StreamType> stream_of(const Place& place) {
+  if (place.arguments.empty()) return nullptr;
+  try {
+    return StreamType::find(place.arguments[0]);
+  } catch (const CommandError&) {
+    return nullptr;
+  }
+}
+
+/// All fields that samples of a stream can have.
+Candidates sample_fields(const Place& place) {
+  const std::unique_ptr<StreamType> stream = stream_of(place);
+  if (!stream) return {};
+  stream->configure_for("*");
+  std::vector<std::string> paths;
+  for (const StreamField& field : stream->fields()) paths.push_back(field.path);
+  return list_items(paths, place.word, ",");
+}
+
+/// The flags that choose what samples contain.
+Candidates sample_flags(const Place& place) {
+  const std::unique_ptr<StreamType> stream = stream_of(place);
+  return stream ? list_items(stream->flags(), place.word, ",|") : Candidates();
+}
+
+/// The words of a type such as "rest|drone|FILE".
+Candidates choices_in(std::string_view type) {
+  Candidates result;
+  while (!type.empty()) {
+    const std::string_view one = type.substr(0, type.find('|'));
+    const bool is_file = one == "FILE";
+    const bool is_word = std::ranges::none_of(one, [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (is_file || is_word) result.push_back({std::string(is_file ? files_directive : one), ""});
+    type.remove_prefix(std::min(one.size() + 1, type.size()));
+  }
+  return result;
+}
+
+Candidates commands(const CLI::App& app) {
+  Candidates result;
+  for (const CLI::App* const one : subcommands_of(app)) {
+    result.push_back({one->get_name(), one->get_description()});
+  }
+  return result;
+}
+
+/// Returns the values of an option or argument, by the name of its type.
+Candidates values_of(const CLI::Option& option, const Place& place) {
+  if (const auto choices = choices_of(option); !choices.empty()) return words(choices);
+  using Source = std::function<Candidates(const Place&)>;
+  static const std::map<std::string, Source> sources{
+      {"ADDRESS", [](const Place&) { return addresses(); }},
+      {"GIMBAL", [](const Place&) { return gimbals(); }},
+      {"MESSAGE", [](const Place&) { return words(message_names()); }},
+      {"STREAM", [](const Place&) { return streams(); }},
+      {"ACTION", [](const Place&) { return menu_actions(); }},
+      {"PARAMETER", [](const Place&) { return words(parameter_words()); }},
+      {"PARAMETER=VALUE", [](const Place&) { return assignable(parameter_words()); }},
+      {"VARIABLE", [](const Place&) { return words(variable_names()); }},
+      {"VARIABLE=VALUE", [](const Place&) { return assignable(variable_names()); }},
+      {"FIELD=VALUE",
+       [](const Place& place) {
+         return place.arguments.empty() ? Candidates()
+                                        : field_values(place.arguments[0], place.word);
+       }},
+      {"WORD", [](const Place&) { return words(described_words()); }},
+      {"NAME[:WITH]", [](const Place&) { return streams(); }},
+      {"CALIBRATION", [](const Place&) { return calibration_names(); }},
+      {"FIELDS", sample_fields},
+      {"FLAGS", sample_flags},
+      {"COMMAND", [](const Place& place) { return commands(place.app); }},
+  };
+  const std::string type = value_name(option);
+  if (type == "FILE" || type == "FOLDER") return {{std::string(files_directive), ""}};
+  if (type.find('|') != std::string::npos) return choices_in(type);
+  const auto source = sources.find(type);
+  return source == sources.end() ? Candidates() : source->second(place);
+}
+
+void add_options(const CLI::App& command, Candidates& result) {
+  for (const CLI::Option* const option : options_of(command)) {
+    for (const std::string& name : option->get_lnames()) {
+      result.push_back({"--" + name, option->get_description()});
+    }
+  }
+}
+
+/// Returns the candidates for the last of these words, which follow "sbgc".
+Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
+  const CLI::App* command = &app;
+  std::vector<std::string> arguments;
+  const CLI::Option* awaiting = nullptr;  // the option whose value comes next
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const std::string& word = line[i];
+    if (awaiting != nullptr) {
+      awaiting = nullptr;
+    } else if (word.starts_with('-') && word != "-") {
+      const CLI::Option* const option = find_option(*command, word.substr(0, word.find('=')));
+      if (option != nullptr && takes_value(*option) && word.find('=') == std::string::npos) {
+        awaiting = option;
+      }
+    } else if (const CLI::App* const nested = find_subcommand(*command, word)) {
+      command = nested;
+    } else {
+      arguments.push_back(word);
+    }
+  }
+  const Place place{app, arguments, line.empty() ? "" : line.back()};
+  if (awaiting != nullptr) return values_of(*awaiting, place);
+  Candidates result;
+  if (!line.empty() && line.back().starts_with('-')) {
+    add_options(*command, result);
+    return result;
+  }
+  result = commands(*command);
+  const auto positional = arguments_of(*command);
+  if (!positional.empty()) {
+    const std::size_t index = std::min(arguments.size(), positional.size() - 1);
+    const bool has_place =
+        index == arguments.size() || positional[index]->get_items_expected_max() > 1;
+    if (has_place) {
+      for (Candidate& value : values_of(*positional[index], place)) result.push_back(value);
+    }
+  }
+  return result;
+}
+
+/// Prints the candidates that begin with the word, one per line, with descriptions after a tab.
+void print_candidates(const CLI::App& app, const std::vector<std::string>& line) {
+  const std::string word = line.empty() ? "" : line.back();
+  for (const Candidate& candidate : complete(app, line)) {
+    const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
+    if (fits) fmt::print("{}\t{}\n", candidate.word, brief(candidate.description));
+  }
+}
+
+struct CompletionOptions {
+  std::string shell{};
+  std::vector<std::string> line{};
+};
+
+}  // namespace
+
+void add_completion(CLI::App& app, CommandContext& context) {
+  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell")
+                            ->group(heading::shell);
+  auto options = std::make_shared<CompletionOptions>();
+  command->add_option("shell", options->shell, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command->footer(
+      "An installed sbgc has them. Otherwise:\n"
+      "  bash:  source <(sbgc completion bash)\n"
+      "  zsh:   sbgc completion zsh > ~/.zfunc/_sbgc\n"
+      "  fish:  sbgc completion fish > ~/.config/fish/completions/sbgc.fish");
+  command->callback([options, &context] {
+    fmt::print("{}", completion_script(options->shell));
+    context.status = success;
+  });
+
+  // The scripts call this.
+  auto* const hidden = app.add_subcommand(std::string(complete_command))->group("");
+  hidden->add_option("words", options->line);
+  hidden->callback([&app, options, &context] {
+    print_candidates(app, options->line);
+    context.status = success;
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,75 @@
+/// Finds the fields that a name on the command line means.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "values/field_type.hpp"
+
+namespace sbgc::tools {
+
+/// A name or a value on the command line is wrong; what() is a sentence without a final period.
+class ValueError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A member, an axis, or the index of an element.
+using PathStep = std::variant<std::string, std::size_t>;
+using FieldSteps = std::vector<PathStep>;
+
+/// For example "params[3].param_id".
+std::string steps_text(const FieldSteps& steps);
+
+/// One value, list or group in a message.
+struct FoundField {
+  FieldSteps steps{};
+  const FieldType* type = nullptr;
+};
+
+/// A step on the way to a field: a member, or any element of axes or of a list.
+struct WayStep {
+  const FieldType* member = nullptr;    ///< null for an element
+  const FieldType* elements = nullptr;  ///< the axes or the list that the element is of
+};
+
+/// All values, lists and groups in a message. Calls `use(way, type)` with the way from the outside
+/// in. An element of axes or of a list is reported once.
+void for_each_field(const std::vector<FieldType>& members,
+                    const std::function<void(const std::vector<WayStep>&, const FieldType&)>& use);
+
+/// Returns the way as text: "axes.roll|pitch|yaw.p", "params[].param_id".
+std::string way_text(const std::vector<WayStep>& way);
+
+/// Returns the fields of one message that `name` means. Several, if it leaves the axis open.
+///
+/// `name` is a path as in `sbgc decode`, or the end of one, such as "pitch.p" for "axes.pitch.p",
+/// or the name in the specification, such as "SPEED_PITCH". A path takes precedence. Returns
+/// nothing if there is no such field. Throws ValueError if the name fits different fields, or a
+/// list whose index it lacks.
+std::vector<FoundField> find_fields(const std::vector<FieldType>& members, std::string_view name);
+
+/// The same in several groups, such as the messages with parameters.
+struct FieldSource {
+  std::string name{};
+  const std::vector<FieldType>* members = nullptr;
+};
+struct SourcedFields {
+  std::size_t source = 0;  ///< the index of the source
+  std::vector<FoundField> fields{};
+};
+SourcedFields find_fields(const std::vector<FieldSource>& sources, std::string_view name);
+
+/// Returns the names that are nearest to `name` among the paths of the sources and their ends.
+std::vector<std::string> similar_fields(const std::vector<FieldSource>& sources,
+                                        std::string_view name);
+
+/// Returns the paths of all values; axes are spelled out, an element of a list has the index 0.
+std::vector<std::string> field_paths(const std::vector<FieldType>& members);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,26 @@
+/// Values of messages in their units, for tables and JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <sbgc/json_dom.hpp>
+#include <sbgc/text/leaves.hpp>
+
+namespace sbgc::tools {
+
+/// Returns the value in its unit; nothing if it is a sentinel or not a number.
+std::optional<double> real_value(const Leaf& leaf);
+
+/// Returns the number in its unit as text, independent of the locale; "" if there is none.
+std::string real_text(const Leaf& leaf);
+
+/// Returns the cell of a CSV table: a number in its unit, a quoted text, hex bytes, or "".
+std::string csv_cell(const Leaf& leaf);
+/// Quotes a text for CSV if necessary. Control characters become escapes such as \x1b.
+std::string csv_text(std::string_view text);
+
+/// Returns {"raw": …} with "real" and "unit" of a quantity, and "text" of a value with a name.
+Json leaf_json(const Leaf& leaf);
+
+}  // namespace sbgc::tools

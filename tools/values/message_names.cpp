@@ -1,0 +1,109 @@
+#include "values/message_names.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "command/suggestions.hpp"
+#include "command/wording.hpp"
+#include "values/field_lookup.hpp"
+#include "values/words.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+bool travels_in(const MessageInfo& info, Direction direction) {
+  return info.direction == direction || info.direction == Direction::both;
+}
+
+}  // namespace
+
+bool is_command_name(std::string_view word, std::string_view command) {
+  constexpr std::string_view prefix = "CMD_";
+  if (is_same_word(word, command)) return true;
+  return command.starts_with(prefix) && is_same_word(word, command.substr(prefix.size()));
+}
+
+std::vector<const MessageType*> messages_named(std::string_view name, Direction direction) {
+  if (const MessageType* const found = find_message(name)) return {found};
+  std::vector<const MessageType*> forms;
+  for (const MessageType& type : message_types()) {
+    if (!travels_in(*type.info, direction)) continue;
+    if (is_command_name(name, type.info->command)) forms.push_back(&type);
+  }
+  if (!forms.empty()) return forms;
+  const MessageType* other = nullptr;
+  for (const MessageType& type : message_types()) {
+    if (!is_same_word(name, type.info->name)) continue;
+    if (travels_in(*type.info, direction)) return {&type};
+    other = &type;
+  }
+  return other != nullptr ? std::vector{other} : std::vector<const MessageType*>{};
+}
+
+namespace {
+
+bool has_field(const MessageType& message, const std::string& name) {
+  try {
+    return !find_fields(message.fields(), name).empty();
+  } catch (const ValueError&) {
+    return true;  // ambiguous, which is reported when it is set
+  }
+}
+
+}  // namespace
+
+const MessageType& form_with(const std::vector<const MessageType*>& forms,
+                             const std::vector<std::string>& fields) {
+  for (const MessageType* const form : forms) {
+    const auto has = [&](const std::string& field) { return has_field(*form, field); };
+    if (forms.size() == 1 || std::ranges::all_of(fields, has)) return *form;
+  }
+  std::vector<std::string> names;
+  std::vector<FieldSource> sources;
+  for (const MessageType* const form : forms) {
+    names.emplace_back(form->info->name);
+    sources.push_back({form->info->name, &form->fields()});
+  }
+  const char* const command = forms.front()->info->command;
+  for (const std::string& field : fields) {
+    const auto has_it = [&](const MessageType* form) { return has_field(*form, field); };
+    if (std::ranges::any_of(forms, has_it)) continue;
+    throw ValueError(
+        fmt::format("{} has no field '{}'{}", command, clipped(field),
+                    did_you_mean(similar_fields(sources, field),
+                                 fmt::format("`sbgc describe {}` lists them", command))));
+  }
+  throw ValueError(fmt::format("no form of {} has all these fields; its forms are {}", command,
+                               alternatives(names, false)));
+}
+
+std::string similar_messages(std::string_view name) {
+  const std::vector<std::string> near = nearest(name, message_names());
+  return did_you_mean(near.empty() ? nearest("CMD_" + upper_case(name), message_names()) : near);
+}
+
+std::vector<std::string> message_names() {
+  std::vector<std::string> names;
+  for (const MessageType& type : message_types()) {
+    if (!type.is_sent_to_board()) continue;
+    names.emplace_back(type.info->name);
+    names.emplace_back(type.info->command);
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::vector<std::string> field_names(std::string_view message) {
+  std::vector<std::string> names;
+  for (const MessageType* const form : messages_named(message, Direction::to_board)) {
+    for (std::string& path : field_paths(form->fields())) {
+      if (std::ranges::find(names, path) == names.end()) names.push_back(std::move(path));
+    }
+  }
+  return names;
+}
+
+}  // namespace sbgc::tools
