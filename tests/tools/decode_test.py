@@ -524,6 +524,7 @@ FRAMES = GET_ANGLES + control(10) + frame(73, struct.pack("<9h", *range(9))) + c
         (["-m", "CMD_GET_ANGLES"], [0, 23]),
         (["-m", "get_angles"], [0, 23]),
         (["-m", "67"], [5, 46]),
+        (["-m", "0x43"], [5, 46]),
         (["-m", "67", "-m", "GetAngles"], [5, 23, 46]),
         (["-w", "yaw.angle = 90deg"], [46]),
         (["-w", "axes.yaw.angle != 90deg"], [5]),

@@ -1,7 +1,6 @@
 #include "frames/frame_filter.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,14 +15,6 @@
 namespace sbgc::tools {
 
 namespace {
-
-/// Returns the number that a text consists of, if it is the id of a command.
-std::optional<std::uint8_t> id_in(std::string_view text) {
-  std::uint8_t id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return id;
-}
 
 /// Returns the fields of a message that the name means; none if it has no such field.
 std::vector<FoundField> fields_named(const MessageType& message, const std::string& name) {
@@ -136,7 +127,7 @@ bool FieldCondition::holds(const DecodedFrame& frame) const {
 }
 
 void FrameFilter::add_message(const std::string& name) {
-  if (const auto id = id_in(name)) {
+  if (const auto id = parse_command_id(name)) {
     ids_.push_back(*id);
     return;
   }

@@ -107,8 +107,9 @@ class BridgeService {
   void changed(const LinkChange& change) {
     const bool is_lost = change.state == LinkState::lost;
     const bool is_news = !is_lost || ports_.line_lost();
-    if (is_news)
+    if (is_news) {
       log(change.state == LinkState::searching ? "connecting again ..." : change.message);
+    }
     if (change.state == LinkState::connected) ports_.restart_streams();
   }
 

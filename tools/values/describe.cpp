@@ -1,7 +1,6 @@
 // sbgc describe: the reference in the terminal.
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <memory>
@@ -453,22 +452,6 @@ void print_all(const Page& page) {
       0);
 }
 
-bool is_same_command(std::string_view word, std::string_view command) {
-  return is_same_word(word, command) ||
-         (command.starts_with("CMD_") && is_same_word(word, command.substr(4)));
-}
-
-/// Returns the id of a command: "67" or "0x43".
-std::optional<int> parse_id(std::string_view word) {
-  const bool is_hex = word.starts_with("0x") || word.starts_with("0X");
-  if (is_hex) word.remove_prefix(2);
-  int id = -1;
-  const auto [end, error] =
-      std::from_chars(word.data(), word.data() + word.size(), id, is_hex ? 16 : 10);
-  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return id;
-}
-
 /// Prints everything that the word names. Returns false if nothing has this name.
 bool print_word(const Page& page, const std::string& word) {
   bool is_known = false;
@@ -476,10 +459,10 @@ bool print_word(const Page& page, const std::string& word) {
     if (is_known) page.gap();
     is_known = true;
   };
-  const std::optional<int> id = parse_id(word);
+  const std::optional<std::uint8_t> id = parse_command_id(word);
   const MessageType* const message = find_message(word);
   for (const CommandReference& command : command_references) {
-    const bool is_meant = id ? command.id == *id : is_same_command(word, command.name);
+    const bool is_meant = id ? command.id == *id : is_command_name(word, command.name);
     if (!is_meant || message != nullptr) continue;
     separate();
     print_command(page, command);

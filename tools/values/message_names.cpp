@@ -1,6 +1,7 @@
 #include "values/message_names.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,16 @@ bool is_command_name(std::string_view word, std::string_view command) {
   constexpr std::string_view prefix = "CMD_";
   if (is_same_word(word, command)) return true;
   return command.starts_with(prefix) && is_same_word(word, command.substr(prefix.size()));
+}
+
+std::optional<std::uint8_t> parse_command_id(std::string_view word) {
+  const bool is_hex = word.starts_with("0x") || word.starts_with("0X");
+  if (is_hex) word.remove_prefix(2);
+  std::uint8_t id = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, id, is_hex ? 16 : 10);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return id;
 }
 
 std::vector<const MessageType*> messages_named(std::string_view name, Direction direction) {

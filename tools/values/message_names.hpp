@@ -2,6 +2,8 @@
 /// such as CMD_GET_ANGLES.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,9 @@ namespace sbgc::tools {
 
 /// True if the word names a command: in any case, with or without CMD_.
 bool is_command_name(std::string_view word, std::string_view command);
+
+/// Returns the id of a command that the word consists of: "67" or "0x43".
+std::optional<std::uint8_t> parse_command_id(std::string_view word);
 
 /// Returns the message with this name of ours, or the forms of this command that travel in
 /// `direction`; none if there are none. The name of a command may be in lower case and without
