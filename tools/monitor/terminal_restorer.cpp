@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <string>
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -20,20 +21,28 @@ namespace {
 
 constexpr char released = 'r';
 
-int put_to_terminal(int character) {
-  const char byte = static_cast<char>(character);
-  return ::write(STDOUT_FILENO, &byte, 1) == 1 ? character : EOF;
+std::string collected;  // tputs() passes nothing to its function but the character
+
+int collect(int character) {
+  collected += static_cast<char>(character);
+  return character;
 }
 
-void put_capability(const char* name) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): terminfo takes no const
-  const char* const text = tigetstr(const_cast<char*>(name));
-  // tigetstr() returns -1 for what is no text.
-  const bool is_text = text != nullptr && reinterpret_cast<std::intptr_t>(text) != -1;
-  if (is_text) tputs(text, 1, put_to_terminal);
+/// Returns what leaves the full-screen view. It is written at once: the shell may print its prompt
+/// at the same time, which must not divide an escape sequence.
+std::string leaving_sequence() {
+  collected.clear();
+  for (const char* const name : {"sgr0", "rmkx", "cnorm", "rmcup"}) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): terminfo takes no const
+    const char* const text = tigetstr(const_cast<char*>(name));
+    // tigetstr() returns -1 for what is no text.
+    const bool is_text = text != nullptr && reinterpret_cast<std::intptr_t>(text) != -1;
+    if (is_text) tputs(text, 1, collect);
+  }
+  return collected;
 }
 
-[[noreturn]] void wait_and_restore(int input, const termios& before, bool is_full) {
+[[noreturn]] void wait_and_restore(int input, const termios& before, const std::string& leaving) {
   // The signals of the terminal are for the command; the last one is sent while restoring it.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTOU}) {
     ::signal(signal, SIG_IGN);
@@ -44,9 +53,7 @@ void put_capability(const char* name) {
     size = ::read(input, &mark, 1);
   } while (size == -1 && errno == EINTR);
   if (size != 1 || mark != released) {
-    if (is_full) {
-      for (const char* const name : {"sgr0", "rmkx", "cnorm", "rmcup"}) put_capability(name);
-    }
+    [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, leaving.data(), leaving.size());
     ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
   }
   ::_exit(0);
@@ -61,10 +68,11 @@ TerminalRestorer::TerminalRestorer(Screen screen) {
   if (::tcgetattr(STDIN_FILENO, &before) != 0) return;
   if (setupterm(nullptr, STDOUT_FILENO, &problem) != OK) return;
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  const std::string leaving = screen == Screen::full ? leaving_sequence() : "";
   process_ = ::fork();
   if (process_ == 0) {
     ::close(ends[1]);
-    wait_and_restore(ends[0], before, screen == Screen::full);
+    wait_and_restore(ends[0], before, leaving);
   }
   ::close(ends[0]);
   alive_ = ends[1];
