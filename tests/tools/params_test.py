@@ -291,9 +291,17 @@ def changed_backup(board: str, path: Path) -> None:
     path.write_text(json.dumps(document))
 
 
+def said_states(error: str) -> dict[str, str]:
+    """Returns the state of each parameter set after "The board now holds"."""
+    report = error.split("The board now holds:\n", 1)[1].split("\nsbgc: ", 1)[0]
+    parts = re.split(r"((?:new|old|unknown)? ?values[^:]*): ", " ".join(report.split()))
+    states = zip(parts[1::2], parts[2::2])
+    return {name.strip(): state for state, names in states for name in names.split(",")}
+
+
 def test_the_board_vanishes_in_the_middle_of_a_restore(tmp_path: Path) -> None:
     file = tmp_path / "b.json"
-    with emulated_gimbal("--delay", "1:10") as gimbal:
+    with emulated_gimbal("--delay", "1:40") as gimbal:
         changed_backup(gimbal.address, file)
         restoring = Watched("params", "restore", str(file), "--yes", "-p", gimbal.address)
         restoring.wait_for("CMD_WRITE_PARAMS_3", 3)  # the second request
@@ -311,18 +319,21 @@ def test_the_board_vanishes_in_the_middle_of_a_restore(tmp_path: Path) -> None:
 
 def test_ctrl_c_in_the_middle_of_a_restore(tmp_path: Path) -> None:
     file = tmp_path / "b.json"
-    with emulated_gimbal("--delay", "1:10") as gimbal:
+    with emulated_gimbal("--delay", "1:40") as gimbal:
         changed_backup(gimbal.address, file)
         restoring = Watched("params", "restore", str(file), "--yes", "-p", gimbal.address)
         restoring.wait_for("CMD_WRITE_PARAMS_3")
         restoring.process.send_signal(signal.SIGINT)
         ended = restoring.end()
         assert ended.status == 130
-        assert "new values, verified: ReadParams3 of profile 1" in ended.error
+        said = said_states(ended.error)
+        assert said["ReadParams3 of profile 1"] == "new values, verified"
+        assert said["ReadParams3 of profile 5"] == "old values, not written"
         # What it says is what the board holds.
-        assert [body_of(gimbal.address, i)["axes"]["roll"]["p"] for i in range(5)] == [77] + 4 * [
-            12
-        ]
+        gains = {"new values, verified": 77, "old values, not written": 12}
+        for profile in range(5):
+            expected = gains[said[f"ReadParams3 of profile {profile + 1}"]]
+            assert body_of(gimbal.address, profile)["axes"]["roll"]["p"] == expected
 
 
 def test_reset_saves_a_backup_first(tmp_path: Path) -> None:
