@@ -25,7 +25,8 @@ class Collector {
   std::vector<T> wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);
     EXPECT_TRUE(
-        added_.wait_for(lock, std::chrono::seconds(60), [&] { return items_.size() >= count; }));
+        added_.wait_for(lock, std::chrono::seconds(60), [&] { return items_.size() >= count; }))
+        << items_.size() << " of " << count << " items";
     return items_;
   }
 

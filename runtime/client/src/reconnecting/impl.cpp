@@ -191,15 +191,18 @@ void ReconnectingClient::Impl::drop(const Kept& kept) noexcept {
   changed_.notify_all();
 }
 
+/// Registers a handler that needs no request with the current connection.
+void ReconnectingClient::Impl::subscribe(const Kept& kept) {
+  if (auto begun = kept->begin(*client_, passer_to(kept))) kept->current = *std::move(begun);
+  kept->connection = connections_;
+}
+
 Subscription ReconnectingClient::Impl::keep(Begin begin, MessageHandler handler) {
   const auto kept = std::make_shared<detail::KeptHandler>();
   kept->begin = std::move(begin);
   auto membership = kept->handlers->add({}, std::move(handler));
   const std::lock_guard lock(mutex_);
-  if (client_) {
-    if (auto begun = kept->begin(*client_, passer_to(kept))) kept->current = *std::move(begun);
-    kept->connection = connections_;
-  }
+  if (client_) subscribe(kept);
   kept_.push_back(kept);
   return hold(kept, std::move(membership));
 }
@@ -539,6 +542,10 @@ void ReconnectingClient::Impl::adopt(Lock&, Client client) {
       [weak = weak_from_this(), connection = connections_](const Notice& notice) {
         if (const auto self = weak.lock()) self->noticed(notice, connection);
       });
+  // Before anyone knows of the connection, so that they miss no answer; streams follow in run().
+  for (const Kept& kept : kept_) {
+    if (kept->interval.count() == 0) subscribe(kept);
+  }
   // A loss before there was a handler for it.
   if (const auto ended = detail::ClientMaker::conversation(*client_).state()->end_reason()) {
     loss_ = ended->message;

@@ -68,6 +68,7 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   Result<ClientPointer> wait_for_client(Time deadline);
   MessageHandler passer_to(const Kept& kept);
   Subscription hold(const Kept& kept, std::unique_ptr<Subscription::Registration> membership);
+  void subscribe(const Kept& kept);
   void drop(const Kept& kept) noexcept;
   void noticed(const Notice& notice, std::uint64_t connection);
   void lose(const std::string& reason, std::uint64_t connection, bool is_restarting);
