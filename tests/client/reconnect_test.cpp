@@ -191,6 +191,22 @@ TEST_F(Reconnecting, StreamsAndSubscriptionsGoOn) {
   angles.wait_for(1);
 }
 
+TEST_F(Reconnecting, SubscriptionsDoNotWaitForStreams) {
+  ReconnectingClient client = connect();
+  auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
+  ASSERT_TRUE(stream);
+  Collector<msg::GetAngles> angles;
+  const auto subscription =
+      client.subscribe<msg::GetAngles>([&](const msg::GetAngles& one) { angles.add(one); });
+  board.on_answer_lost(is<msg::DataStreamInterval>);  // starting the stream does not succeed
+  pull();
+  ASSERT_TRUE(wait_for(LinkState::searching));
+  is_plugged = true;
+  ASSERT_TRUE(wait_for(LinkState::connected));
+  EXPECT_TRUE(client.get_angles());
+  angles.wait_for(1);
+}
+
 TEST_F(Reconnecting, ACancelledStreamStaysSo) {
   ReconnectingClient client = connect();
   std::atomic<int> cancelled_samples = 0;
