@@ -89,24 +89,27 @@ class Checker {
   std::vector<ReferenceFrame> frames_;
 };
 
-/// Parsers of all combinations of framings.
+/// Parsers of both kinds and all combinations of framings.
 class Checkers {
  public:
   void feed(std::span<const std::uint8_t> bytes) {
     v1_.feed(bytes);
     v2_.feed(bytes);
     both_.feed(bytes);
+    small_.feed(bytes);
   }
   void flush() {
     v1_.flush();
     v2_.flush();
     both_.flush();
+    small_.flush();
   }
 
  private:
   Checker<sbgc::Parser, Accepts::v1> v1_;
   Checker<sbgc::BasicParser<sbgc::FrameFormats<CrcTable::nibbles, Framing::v2>>, Accepts::v2> v2_;
   Checker<sbgc::BasicParser<sbgc::AnyFrameFormats>, Accepts::both> both_;
+  Checker<sbgc::BasicParser<sbgc::AnyFrameFormats, sbgc::Optimize::size>, Accepts::both> small_;
 };
 
 /// Returns the frame of `body` under `id`, and checks the result of write_frame.

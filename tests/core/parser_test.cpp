@@ -37,19 +37,27 @@ struct Collector {
 
 using ParserV2 = BasicParser<FrameFormats<CrcTable::nibbles, Framing::v2>>;
 using SelectingParser = BasicParser<AnyFrameFormats>;
+using SmallParserOfAll = BasicParser<AnyFrameFormats, Optimize::size>;
 
-/// Calls `test` for parsers of all combinations of framings.
-template <class Test>
-void for_each_parser(const Test& test) {
-  test(Collector<Parser>{}, Accepts::v1);
-  test(Collector<ParserV2>{}, Accepts::v2);
-  test(Collector<ParserOfAll>{}, Accepts::both);
-  Collector<SelectingParser> selecting;
+template <class P, class Test>
+void for_each_selection(const Test& test) {
+  Collector<P> selecting;
   test(selecting, Accepts::both);
   selecting.parser.formats().accept_only(Framing::v1);
   test(selecting, Accepts::v1);
   selecting.parser.formats().accept_only(Framing::v2);
   test(selecting, Accepts::v2);
+}
+
+/// Calls `test` for parsers of both kinds and all combinations of framings.
+template <class Test>
+void for_each_parser(const Test& test) {
+  test(Collector<Parser>{}, Accepts::v1);
+  test(Collector<SmallParser>{}, Accepts::v1);
+  test(Collector<ParserV2>{}, Accepts::v2);
+  test(Collector<ParserOfAll>{}, Accepts::both);
+  for_each_selection<SelectingParser>(test);
+  for_each_selection<SmallParserOfAll>(test);
 }
 
 template <class P>
@@ -98,6 +106,7 @@ void check_every_cutting(const Collector<P>& collector, Accepts accepts, const B
 void check_every_cutting(const Bytes& s) {
   check_every_cutting(Collector<>{}, Accepts::v1, s);
   check_every_cutting(Collector<ParserOfAll>{}, Accepts::both, s);
+  check_every_cutting(Collector<SmallParserOfAll>{}, Accepts::both, s);
 }
 
 const Bytes read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};  // the specification's example
@@ -316,8 +325,13 @@ TEST(Parser, ViewsFramesInsideTheChunkBehindAFalseCandidateFromBefore) {
   EXPECT_EQ(viewed, (std::vector<std::uint64_t>{10, 16, 21}));
 }
 
-TEST(Parser, TellsWhichBytesWait) {
-  Collector<> collector;
+template <class P>
+class ParserOfEachKind : public ::testing::Test {};
+using ParserKinds = ::testing::Types<Parser, SmallParser>;
+TYPED_TEST_SUITE(ParserOfEachKind, ParserKinds, );
+
+TYPED_TEST(ParserOfEachKind, TellsWhichBytesWait) {
+  Collector<TypeParam> collector;
   collector.feed(Bytes{1, 2, 0x3E});
   EXPECT_EQ(collector.parser.waiting_bytes(), 1U);
   EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 2}));
@@ -332,8 +346,8 @@ TEST(Parser, TellsWhichBytesWait) {
   EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
 }
 
-TEST(Parser, AcceptsEmptyChunks) {
-  Collector<> collector;
+TYPED_TEST(ParserOfEachKind, AcceptsEmptyChunks) {
+  Collector<TypeParam> collector;
   collector.feed({});
   collector.feed(motors_on);
   collector.feed({});
@@ -341,16 +355,16 @@ TEST(Parser, AcceptsEmptyChunks) {
   EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
 }
 
-TEST(Parser, CountsEachKindOfError) {
-  Collector<> collector;
+TYPED_TEST(ParserOfEachKind, CountsEachKindOfError) {
+  Collector<TypeParam> collector;
   collector.feed(concat({{0x3E, 1, 0, 2}, {0x3E, 0, 0, 0}, {0x3E, 1, 0, 1, 9}, motors_on}));
   EXPECT_EQ(
       collector.parser.counters(),
       (ParserCounters{.frames = 1, .skipped_bytes = 13, .header_errors = 2, .body_errors = 1}));
 }
 
-TEST(Parser, ForgetsEverythingOnReset) {
-  Collector<> collector;
+TYPED_TEST(ParserOfEachKind, ForgetsEverythingOnReset) {
+  Collector<TypeParam> collector;
   collector.feed(concat({{7}, motors_on, {0x3E, 1}}));
   collector.parser.reset();
   collector.frames.clear();
@@ -361,21 +375,21 @@ TEST(Parser, ForgetsEverythingOnReset) {
   EXPECT_EQ(collector.frames[0].offset, 0U);
 }
 
-TEST(Parser, CanBeCopiedInTheMiddleOfAFrame) {
-  Collector<> first;
+TYPED_TEST(ParserOfEachKind, CanBeCopiedInTheMiddleOfAFrame) {
+  Collector<TypeParam> first;
   first.feed(std::span(read_params).first(4));
-  Collector<> second = first;
+  Collector<TypeParam> second = first;
   first.feed(Bytes{1, 2});
   second.feed(std::span(read_params).subspan(4));
   EXPECT_EQ(first.frames.size(), 0U);
   EXPECT_EQ(second.frames.size(), 1U);
 }
 
-TEST(Parser, GoesOnBehindASinkThatThrows) {
+TYPED_TEST(ParserOfEachKind, GoesOnBehindASinkThatThrows) {
   const auto throwing = [](const Frame&) { throw std::runtime_error("sink"); };
   const Bytes line = concat({motors_on, {1, 2}, motors_on, {0x3E, 1}});
   // In a chunk, in a frame completed by a chunk, in a flush.
-  Parser parser;
+  TypeParam parser;
   EXPECT_THROW(parser.feed(line, throwing), std::runtime_error);
   EXPECT_EQ(parser.counters(), (ParserCounters{.frames = 1, .skipped_bytes = line.size() - 5}));
   parser.reset();
@@ -398,10 +412,10 @@ TEST(Parser, GoesOnBehindASinkThatThrows) {
   EXPECT_EQ(offset, 4 + line.size());
 }
 
-TEST(Parser, ThrowsOnlyWhatItsSinkThrows) {
+TYPED_TEST(ParserOfEachKind, ThrowsOnlyWhatItsSinkThrows) {
   const auto quiet = [](const Frame&) noexcept {};
   const auto loud = [](const Frame&) {};
-  Parser parser;
+  TypeParam parser;
   static_assert(noexcept(parser.feed({}, quiet))&& noexcept(parser.flush(quiet)));
   static_assert(!noexcept(parser.feed({}, loud)) && !noexcept(parser.flush(loud)));
   static_assert(noexcept(parser.counters())&& noexcept(parser.reset()));
@@ -426,9 +440,10 @@ struct CountingFraming : AllFrameFormats {
   }
 };
 
+template <Optimize optimize>
 std::uint64_t operations_for(const Bytes& s, std::size_t chunk_size) {
   CountingFraming::operations = 0;
-  Collector<BasicParser<CountingFraming>> collector;
+  Collector<BasicParser<CountingFraming, optimize>> collector;
   for (std::size_t i = 0; i < s.size(); i += chunk_size) {
     collector.feed(std::span(s).subspan(i, std::min(chunk_size, s.size() - i)));
   }
@@ -444,7 +459,8 @@ Bytes repeat(const Bytes& pattern, std::size_t size) {
 
 // For every stream and every chunk size, a byte costs at most about the length of a frame. (The
 // parser copies no more than it inspects: one frame per verdict.)
-TEST(Parser, DoesBoundedWorkPerByte) {
+template <Optimize optimize>
+void expect_bounded_work() {
   const std::vector<Bytes> patterns{
       {0x3E},                    // every byte is a start byte
       {0x3E, 0x3F, 0xFF},        // every third byte starts a header, 255 bytes
@@ -463,12 +479,17 @@ TEST(Parser, DoesBoundedWorkPerByte) {
   for (const Bytes& pattern : patterns) {
     for (const std::size_t chunk_size : {1U, 2U, 3U, 64U, 259U, 260U, 261U, 100'000U}) {
       const std::size_t size = 20'000;
-      const std::uint64_t once = operations_for(repeat(pattern, size), chunk_size);
-      const std::uint64_t twice = operations_for(repeat(pattern, 2 * size), chunk_size);
+      const std::uint64_t once = operations_for<optimize>(repeat(pattern, size), chunk_size);
+      const std::uint64_t twice = operations_for<optimize>(repeat(pattern, 2 * size), chunk_size);
       EXPECT_LE(once, size * (max_frame_size + 20));
       EXPECT_LE(twice, 2 * once + 300 * max_frame_size) << "more than linear";
     }
   }
+}
+
+TEST(Parser, DoesBoundedWorkPerByte) {
+  expect_bounded_work<Optimize::speed>();
+  expect_bounded_work<Optimize::size>();
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ struct FramingFacts<Framing::v2> {
 };
 
 /// All framings.
-inline constexpr std::array framings{Framing::v1, Framing::v2};
+inline constexpr std::array<Framing, 2> framings{Framing::v1, Framing::v2};
 /// The framing that every board understands.
 inline constexpr Framing basic_framing = framings[0];
 

@@ -126,7 +126,7 @@ constexpr ResponsePolicy response_policy(const CalibInfoRequest& request) noexce
                .min_size = 33,
                .max_size = max_body_size,
                .size = 33,
-               .correlation = {{{1, 1, static_cast<std::uint32_t>(static_cast<std::uint8_t>(request.imu_type))}}}}}}},
+               .correlation = {{{.offset = 1, .size = 1, .value = static_cast<std::uint32_t>(static_cast<std::uint8_t>(request.imu_type))}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

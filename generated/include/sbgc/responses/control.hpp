@@ -154,7 +154,7 @@ constexpr ResponsePolicy response_policy(const ControlQuatStatusRequest& request
                .min_size = 4,
                .max_size = max_body_size,
                .size = 97,
-               .correlation = {{{0, 4, static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
+               .correlation = {{{.offset = 0, .size = 4, .value = static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -49,7 +49,7 @@ constexpr ResponsePolicy response_policy(const ExtMotorsStateRequest& request) n
                .min_size = 5,
                .max_size = max_body_size,
                .size = 50,
-               .correlation = {{{1, 4, static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
+               .correlation = {{{.offset = 1, .size = 4, .value = static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -17,7 +17,7 @@ constexpr ResponsePolicy response_policy(const ReadParams3Request& request) noex
                .min_size = 134,
                .max_size = max_body_size,
                .size = 134,
-               .correlation = {{{0, request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, static_cast<std::uint32_t>(request.profile_id)}}}}}}},
+               .correlation = {{{.offset = 0, .size = request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, .value = static_cast<std::uint32_t>(request.profile_id)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -38,7 +38,7 @@ constexpr ResponsePolicy response_policy(const ReadParams& request) noexcept {
                .min_size = 134,
                .max_size = max_body_size,
                .size = 134,
-               .correlation = {{{0, request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, static_cast<std::uint32_t>(request.profile_id)}}}}}}},
+               .correlation = {{{.offset = 0, .size = request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, .value = static_cast<std::uint32_t>(request.profile_id)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -59,7 +59,7 @@ constexpr ResponsePolicy response_policy(const ReadParamsExtRequest& request) no
                .min_size = 104,
                .max_size = max_body_size,
                .size = 104,
-               .correlation = {{{0, request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, static_cast<std::uint32_t>(request.profile_id)}}}}}}},
+               .correlation = {{{.offset = 0, .size = request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, .value = static_cast<std::uint32_t>(request.profile_id)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -80,7 +80,7 @@ constexpr ResponsePolicy response_policy(const ReadParamsExt2Request& request) n
                .min_size = 151,
                .max_size = max_body_size,
                .size = 151,
-               .correlation = {{{0, request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, static_cast<std::uint32_t>(request.profile_id)}}}}}}},
+               .correlation = {{{.offset = 0, .size = request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, .value = static_cast<std::uint32_t>(request.profile_id)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

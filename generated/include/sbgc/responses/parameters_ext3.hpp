@@ -17,7 +17,7 @@ constexpr ResponsePolicy response_policy(const ReadParamsExt3Request& request) n
                .min_size = 221,
                .max_size = max_body_size,
                .size = 221,
-               .correlation = {{{0, request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, static_cast<std::uint32_t>(request.profile_id)}}}}}}},
+               .correlation = {{{.offset = 0, .size = request.profile_id == 255 ? std::uint8_t{0} : std::uint8_t{1}, .value = static_cast<std::uint32_t>(request.profile_id)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

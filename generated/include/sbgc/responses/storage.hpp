@@ -13,7 +13,7 @@ namespace sbgc::msg {
 constexpr ResponsePolicy response_policy(const EepromWrite& request) noexcept {
   return {.responses = {.command = 47,
               .confirmed = Confirmed::always,
-              .confirmation = {1, 4, static_cast<std::uint32_t>(request.addr)}},
+              .confirmation = {.offset = 1, .size = 4, .value = static_cast<std::uint32_t>(request.addr)}},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -26,7 +26,7 @@ constexpr ResponsePolicy response_policy(const ReadFileRequest& request) noexcep
                .min_size = 4,
                .max_size = max_body_size,
                .size = 255,
-               .correlation = {{{2, 2, static_cast<std::uint32_t>(request.page_offset.raw())}}}},
+               .correlation = {{{.offset = 2, .size = 2, .value = static_cast<std::uint32_t>(request.page_offset.raw())}}}},
                            {.id = 53,
                .min_size = 1,
                .max_size = 1,
@@ -62,7 +62,7 @@ constexpr ResponsePolicy response_policy(const EepromReadRequest& request) noexc
                .min_size = 4,
                .max_size = max_body_size,
                .size = 196,
-               .correlation = {{{0, 4, static_cast<std::uint32_t>(request.addr)}}}}}}},
+               .correlation = {{{.offset = 0, .size = 4, .value = static_cast<std::uint32_t>(request.addr)}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -112,6 +112,8 @@ ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const
       return {ErrorCode::overload, command + ": the board supports no further data stream"};
     case SendStatus::not_encodable:
       return {ErrorCode::overload, command + ": " + to_string(refused.encoding)};
+    case SendStatus::timeout_too_long:
+      return {ErrorCode::invalid, command + ": the timeout is longer than an hour"};
     default: return {ErrorCode::overload, command + ": too many requests at once"};
   }
 }

@@ -257,6 +257,7 @@ constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t 
 template <CrcTable table, Framing... accepted>
 struct FrameFormats {
   static constexpr Framing first = std::array{accepted...}[0];
+  static constexpr bool is_one = sizeof...(accepted) == 1;
 
   /// Returns true if a frame may begin with `byte`.
   static constexpr bool is_start(std::uint8_t byte) noexcept {
@@ -288,6 +289,7 @@ template <CrcTable table, Framing... known>
 class SelectedFrameFormats {
  public:
   static constexpr Framing first = std::array{known...}[0];
+  static constexpr bool is_one = sizeof...(known) == 1;
 
   constexpr void accept_all() noexcept { starts_ = {FramingFacts<known>::start...}; }
   constexpr void accept_only(Framing framing) noexcept {

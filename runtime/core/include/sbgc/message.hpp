@@ -58,7 +58,8 @@ template <Framing framing, CrcTable table, class M>
   // To sum the values of a small message is faster than to sum its bytes: they may still be in
   // registers, and reading back members that were just set one by one would stall.
   constexpr bool is_small = is_of_fixed_size<M> && fixed_size<M> <= 24;
-  if constexpr (FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8) {
+  if constexpr (FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8 &&
+                !prefers_small_code) {
     using Format = FrameFormat<framing>;
     if constexpr (is_small) {
       return Format::finish(frame, id, body_size, static_cast<std::uint8_t>(sum_of_value(message)));

@@ -11,6 +11,13 @@
 
 namespace sbgc {
 
+/// What a class is optimized for. Both deliver the same frames; see BasicParser and
+/// SessionCapacity.
+enum class Optimize : std::uint8_t {
+  speed,
+  size,  ///< less code and RAM; counters and stream offsets have 32 bits, and wrap
+};
+
 /// The counters of a parser since its construction or reset().
 struct ParserCounters {
   std::uint64_t frames{};         ///< delivered frames
@@ -37,9 +44,9 @@ struct ParserCounters {
 /// stream is inspected at most once as the start of a complete candidate, which costs at most the
 /// length of one frame, and a few more times by its header alone.
 ///
-/// `Formats` are the framings that it accepts, FrameFormats or SelectedFrameFormats; use Parser
-/// or ParserOfAll, unless it should accept others or use another table for checksums.
-template <class Formats>
+/// `Formats` are the framings that it accepts, FrameFormats or SelectedFrameFormats; use Parser,
+/// SmallParser or ParserOfAll, unless it should accept others or use another table for checksums.
+template <class Formats, Optimize optimize = Optimize::speed>
 class BasicParser {
  public:
   constexpr BasicParser() noexcept = default;
@@ -210,9 +217,13 @@ class BasicParser {
 
 /// The parser for frames of the framing that every board understands.
 using Parser = BasicParser<FrameFormats<CrcTable::slices, basic_framing>>;
+/// The same for a small microcontroller.
+using SmallParser = BasicParser<FrameFormats<CrcTable::nibbles, basic_framing>, Optimize::size>;
 /// The parser for frames of all framings in one stream.
 using ParserOfAll = BasicParser<AllFrameFormats>;
 
 static_assert(sizeof(Parser) <= 600, "a parser must fit into a small microcontroller");
 
 }  // namespace sbgc
+
+#include <sbgc/detail/small_parser.hpp>

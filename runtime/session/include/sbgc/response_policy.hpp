@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/frame.hpp>
 
@@ -17,6 +18,7 @@ namespace sbgc {
 struct CorrelationField {
   std::uint8_t offset{};
   std::uint8_t size{};
+  std::uint16_t unused{};  ///< instead of padding, see Responses
   std::uint32_t value{};
 
   bool operator==(const CorrelationField&) const = default;
@@ -30,14 +32,10 @@ struct CorrelationField {
     return true;
   }
 
-  /// Returns true if no body can have both these bytes and those of `other`.
+  /// Returns true if no body can have both these bytes and those of `other`. Only compares fields
+  /// of the same place.
   constexpr bool excludes(const CorrelationField& other) const noexcept {
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t at = offset + i;
-      const bool both = at >= other.offset && at < std::size_t{other.offset} + other.size;
-      if (both && byte(i) != other.byte(at - other.offset)) return true;
-    }
-    return false;
+    return size != 0 && offset == other.offset && size == other.size && value != other.value;
   }
 
  private:
@@ -56,6 +54,7 @@ struct ResponseForm {
   std::uint8_t max_size{};  ///< of the body; max_body_size if later firmware may extend it
   std::uint8_t size{};      ///< of the body, as documented; the largest if it varies
   bool is_error{};          ///< reports that the request has failed
+  std::array<std::uint8_t, 3> unused{};  ///< instead of padding
   std::array<CorrelationField, max_correlation_fields> correlation{};
 
   bool operator==(const ResponseForm&) const = default;
@@ -70,13 +69,12 @@ struct ResponseForm {
     return holds;
   }
 
-  /// Returns true if a frame can be both this response and `other`.
+  /// Returns true if a frame can be both this response and `other`, unless fields in the same
+  /// places differ.
   constexpr bool can_be(const ResponseForm& other) const noexcept {
     if (id != other.id || min_size > other.max_size || other.min_size > max_size) return false;
-    for (const CorrelationField& one : correlation) {
-      for (const CorrelationField& two : other.correlation) {
-        if (one.excludes(two)) return false;
-      }
+    for (std::size_t i = 0; i < correlation.size(); ++i) {
+      if (correlation[i].excludes(other.correlation[i])) return false;
     }
     return true;
   }
@@ -91,10 +89,15 @@ struct Responses {
   std::uint8_t command{};  ///< id of the request
   Confirmed confirmed{};
   std::uint8_t form_count{};
+  std::uint8_t unused{};  ///< instead of padding
   std::array<ResponseForm, max_response_forms> forms{};
   CorrelationField confirmation{};  ///< the correlation field of a confirmation with data
 
-  bool operator==(const Responses&) const = default;
+  /// Compares the bytes, which takes little code. There is no padding among them.
+  friend bool operator==(const Responses& a, const Responses& b) noexcept {
+    static_assert(std::has_unique_object_representations_v<Responses>);
+    return __builtin_memcmp(&a, &b, sizeof a) == 0;
+  }
 
   /// Returns the form that the frame matches, or null.
   constexpr const ResponseForm* form_of(const Frame& frame) const noexcept {
@@ -142,7 +145,7 @@ struct ConfirmationResult {
   /// Returns true if the confirmation reports a failure. One without data does not.
   constexpr bool is_failure(std::span<const std::uint8_t> body) const noexcept {
     if (size == 0 || body.size() < std::size_t{offset} + size) return false;
-    return !CorrelationField{offset, size, success}.holds(body);
+    return !CorrelationField{.offset = offset, .size = size, .value = success}.holds(body);
   }
 };
 

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/line.hpp>
 #include <sbgc/message.hpp>
@@ -18,6 +20,7 @@
 #include <sbgc/session/pacing.hpp>
 #include <sbgc/session/request.hpp>
 #include <sbgc/session/streams.hpp>
+#include <sbgc/session/ticks.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc {
@@ -27,6 +30,9 @@ struct SessionCapacity {
   std::size_t requests = 8;       ///< queued and in flight
   std::size_t late_replies = 12;  ///< kinds of requests that are in flight or may get late replies
   std::size_t streams = roles::stream_limit;  ///< data streams
+  std::size_t body = max_body_size;           ///< of the largest request, in bytes
+  /// Optimize::size: a small parser, and statistics() has only the parser's counters.
+  Optimize optimize = Optimize::speed;
 };
 
 /// Sends requests in order, matches responses to them, and reports the outcome of each.
@@ -54,7 +60,9 @@ struct SessionCapacity {
 template <SessionCapacity capacity, class Formats = AnyFrameFormats>
 class BasicSession {
  public:
-  constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept : options_(options) {
+  /// Not constexpr, because a static object that is initialized at compile time occupies flash too.
+  [[gnu::always_inline]] explicit BasicSession(const SessionOptions& options = {}) noexcept
+      : settings_(options) {
     use(Formats::first);
   }
 
@@ -68,12 +76,14 @@ class BasicSession {
     static_assert(has_policy || !is_request,
                   "include <sbgc/responses/all.hpp>, or its header for the family of the message");
     if constexpr (is_request && has_policy) {
+      static_assert(M::min_size <= capacity.body, "the session's capacity for a body is smaller");
       Request* const slot = free_slot();
       if (slot == nullptr) return refuse(SendStatus::queue_full);
       const WriteResult body = encode_body(request, slot->body);
       if (!body) return refuse(SendStatus::not_encodable, body.status);
-      constexpr auto id = static_cast<std::uint8_t>(M::command);
-      return accept(*slot, id, body.size, response_policy(request), options);
+      // Constructed in place: a copy would cost stack and code.
+      ::new (&slot->policy) ResponsePolicy(response_policy(request));
+      return accept(*slot, static_cast<std::uint8_t>(M::command), body.size, options);
     } else {
       return {};
     }
@@ -84,10 +94,11 @@ class BasicSession {
                   const SendOptions& options = {}) noexcept {
     Request* const slot = free_slot();
     if (slot == nullptr) return refuse(SendStatus::queue_full);
-    const Status status = check_frame(id, body.size(), max_frame_size);
+    const Status status = check_frame(id, body.size(), frame_size<basic_framing>(capacity.body));
     if (!status) return refuse(SendStatus::not_encodable, status);
     if (!body.empty()) __builtin_memcpy(slot->body.data(), body.data(), body.size());
-    return accept(*slot, id, body.size(), policy, options);
+    slot->policy = policy;
+    return accept(*slot, id, body.size(), options);
   }
 
   /// Queues a request in another framing, which must be one that the board always answers. If the
@@ -105,16 +116,15 @@ class BasicSession {
   }
 
   /// The framing in use.
-  Framing framing() const noexcept { return framing_; }
+  Framing framing() const noexcept { return can_change_framing ? framing_ : Formats::first; }
 
   /// Processes received bytes, which may complete requests.
   template <class Sink>
   void feed(std::span<const std::uint8_t> bytes, Instant now, Sink&& sink) {
-    advance(now);
-    flush_after_silence(sink);
+    advance_and_flush(now, sink);
     if (bytes.empty()) return;
-    last_byte_ = now_;
-    parser_.feed(bytes, [&](const Frame& frame) { take(frame, sink); });
+    silence_left_ = settings_.idle;
+    parser_.feed(bytes, taker(sink));
   }
 
   /// Reports requests that have ended by `now`, and returns the frame to write, if one is due: at
@@ -123,32 +133,35 @@ class BasicSession {
   /// them.
   template <class Sink>
   [[nodiscard]] Output poll(Instant now, Sink&& sink) {
-    advance(now);
-    flush_after_silence(sink);
-    late_replies_.expire(now_);
+    advance_and_flush(now, sink);
+    late_replies_.expire();
     end_overdue(sink);
     std::size_t size = 0;
-    if (next_send_ <= now_) {
+    if (pause_left_ == 0) {
       if (Request* const next = next_request()) size = transmit(*next, sink);
     }
-    const Instant next = deadline();
-    return {{out_.data(), size}, size != 0 ? next : later(next, now_ + microseconds(1))};
+    Ticks left = next_action();
+    if (left == 0 && size == 0) left = 1;
+    return {{out_.data(), size},
+            left == detail::never ? Instant::never : now_ + microseconds(left)};
   }
 
   /// For links on which a write can take long: states that the frame of the last poll() is written
   /// only now, so that the timeout of its response starts at `now`. Call it before the next poll().
   void written(Instant now) noexcept {
     advance(now);
-    next_send_ = later(next_send_, now_ + sent_.pause);
+    pause_left_ = detail::longer(pause_left_, sent_.pause);
+    const Ticks late_left = late_after(sent_.response_time, sent_.finish);
     for (Request& request : requests_) {
       if (!request.handle || request.handle != sent_.handle || request.confirmations != 0) continue;
-      const Instant sent_at = later(request.sent_at, now_ + sent_.response_time);
-      if (request.attempt_end != Instant::never) request.attempt_end = sent_at + request.timeout;
-      request.sent_at = sent_at;
+      if (request.attempt_left != detail::never) {
+        request.attempt_left =
+            detail::longer(request.attempt_left, sent_.response_time + request.timeout);
+      }
+      request.late_left = detail::longer(request.late_left, late_left);
       return;
     }
-    late_replies_.extend(sent_.responses,
-                         now_ + sent_.response_time + sent_.finish + options_.late);
+    late_replies_.extend(sent_.handle, late_left);
   }
 
   /// Completes a request with `cancelled`; returns false if it has already ended. The board may
@@ -157,7 +170,7 @@ class BasicSession {
   bool cancel(Handle handle, Sink&& sink) {
     for (Request& request : requests_) {
       if (!handle || request.handle != handle) continue;
-      complete(request, Outcome::cancelled, {}, sink);
+      complete(request, Outcome::cancelled, no_frame, sink);
       return true;
     }
     return false;
@@ -169,26 +182,25 @@ class BasicSession {
   void abandon(Sink&& sink) {
     parser_.flush([](const Frame&) {});
     forget_streams();
-    next_send_ = now_;
-    complete_all(Outcome::link_lost, sink, Handle{last_handle_});
+    pause_left_ = 0;
+    complete_all(Outcome::link_lost, sink, next_handle());
     use(Formats::first);
     late_replies_.clear();  // including those of the requests that have just ended
   }
 
   /// Sets the line settings, after a change of the line or its settings.
-  void set_line(const LineSettings& line) noexcept { options_.line = line; }
-
-  const SessionOptions& options() const noexcept { return options_; }
+  void set_line(const LineSettings& line) noexcept { settings_.set_line(line); }
 
   SessionStatistics statistics() const noexcept {
-    SessionStatistics result = statistics_;
+    SessionStatistics result;
+    if constexpr (has_statistics) result = statistics_;
     result.parser = parser_.counters();
-    result.framing = framing_;
+    result.framing = framing();
     return result;
   }
 
   /// Returns the bandwidth that the data streams use, including streams being started.
-  StreamUsage stream_usage() const noexcept { return {streams_.used(), stream_limit()}; }
+  StreamUsage stream_usage() const noexcept { return {streams_.used(), settings_.stream_limit}; }
 
   /// Returns the number of requests that are queued or in flight.
   std::size_t open_requests() const noexcept {
@@ -198,7 +210,8 @@ class BasicSession {
   }
 
  private:
-  using Request = detail::SessionRequest;
+  using Ticks = detail::Ticks;
+  using Request = detail::SessionRequest<capacity.body>;
   using State = detail::RequestState;
 
   // Accepting requests
@@ -210,22 +223,25 @@ class BasicSession {
     return nullptr;
   }
 
-  SendResult refuse(SendStatus status, const Status& encoding = {}) noexcept {
-    ++statistics_.refused;
+  [[gnu::noinline]] SendResult refuse(SendStatus status, const Status& encoding = {}) noexcept {
+    count(&SessionStatistics::refused);
     return {{}, status, encoding};
   }
 
-  SendResult accept(Request& slot, std::uint8_t id, std::size_t size, const ResponsePolicy& policy,
+  /// Accepts the request whose body and policy are in the slot.
+  SendResult accept(Request& slot, std::uint8_t id, std::size_t size,
                     const SendOptions& options) noexcept {
-    const StreamChange& stream = policy.stream;
+    const Ticks timeout = detail::ticks_of(options.timeout, detail::never);
+    if (timeout > detail::longest_response) return refuse(SendStatus::timeout_too_long);
+    StreamChange& stream = slot.policy.stream;
     if (stream.command != 0) {
-      const std::uint32_t limit = options.ignore_budget ? 0 : stream_limit();
+      const std::uint32_t limit = options.ignore_budget ? 0 : settings_.stream_limit;
       const SendStatus status = streams_.check(stream, limit);
       if (status != SendStatus::ok) return refuse(status);
+      const bool is_noted = streams_.ask(stream);
+      if (capacity.streams != 0 && !is_noted) stream = {};
     }
-    const bool is_noted = stream.command != 0 && streams_.ask(stream);
-    slot.open({++last_handle_}, id, size, policy, options, options_.attempts);
-    if (!is_noted) slot.policy.stream = {};
+    slot.open({++last_handle_}, id, size, options, timeout, settings_.attempts);
     return {slot.handle, SendStatus::ok, {}};
   }
 
@@ -237,67 +253,73 @@ class BasicSession {
     return sent;
   }
 
-  std::uint32_t stream_limit() const noexcept {
-    const std::uint64_t all = bytes_per_second(options_.line);
-    return static_cast<std::uint32_t>(all * options_.stream_percent / 100);
-  }
-
   // Sending
 
   /// Returns the oldest request that may be sent, or null.
   Request* next_request() noexcept {
     Request* next = nullptr;
     for (Request& request : requests_) {
-      const bool is_older = next == nullptr || request.handle < next->handle;
+      const bool is_older = next == nullptr || request.is_older_than(next->handle);
       if (request.is_open() && is_older && may_be_sent(request)) next = &request;
     }
     return next;
+  }
+
+  /// Returns true if the request must wait for another open one.
+  bool blocks(const Request& other, const Request& request) const noexcept {
+    // Requests do not pass a trial, in either direction.
+    const bool is_older = other.is_older_than(request.handle);
+    if (is_trial(other) && is_older) return true;
+    if (is_trial(request) && other.is_in_flight()) return true;
+    return (other.is_in_flight() || is_older) &&
+           (other.awaits_response || request.awaits_response) &&
+           request.policy.responses.can_be_confused_with(other.policy.responses);
   }
 
   bool may_be_sent(const Request& request) const noexcept {
     if (request.state != State::queued) return request.state == State::resend;
     const Responses& responses = request.policy.responses;
     std::size_t in_flight = 0;
-    for (const Request& other : requests_) {
-      if (!other.is_open()) continue;
-      in_flight += other.is_in_flight() ? 1U : 0U;
-      // Requests do not pass a trial, in either direction.
-      if (trial_.handle == other.handle && other.handle < request.handle) return false;
-      if (trial_.handle == request.handle && other.is_in_flight()) return false;
-      const bool is_before = other.is_in_flight() || other.handle < request.handle;
-      if (is_before && (other.awaits_response || request.awaits_response) &&
-          responses.can_be_confused_with(other.policy.responses)) {
-        return false;
+    if constexpr (capacity.requests > 1) {
+      for (const Request& other : requests_) {
+        if (!other.is_open()) continue;
+        in_flight += other.is_in_flight() ? 1U : 0U;
+        if (blocks(other, request)) return false;
       }
     }
-    if (request.awaits_response && late_replies_.can_be_confused_with(responses)) return false;
+    const auto can_be_confused = [&](const Responses& late) {
+      return responses.can_be_confused_with(late);
+    };
+    if (request.awaits_response && late_replies_.has(can_be_confused)) return false;
     return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
   }
 
   /// Writes the frame of a request to `out_`; returns its size.
   template <class Sink>
   std::size_t transmit(Request& request, Sink& sink) {
-    const bool is_trial = request.handle == trial_.handle;
-    if (is_trial) accept_all();
-    const Framing framing = is_trial ? trial_.framing : framing_;
+    if (is_trial(request)) accept_all();
+    const Framing framing = is_trial(request) ? trial_.framing : this->framing();
     __builtin_memcpy(frame_body(out_.data()), request.body.data(), request.size);
     const std::size_t size =
         Formats::finish(framing, out_.data(), request.id, request.size, request.body.data());
-    ++statistics_.sent_frames;
-    statistics_.sent_bytes += size;
-    statistics_.retries += request.state == State::resend ? 1U : 0U;
+    count(&SessionStatistics::sent_frames);
+    count(&SessionStatistics::sent_bytes, size);
+    if (request.state == State::resend) count(&SessionStatistics::retries);
     const std::size_t response = response_size(request.policy.responses);
-    sent_ = {request.handle, request.policy.responses,
-             detail::pause_after(options_, size, response), wire_time(options_.line, response),
-             request.finish};
-    const Instant left = now_ + wire_time(options_.line, size);
-    next_send_ = left + sent_.pause;
+    const Ticks response_time = settings_.frame_time(response);
+    sent_.handle = request.handle;
+    sent_.pause = settings_.pause_after(size, response, response_time);
+    sent_.response_time = response_time;
+    sent_.finish = request.finish;
+    const Ticks left = settings_.frame_time(size);
+    const Ticks response_left = left + response_time;
+    pause_left_ = left + sent_.pause;
     request.state = State::in_flight;
     --request.attempts;
     ++request.transmissions;
-    request.sent_at = left + sent_.response_time;
-    request.attempt_end = request.sent_at + request.timeout;
-    if (!request.awaits_response) complete(request, Outcome::sent, {}, sink);
+    request.attempt_left = response_left + request.timeout;
+    request.late_left = late_after(response_left, request.finish);
+    if (!request.awaits_response) complete(request, Outcome::sent, no_frame, sink);
     return size;
   }
 
@@ -307,29 +329,42 @@ class BasicSession {
     for (std::size_t i = 0; i < responses.form_count; ++i) {
       if (size < responses.forms[i].size) size = responses.forms[i].size;
     }
-    return responses.are_possible() ? frame_size(framing_, size) : 0;
+    return responses.are_possible() ? frame_size(framing(), size) : 0;
+  }
+
+  /// Returns the time after which even a late response cannot arrive any more.
+  Ticks late_after(Ticks response_left, Ticks finish) const noexcept {
+    return response_left + finish + settings_.late;
   }
 
   // Time
 
-  void advance(Instant now) noexcept { now_ = later(now_, now); }
+  void advance(Instant now) noexcept {
+    const Ticks elapsed = detail::between(now_, now);
+    now_ = later(now_, now);
+    detail::pass(pause_left_, elapsed);
+    detail::pass(silence_left_, elapsed);
+    for (Request& request : requests_) request.pass(elapsed);
+    late_replies_.pass(elapsed);
+  }
 
-  /// Flushes the parser after a silence: an incomplete candidate is not a frame, but may contain
-  /// one.
+  /// Advances the time. Flushes the parser after a silence: an incomplete candidate is not a frame,
+  /// but may contain one.
   template <class Sink>
-  void flush_after_silence(Sink& sink) {
-    if (parser_.waiting_bytes() == 0 || now_ < last_byte_ + options_.idle) return;
-    parser_.flush([&](const Frame& frame) { take(frame, sink); });
+  void advance_and_flush(Instant now, Sink& sink) {
+    advance(now);
+    if (parser_.waiting_bytes() == 0 || silence_left_ != 0) return;
+    parser_.flush(taker(sink));
   }
 
   template <class Sink>
   void end_overdue(Sink& sink) {
-    const Handle newest{last_handle_};  // excludes requests that the sink sends in this loop
+    const Handle next = next_handle();  // excludes requests that the sink sends in this loop
     for (Request& request : requests_) {
-      if (!request.is_open() || newest < request.handle) continue;
-      if (request.deadline <= now_) {
-        complete(request, Outcome::timeout, {}, sink);
-      } else if (request.attempt_end <= now_) {
+      if (!request.is_open() || !request.is_older_than(next)) continue;
+      if (detail::between(now_, request.deadline) == 0) {
+        complete(request, Outcome::timeout, no_frame, sink);
+      } else if (request.attempt_left == 0) {
         end_attempt(request, sink);
       }
     }
@@ -337,181 +372,152 @@ class BasicSession {
 
   template <class Sink>
   void end_attempt(Request& request, Sink& sink) {
-    ++statistics_.timeouts;
-    request.attempt_end = Instant::never;
+    count(&SessionStatistics::timeouts);
+    request.attempt_left = detail::never;
     if (request.attempts != 0 && request.confirmations == 0) {
       request.state = State::resend;
       return;
     }
-    complete(request, request.policy.is_certain() ? Outcome::timeout : Outcome::unconfirmed, {},
-             sink);
+    complete(request, request.policy.is_certain() ? Outcome::timeout : Outcome::unconfirmed,
+             no_frame, sink);
   }
 
-  /// Returns the time at which poll() next has something to do.
-  Instant deadline() noexcept {
-    Instant next = Instant::never;
-    if (parser_.waiting_bytes() != 0) next = last_byte_ + options_.idle;
+  /// Returns the time until poll() has something to do.
+  Ticks next_action() const noexcept {
+    Ticks left = parser_.waiting_bytes() != 0 ? silence_left_ : detail::never;
     bool is_blocked = false;
     for (const Request& request : requests_) {
       if (!request.is_open()) continue;
-      next = earlier(next, earlier(request.deadline, request.attempt_end));
+      left = detail::shorter(left, detail::between(now_, request.deadline));
+      left = detail::shorter(left, request.attempt_left);
       if (request.state == State::in_flight) continue;
       if (may_be_sent(request)) {
-        next = earlier(next, later(next_send_, now_));
+        left = detail::shorter(left, pause_left_);
       } else {
         is_blocked = true;
       }
     }
-    return is_blocked ? earlier(next, late_replies_.next_end()) : next;
+    return is_blocked ? detail::shorter(left, late_replies_.next_end()) : left;
   }
 
   // Receiving
 
+  /// Returns the sink of the parser: of one type, so that its code exists once.
+  template <class Sink>
+  auto taker(Sink& sink) noexcept {
+    return [this, &sink](const Frame& frame) { take(frame, sink); };
+  }
+
+  /// What a frame means: its kind, and the command that it confirms or reports as failed (0 if
+  /// unknown), else its id.
+  struct Meaning {
+    const Frame& frame;
+    EventKind kind;
+    std::uint8_t command;
+
+    /// Returns true if the frame can be one of these responses.
+    bool operator()(const Responses& responses) const noexcept {
+      if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
+      if (kind == EventKind::board_error) return command == 0 || command == responses.command;
+      return responses.form_of(frame) != nullptr;
+    }
+  };
+
+  Meaning meaning_of(const Frame& frame) const noexcept {
+    if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id};
+    if (roles::is_confirmation(frame)) {
+      return {frame, EventKind::confirmation, roles::confirmed_command(frame)};
+    }
+    if (roles::is_error(frame)) {
+      return {frame, EventKind::board_error, roles::failed_command(frame)};
+    }
+    return {frame, streams_.has(frame.id) ? EventKind::stream : EventKind::unsolicited, frame.id};
+  }
+
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
-    if (roles::is_reset(frame)) {
-      take_reset(frame, sink);
-    } else if (roles::is_confirmation(frame)) {
-      take_confirmation(frame, sink);
-    } else if (roles::is_error(frame)) {
-      take_error(frame, sink);
-    } else {
-      take_message(frame, sink);
-    }
-  }
-
-  template <class Sink>
-  void take_message(const Frame& frame, Sink& sink) {
-    for (Request& request : requests_) {
-      const ResponseForm* const form = awaited_form(request, frame);
-      if (form == nullptr) continue;
-      end_pause(request);
-      complete(request, form->is_error ? Outcome::failed : Outcome::answered, frame, sink);
-      return;
-    }
-    const bool is_late = take_late_reply(
-        [&](const Responses& responses) { return responses.form_of(frame) != nullptr; });
-    const bool is_sample = streams_.has(frame.id);
-    statistics_.unsolicited += is_late || is_sample ? 0U : 1U;
-    report({.kind = is_sample ? EventKind::stream : EventKind::unsolicited,
-            .command = frame.id,
-            .is_late = is_late,
-            .frame = frame},
-           sink);
-  }
-
-  /// Returns the response form of `request` that the frame matches. Null if it matches none, if it
-  /// is a sample of a stream, or if the request is not in flight.
-  const ResponseForm* awaited_form(const Request& request, const Frame& frame) const noexcept {
-    if (!request.is_in_flight()) return nullptr;
-    const ResponseForm* const form = request.policy.responses.form_of(frame);
-    if (form == nullptr) return nullptr;
-    const bool is_sample = form->size != frame.body.size() && streams_.has_size_of_sample(frame);
-    return is_sample ? nullptr : form;
-  }
-
-  template <class Sink>
-  void take_confirmation(const Frame& frame, Sink& sink) {
-    const std::uint8_t command = roles::confirmed_command(frame);
-    for (Request& request : requests_) {
-      const ResponsePolicy& policy = request.policy;
-      if (!request.is_in_flight()) continue;
-      if (!policy.responses.is_confirmed_by(command, frame)) continue;
-      if (request.confirmations != 0 && line_repeats_frames() &&
-          now_ < request.confirmed_at + options_.duplicate_window) {
-        break;  // a duplicate of the last one
-      }
-      end_pause(request);
-      ++request.confirmations;
-      request.confirmed_at = now_;
-      const Handle handle = request.handle;
-      report({.kind = EventKind::confirmation,
-              .handle = handle,
-              .command = command,
-              .confirmation = request.confirmations,
-              .confirmations = policy.confirmations,
-              .frame = frame},
-             sink);
-      if (request.handle != handle) return;  // cancelled by the sink
-      if (policy.result.is_failure(frame.body)) {
-        complete(request, Outcome::failed, frame, sink);
-      } else if (policy.response_required) {
-        // A response message is still to come.
-      } else if (request.confirmations >= policy.confirmations) {
-        complete(request, Outcome::confirmed, frame, sink);
-      } else {
-        request.state = State::in_flight;
-        request.attempt_end = request.sent_at + request.finish;
-      }
-      return;
-    }
-    const bool is_late = take_late_reply(
-        [&](const Responses& responses) { return responses.is_confirmed_by(command, frame); });
-    report(
-        {.kind = EventKind::confirmation, .command = command, .is_late = is_late, .frame = frame},
-        sink);
-  }
-
-  /// Matches an error to a request in flight if that is the only one it can refer to.
-  template <class Sink>
-  void take_error(const Frame& frame, Sink& sink) {
-    ++statistics_.board_errors;
-    const std::uint8_t command = roles::failed_command(frame);
+    const Handle next = next_handle();
+    const Meaning meaning = meaning_of(frame);
+    const bool is_reset = meaning.kind == EventKind::reset;
+    const bool is_error = meaning.kind == EventKind::board_error;
+    if (is_error) count(&SessionStatistics::board_errors);
+    if (is_reset) count(&SessionStatistics::resets);
+    if (is_reset) forget_streams();
     Request* meant = nullptr;
-    bool is_clear = !late_replies_.has_command(command);
+    bool is_unclear = is_error && late_replies_.has(meaning);
     for (Request& request : requests_) {
-      if (!request.is_in_flight()) continue;
-      if (command != 0 && request.policy.responses.command != command) continue;
-      is_clear = is_clear && meant == nullptr;
+      if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
+      if (is_sample(request, frame)) continue;
+      if (meant != nullptr) is_unclear = true;
       meant = &request;
+      if (!is_error) break;
     }
-    if (meant != nullptr && is_clear) {
-      end_pause(*meant);
-      complete(*meant, Outcome::board_error, frame, sink);
-      return;
+    const bool is_confirmation = meaning.kind == EventKind::confirmation;
+    const bool is_repeated = is_confirmation && meant != nullptr && meant->duplicate_left != 0;
+    Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
+    if (meant != nullptr && !is_unclear && !is_repeated) {
+      if (!is_reset) end_pause(*meant);
+      if (is_confirmation) return confirm(*meant, event, sink);
+      const ResponseForm* const form = meant->policy.responses.form_of(frame);
+      complete(*meant,
+               is_error         ? Outcome::board_error
+               : form->is_error ? Outcome::failed
+                                : Outcome::answered,
+               frame, sink);
+      if (!is_reset) return;
+    } else if (!is_reset && !(is_error && meant != nullptr)) {
+      event.is_late = late_replies_.take(meaning, settings_.duplicates);
     }
-    const bool is_late = meant == nullptr && take_late_reply([&](const Responses& responses) {
-                           return command == 0 || responses.command == command;
-                         });
-    report({.kind = EventKind::board_error, .command = command, .is_late = is_late, .frame = frame},
-           sink);
-  }
-
-  template <class Sink>
-  void take_reset(const Frame& frame, Sink& sink) {
-    ++statistics_.resets;
-    const Handle newest{last_handle_};
-    forget_streams();
-    for (Request& request : requests_) {
-      if (awaited_form(request, frame) == nullptr) continue;
-      complete(request, Outcome::answered, frame, sink);
-      break;
-    }
-    report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
-    complete_all(Outcome::reset, sink, newest);
+    if (event.is_late) count(&SessionStatistics::late_replies);
+    const bool is_unsolicited = meaning.kind == EventKind::unsolicited && !event.is_late;
+    if (is_unsolicited) count(&SessionStatistics::unsolicited);
+    report(event, sink);
+    if (!is_reset) return;
+    complete_all(Outcome::reset, sink, next);
     // The board may continue to respond until it restarts.
-    late_replies_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
+    late_replies_.limit(detail::ticks_of_ms(roles::reset_delay_ms) + settings_.late);
   }
 
   /// Called when the board responds to `request`. If that was the last frame sent, the board has
   /// read its input buffer empty, which ends the pause. A response to a resent request may be that
   /// to its first transmission.
   void end_pause(const Request& request) noexcept {
-    if (!options_.pacing.until_response) return;
+    if (!settings_.until_response) return;
     if (request.handle != sent_.handle || request.transmissions != 1) return;
-    next_send_ = now_;
-    sent_.pause = {};
+    pause_left_ = 0;
+    sent_.pause = 0;
   }
 
-  /// Returns true if the line may deliver a frame twice.
-  bool line_repeats_frames() const noexcept { return options_.duplicate_window > Duration{}; }
+  /// Counts a confirmation of `request`, which may complete it.
+  template <class Sink>
+  void confirm(Request& request, Event& event, Sink& sink) {
+    const ResponsePolicy& policy = request.policy;
+    ++request.confirmations;
+    request.duplicate_left = settings_.duplicates;
+    const Handle handle = request.handle;
+    event.handle = handle;
+    event.confirmation = request.confirmations;
+    event.confirmations = policy.confirmations;
+    report(event, sink);
+    if (request.handle != handle) return;  // cancelled by the sink
+    if (policy.result.is_failure(event.frame.body)) {
+      complete(request, Outcome::failed, event.frame, sink);
+    } else if (policy.response_required) {
+      // A response message is still to come.
+    } else if (request.confirmations >= policy.confirmations) {
+      complete(request, Outcome::confirmed, event.frame, sink);
+    } else {
+      request.state = State::in_flight;
+      // Until `finish` after the response could have arrived.
+      const Ticks late = settings_.late;
+      request.attempt_left = request.late_left > late ? request.late_left - late : 0;
+    }
+  }
 
-  template <class Fits>
-  bool take_late_reply(Fits&& fits) noexcept {
-    const bool is_late =
-        late_replies_.take(fits, line_repeats_frames(), now_ + options_.duplicate_window);
-    statistics_.late_replies += is_late ? 1U : 0U;
-    return is_late;
+  /// Returns true if the frame is a sample of a stream, though it could also answer the request.
+  bool is_sample(const Request& request, const Frame& frame) const noexcept {
+    const ResponseForm* const form = request.policy.responses.form_of(frame);
+    return form != nullptr && form->size != frame.body.size() && streams_.has_size_of_sample(frame);
   }
 
   // Completing requests
@@ -523,11 +529,16 @@ class BasicSession {
     for (Request& request : requests_) request.policy.stream = {};
   }
 
-  /// Completes the requests up to `newest`, which excludes requests that the sink sends meanwhile.
+  /// The handle of the request accepted next: all others are older.
+  Handle next_handle() const noexcept { return {last_handle_ + 1}; }
+
+  /// Completes the requests older than `next`, but none that the sink sends meanwhile.
   template <class Sink>
-  void complete_all(Outcome outcome, Sink& sink, Handle newest) {
+  void complete_all(Outcome outcome, Sink& sink, Handle next) {
     for (Request& request : requests_) {
-      if (request.is_open() && request.handle <= newest) complete(request, outcome, {}, sink);
+      if (request.is_open() && request.is_older_than(next)) {
+        complete(request, outcome, no_frame, sink);
+      }
     }
   }
 
@@ -535,7 +546,7 @@ class BasicSession {
   template <class Sink>
   void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink) {
     const ResponsePolicy& policy = request.policy;
-    if (request.handle == trial_.handle) end_trial(outcome, frame);
+    if (is_trial(request)) end_trial(outcome, frame);
     expect_late_reply(request, outcome);
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
@@ -549,6 +560,10 @@ class BasicSession {
                       .frame = frame};
     request.close();
     report(event, sink);
+  }
+
+  bool is_trial(const Request& request) const noexcept {
+    return can_change_framing && request.handle == trial_.handle;
   }
 
   void end_trial(Outcome outcome, const Frame& frame) noexcept {
@@ -577,20 +592,21 @@ class BasicSession {
     std::uint32_t expected = each * request.transmissions;
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
-    Instant end{};
-    if (expected != 0) end = request.sent_at + request.finish + options_.late;
-    if (is_answered || outcome == Outcome::confirmed) {
-      if (line_repeats_frames()) {
-        ++expected;
-        end = later(end, now_ + options_.duplicate_window);
-      }
+    Ticks left = expected != 0 ? request.late_left : 0;
+    const Ticks duplicates = settings_.duplicates;
+    if ((is_answered || outcome == Outcome::confirmed) && duplicates != 0) {
+      ++expected;
+      left = detail::longer(left, duplicates);
     }
-    // Even if `end` has passed: the frame may not have been written yet, see written().
-    if (expected != 0) late_replies_.add(policy.responses, expected, end);
+    // Even if no time is left: the frame may not have been written yet, see written().
+    if (expected != 0) {
+      late_replies_.add(request.handle, policy.responses, expected, left);
+    }
   }
 
+  /// Not inlined, because it is called in many places.
   template <class Sink>
-  static void report(const Event& event, Sink& sink) {
+  [[gnu::noinline]] static void report(const Event& event, Sink& sink) {
     sink(event);
   }
 
@@ -600,20 +616,31 @@ class BasicSession {
     Framing framing{};
   };
 
-  SessionOptions options_;
-  BasicParser<Formats> parser_{};
-  Framing framing_ = Formats::first;
-  Trial trial_{};
+  static constexpr Frame no_frame{};
+
+  struct NoStatistics {};
+  static constexpr bool has_statistics = capacity.optimize == Optimize::speed;
+  using Statistics = std::conditional_t<has_statistics, SessionStatistics, NoStatistics>;
+
+  void count(std::uint64_t SessionStatistics::*counter, std::uint64_t by = 1) noexcept {
+    if constexpr (has_statistics) statistics_.*counter += by;
+  }
+
+  // What is used most comes first, where short instructions reach it.
   Instant now_{std::numeric_limits<std::int64_t>::min()};
-  Instant last_byte_{};
-  Instant next_send_{std::numeric_limits<std::int64_t>::min()};
   std::uint64_t last_handle_{};
+  Ticks pause_left_{};    // until the next request may be sent
+  Ticks silence_left_{};  // until an incomplete frame is discarded
   detail::Transmission sent_{};
+  Trial trial_{};
+  Framing framing_ = Formats::first;
+  detail::Settings settings_;
+  [[no_unique_address]] Statistics statistics_{};
   std::array<Request, capacity.requests> requests_{};
   detail::LateReplies<capacity.late_replies> late_replies_{};
-  detail::Streams<capacity.streams> streams_{};
-  SessionStatistics statistics_{};
-  std::array<std::uint8_t, max_frame_size> out_{};
+  [[no_unique_address]] detail::Streams<capacity.streams> streams_{};
+  BasicParser<Formats, capacity.optimize> parser_{};
+  std::array<std::uint8_t, capacity.body + max_frame_size - max_body_size> out_{};
 };
 
 /// A session with a capacity that suits most hosts.

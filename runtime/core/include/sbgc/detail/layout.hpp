@@ -11,6 +11,10 @@
 
 namespace sbgc::detail {
 
+/// True on processors of 32 bits, most of which are microcontrollers: small code counts more there
+/// than the stalls that a large processor has when it reads bytes just written.
+inline constexpr bool prefers_small_code = sizeof(void*) < 8;
+
 /// The offsets of one fixed-offset member.
 struct Place {
   std::size_t wire{};    ///< its offset in the body
@@ -63,7 +67,8 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
     memory += sizes[i];
     wire += wire_sizes[i];
   }
-  const bool is_worthwhile = count > 2 && 2 * (layout.block_count + others) <= count;
+  const bool is_worthwhile =
+      prefers_small_code || (count > 2 && 2 * (layout.block_count + others) <= count);
   layout.in_blocks = is_worthwhile && !is_packed && std::endian::native == std::endian::little;
   layout.only_blocks = layout.in_blocks && others == 0;
   return layout;

@@ -70,7 +70,11 @@ enum class SendStatus : std::uint8_t {
   not_encodable,     ///< see the result's `encoding`
   over_budget,       ///< the data stream would use too much of the line's bandwidth
   too_many_streams,  ///< the board or the session has no room for another data stream
+  timeout_too_long,  ///< more than longest_timeout
 };
+
+/// The longest timeout of a response.
+inline constexpr Duration longest_timeout = seconds(3600);
 
 /// The result of send(): a handle if the status is ok.
 struct SendResult {
@@ -87,7 +91,8 @@ struct SendOptions {
   bool expect_confirmation = false;
   bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
   std::uint8_t attempts = 0;   ///< maximum transmissions if a retry is safe; 0: the session's
-  Duration timeout{};          ///< of each transmission; 0: that of the response policy
+  /// Of each transmission, at most longest_timeout; 0: that of the response policy.
+  Duration timeout{};
   Instant deadline = Instant::never;  ///< completes with `timeout` at this time, sent or not
 };
 
@@ -98,7 +103,8 @@ struct PacingOptions {
   bool until_response = true;  ///< a response ends the pause: the board has read the command
 };
 
-/// Options of a session. The defaults suit a serial line of unknown speed.
+/// Options of a session. The defaults suit a serial line of unknown speed. A duration of over an
+/// hour may count as one hour.
 struct SessionOptions {
   LineSettings line{};                ///< for transmission times; at 0 baud, these are 0
   PacingOptions pacing{};             ///< both 0: none

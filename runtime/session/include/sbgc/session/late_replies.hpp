@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <sbgc/response_policy.hpp>
-#include <sbgc/time.hpp>
+#include <sbgc/session/event.hpp>
+#include <sbgc/session/ticks.hpp>
 
 namespace sbgc::detail {
 
@@ -23,51 +23,53 @@ class LateReplies {
     return size_ + reserved < capacity || find(responses) != size_;
   }
 
-  /// Expects up to `frames` frames until `until`. Precondition: there is room, see has_room().
-  constexpr void add(const Responses& responses, std::uint32_t frames, Instant until) noexcept {
+  /// Expects up to `frames` further frames for a request, for this long. Precondition: there is
+  /// room, see has_room().
+  constexpr void add(Handle request, const Responses& responses, std::uint32_t frames,
+                     Ticks left) noexcept {
     const std::size_t place = find(responses);
     if (place == capacity) return;
     Entry& entry = entries_[place];
     if (place == size_) {
-      entry = {responses, frames, until};
       ++size_;
-    } else {  // the same frames match both
-      const std::uint32_t room = std::numeric_limits<std::uint32_t>::max() - entry.frames;
-      entry.frames += frames < room ? frames : room;
-      entry.until = later(entry.until, until);
+      entry.responses = responses;
+      entry.frames = 0;
+      entry.left = 0;
+    }  // else the same frames match both
+    entry.request = request;
+    entry.frames += frames;
+    entry.left = longer(entry.left, left);
+  }
+
+  /// Keeps the entry to which this request was the last to add, if there is one, at least this
+  /// long.
+  constexpr void extend(Handle request, Ticks left) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (entries_[i].request == request) entries_[i].left = longer(entries_[i].left, left);
     }
   }
 
-  /// Keeps the entry for these responses, if there is one, at least until `until`.
-  constexpr void extend(const Responses& responses, Instant until) noexcept {
-    const std::size_t place = find(responses);
-    if (place != size_) entries_[place].until = later(entries_[place].until, until);
+  constexpr void pass(Ticks elapsed) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) detail::pass(entries_[i].left, elapsed);
   }
 
   /// Removes the expired entries.
-  constexpr void expire(Instant now) noexcept {
+  constexpr void expire() noexcept {
     for (std::size_t i = size_; i-- > 0;) {
-      if (entries_[i].until <= now) remove(i);
+      if (entries_[i].left == 0) remove(i);
     }
-  }
-
-  /// Returns true if a late reply could be confused with one of these responses.
-  constexpr bool can_be_confused_with(const Responses& responses) const noexcept {
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (entries_[i].responses.can_be_confused_with(responses)) return true;
-    }
-    return false;
   }
 
   /// Consumes one frame of the first entry for which `fits(responses)` holds; returns false if
-  /// there is none. On a line that repeats frames, the entry stays at least until `repeated_until`.
+  /// there is none. On a line that repeats frames within `repeats`, if not 0, the entry stays at
+  /// least that long.
   template <class Fits>
-  constexpr bool take(Fits&& fits, bool is_repeating, Instant repeated_until) noexcept {
+  constexpr bool take(const Fits& fits, Ticks repeats) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       Entry& entry = entries_[i];
       if (!fits(entry.responses)) continue;
-      if (is_repeating) {
-        entry.until = later(entry.until, repeated_until);
+      if (repeats != 0) {
+        entry.left = longer(entry.left, repeats);
       } else if (--entry.frames == 0) {
         remove(i);
       }
@@ -76,33 +78,35 @@ class LateReplies {
     return false;
   }
 
-  /// Returns true if a late reply to this command may arrive; 0 is any command.
-  constexpr bool has_command(std::uint8_t command) const noexcept {
+  /// Returns true if there is an entry for which `fits(responses)` holds.
+  template <class Fits>
+  constexpr bool has(const Fits& fits) const noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (command == 0 || entries_[i].responses.command == command) return true;
+      if (fits(entries_[i].responses)) return true;
     }
     return false;
   }
 
-  /// Returns the time at which the first entry expires.
-  constexpr Instant next_end() const noexcept {
-    Instant end = Instant::never;
-    for (std::size_t i = 0; i < size_; ++i) end = earlier(end, entries_[i].until);
-    return end;
+  /// Returns the time until the first entry expires.
+  constexpr Ticks next_end() const noexcept {
+    Ticks left = never;
+    for (std::size_t i = 0; i < size_; ++i) left = shorter(left, entries_[i].left);
+    return left;
   }
 
-  /// Makes all entries expire at `end` at the latest.
-  constexpr void limit(Instant end) noexcept {
-    for (std::size_t i = 0; i < size_; ++i) entries_[i].until = earlier(entries_[i].until, end);
+  /// Makes all entries expire after `most` at the latest.
+  constexpr void limit(Ticks most) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) entries_[i].left = shorter(entries_[i].left, most);
   }
 
   constexpr void clear() noexcept { size_ = 0; }
 
  private:
   struct Entry {
-    Responses responses{};
+    Handle request{};  // the last one that added to it
+    Ticks left{};
     std::uint32_t frames{};
-    Instant until{};
+    Responses responses{};
   };
 
   /// Returns the index of the entry for these responses, else the first free one.

@@ -8,6 +8,7 @@
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/session/event.hpp>
+#include <sbgc/session/ticks.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::detail {
@@ -22,37 +23,44 @@ namespace sbgc::detail {
 /// state. Responses to a request that was already sent then become late replies.
 enum class RequestState : std::uint8_t { free, queued, in_flight, resend };
 
+template <std::size_t body_capacity>
 struct SessionRequest {
   RequestState state{};
-  Handle handle{};          // 0 if free
-  ResponsePolicy policy{};  // its `stream` is a change that the session has noted, or none
   bool awaits_response{};   // false: completes when it is sent
   std::uint8_t attempts{};  // transmissions left
   std::uint8_t transmissions{};
   std::uint8_t confirmations{};
   std::uint8_t id{};
   std::uint8_t size{};  // of the body
-  Duration timeout{};
-  Duration finish{};       // timeout of the last confirmation
-  Instant sent_at{};       // when the response could have arrived over the line
-  Instant confirmed_at{};  // the last confirmation
-  Instant attempt_end = Instant::never;
-  Instant deadline = Instant::never;
-  std::array<std::uint8_t, max_body_size> body{};
+  Ticks timeout{};
+  Ticks finish{};          // timeout of the last confirmation
+  Ticks attempt_left{};    // until the attempt times out
+  Ticks late_left{};       // until even a late response cannot arrive any more
+  Ticks duplicate_left{};  // until the last confirmation cannot arrive again
+  Instant deadline{};
+  Handle handle{};          // 0 if free
+  ResponsePolicy policy{};  // its `stream` is a change that the session has noted, or none
+  std::array<std::uint8_t, body_capacity> body{};
 
   constexpr bool is_open() const noexcept { return state != RequestState::free; }
 
   /// Returns true if the request has been sent, so that a response can match it.
   constexpr bool is_in_flight() const noexcept { return state >= RequestState::in_flight; }
 
-  /// Queues the request whose body is in `body`. `most_attempts` applies unless the options
-  /// override it.
+  /// Returns true if this request was accepted before the other. Numbers of open requests are
+  /// close.
+  constexpr bool is_older_than(Handle other) const noexcept {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(handle.number) -
+                                     static_cast<std::uint32_t>(other.number)) < 0;
+  }
+
+  /// Queues the request whose body and policy are in place. `most_attempts` applies unless the
+  /// options override it.
   constexpr void open(Handle new_handle, std::uint8_t command, std::size_t body_size,
-                      const ResponsePolicy& new_policy, const SendOptions& options,
+                      const SendOptions& options, Ticks response_timeout,
                       std::uint8_t most_attempts) noexcept {
     state = RequestState::queued;
     handle = new_handle;
-    policy = new_policy;
     const bool is_certain = policy.is_certain();
     const bool may_be_confirmed = policy.responses.confirmed != Confirmed::never;
     awaits_response = is_certain || (options.expect_confirmation && may_be_confirmed);
@@ -62,11 +70,18 @@ struct SessionRequest {
     transmissions = confirmations = 0;
     id = command;
     size = static_cast<std::uint8_t>(body_size);
-    timeout = options.timeout > Duration{} ? options.timeout : milliseconds(policy.timeout_ms);
-    finish = milliseconds(policy.finish_ms);
-    if (finish < timeout) finish = timeout;
-    attempt_end = Instant::never;
+    timeout = response_timeout != 0 ? response_timeout : ticks_of_ms(policy.timeout_ms);
+    finish = longer(ticks_of_ms(policy.finish_ms), timeout);
+    attempt_left = never;
+    late_left = duplicate_left = 0;
     deadline = options.deadline;
+  }
+
+  /// Lets time pass.
+  constexpr void pass(Ticks elapsed) noexcept {
+    detail::pass(attempt_left, elapsed);
+    detail::pass(late_left, elapsed);
+    detail::pass(duplicate_left, elapsed);
   }
 
   constexpr void close() noexcept {
@@ -78,10 +93,9 @@ struct SessionRequest {
 /// The last transmission of a session.
 struct Transmission {
   Handle handle{};
-  Responses responses{};
-  Duration pause{};          // after the frame
-  Duration response_time{};  // of the response on the line
-  Duration finish{};
+  Ticks pause{};          // after the frame
+  Ticks response_time{};  // of the response on the line
+  Ticks finish{};
 };
 
 }  // namespace sbgc::detail

@@ -16,10 +16,16 @@ namespace sbgc::detail {
 /// that ends.
 constexpr std::uint32_t stream_load(const StreamChange& stream, Framing framing) noexcept {
   if (stream.interval_us == 0) return 0;
-  const std::uint64_t bytes = frame_size(framing, stream.size) * std::uint64_t{1'000'000};
-  const std::uint64_t load = (bytes + stream.interval_us - 1) / stream.interval_us;
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(load < most ? load : most);
+  static_assert(max_frame_size * std::uint64_t{1'000'000} <=
+                std::numeric_limits<std::uint32_t>::max());
+  const auto bytes = static_cast<std::uint32_t>(frame_size(framing, stream.size));
+  return (bytes * 1'000'000 - 1) / stream.interval_us + 1;
+}
+
+/// Returns a + b, at most the largest number.
+constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) noexcept {
+  const std::uint32_t room = std::numeric_limits<std::uint32_t>::max() - a;
+  return b < room ? a + b : a + room;
 }
 
 /// The streams by command and config. From ask() until settle(), a change counts with the larger of
@@ -38,7 +44,7 @@ class Streams {
     if (place == capacity) return SendStatus::too_many_streams;
     const std::uint32_t before = place < size_ ? streams_[place].taken() : 0;
     // A decrease always fits.
-    if (limit != 0 && load > before && std::uint64_t{used()} - before + load > limit) {
+    if (limit != 0 && load > before && saturated_sum(used() - before, load) > limit) {
       return SendStatus::over_budget;
     }
     return SendStatus::ok;
@@ -89,10 +95,9 @@ class Streams {
 
   /// Returns the total bandwidth in bytes per second.
   constexpr std::uint32_t used() const noexcept {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < size_; ++i) sum += streams_[i].taken();
-    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-    return static_cast<std::uint32_t>(sum < most ? sum : most);
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum = saturated_sum(sum, streams_[i].taken());
+    return sum;
   }
 
   /// Stops all streams. The board may still make the changes that are not settled.
@@ -131,6 +136,23 @@ class Streams {
   std::array<Stream, capacity> streams_{};
   std::size_t size_{};
   Framing framing_ = basic_framing;
+};
+
+/// Of a session that starts no streams.
+template <>
+class Streams<0> {
+ public:
+  constexpr void set_framing(Framing) noexcept {}
+  constexpr SendStatus check(const StreamChange& change, std::uint32_t) const noexcept {
+    return change.interval_us == 0 ? SendStatus::ok : SendStatus::too_many_streams;
+  }
+  constexpr bool ask(const StreamChange&) noexcept { return false; }
+  constexpr void settle(const StreamChange&, bool) noexcept {}
+  constexpr bool has(std::uint8_t) const noexcept { return false; }
+  constexpr bool has_size_of_sample(const Frame&) const noexcept { return false; }
+  constexpr std::uint32_t used() const noexcept { return 0; }
+  constexpr void stop() noexcept {}
+  constexpr void clear() noexcept {}
 };
 
 }  // namespace sbgc::detail
