@@ -66,9 +66,8 @@ Outcome default_response(RequestContext& context, const Request& request) {
       }
     }
     if (policy.responses.confirmed != Confirmed::never) {
-      const ConfirmationResult& result = policy.result;
       std::size_t size = detail::put_field(policy.responses.confirmation, body);
-      size = std::max(size, detail::put_field({result.offset, result.size, result.success}, body));
+      size = std::max(size, detail::put_field(policy.result.field(), body));
       // Offsets count from the id of the confirmed command.
       const auto data = size > 1 ? std::span(body).subspan(1, size - 1) : std::span(body).first(0);
       for (unsigned i = 0; i < policy.confirmations; ++i) static_cast<void>(context.confirm(data));

@@ -145,7 +145,12 @@ struct ConfirmationResult {
   /// Returns true if the confirmation reports a failure. One without data does not.
   constexpr bool is_failure(std::span<const std::uint8_t> body) const noexcept {
     if (size == 0 || body.size() < std::size_t{offset} + size) return false;
-    return !CorrelationField{.offset = offset, .size = size, .value = success}.holds(body);
+    return !field().holds(body);
+  }
+
+  /// The bytes of a confirmation that reports success.
+  constexpr CorrelationField field() const noexcept {
+    return {.offset = offset, .size = size, .value = success};
   }
 };
 

@@ -17,6 +17,7 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/session/event.hpp>
 #include <sbgc/session/late_replies.hpp>
+#include <sbgc/session/meaning.hpp>
 #include <sbgc/session/pacing.hpp>
 #include <sbgc/session/request.hpp>
 #include <sbgc/session/streams.hpp>
@@ -408,36 +409,10 @@ class BasicSession {
     return [this, &sink](const Frame& frame) { take(frame, sink); };
   }
 
-  /// What a frame means: its kind, and the command that it confirms or reports as failed (0 if
-  /// unknown), else its id.
-  struct Meaning {
-    const Frame& frame;
-    EventKind kind;
-    std::uint8_t command;
-
-    /// Returns true if the frame can be one of these responses.
-    bool operator()(const Responses& responses) const noexcept {
-      if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
-      if (kind == EventKind::board_error) return command == 0 || command == responses.command;
-      return responses.form_of(frame) != nullptr;
-    }
-  };
-
-  Meaning meaning_of(const Frame& frame) const noexcept {
-    if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id};
-    if (roles::is_confirmation(frame)) {
-      return {frame, EventKind::confirmation, roles::confirmed_command(frame)};
-    }
-    if (roles::is_error(frame)) {
-      return {frame, EventKind::board_error, roles::failed_command(frame)};
-    }
-    return {frame, streams_.has(frame.id) ? EventKind::stream : EventKind::unsolicited, frame.id};
-  }
-
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
     const Handle next = next_handle();
-    const Meaning meaning = meaning_of(frame);
+    const detail::Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id));
     const bool is_reset = meaning.kind == EventKind::reset;
     const bool is_error = meaning.kind == EventKind::board_error;
     if (is_error) count(&SessionStatistics::board_errors);

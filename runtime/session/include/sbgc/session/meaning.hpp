@@ -1,0 +1,40 @@
+/// What a received frame means for the requests of a session.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/response_policy.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/session/event.hpp>
+
+namespace sbgc::detail {
+
+/// The kind of a frame, and the command that it confirms or reports as failed (0 if unknown), else
+/// its id.
+struct Meaning {
+  const Frame& frame;
+  EventKind kind;
+  std::uint8_t command;
+
+  /// Returns true if the frame can be one of these responses.
+  bool operator()(const Responses& responses) const noexcept {
+    if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
+    if (kind == EventKind::board_error) return command == 0 || command == responses.command;
+    return responses.form_of(frame) != nullptr;
+  }
+};
+
+/// Returns the meaning of a frame. `is_of_stream` is true if its id is that of a running stream.
+inline Meaning meaning_of(const Frame& frame, bool is_of_stream) noexcept {
+  if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id};
+  if (roles::is_confirmation(frame)) {
+    return {frame, EventKind::confirmation, roles::confirmed_command(frame)};
+  }
+  if (roles::is_error(frame)) {
+    return {frame, EventKind::board_error, roles::failed_command(frame)};
+  }
+  return {frame, is_of_stream ? EventKind::stream : EventKind::unsolicited, frame.id};
+}
+
+}  // namespace sbgc::detail
