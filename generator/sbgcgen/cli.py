@@ -35,13 +35,23 @@ def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
         ),
         *((target.name, target.help) for target in apart),
         ("lint", "check spec/ only"),
-        ("compat", "list the changes since another version of the spec; exit status 1 for breaks"),
+        (
+            "compat",
+            "list the changes since another version of the spec; exit status 1 for breaks, or, since "
+            "the last release, if the version is too low for them",
+        ),
+        ("record", "record the model as that of the release of this version"),
     ):
         sub = commands.add_parser(name, help=text, description=text)
         sub.add_argument("--root", type=Path, default=_ROOT, help="project folder")
         sub.add_argument("--spec", type=Path, help="spec folder, if not <root>/spec")
         if name == "compat":
-            sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
+            sub.add_argument(
+                "old",
+                metavar="OLD",
+                nargs="?",
+                help="spec folder, or git revision; default: the last release",
+            )
             sub.add_argument(
                 "new",
                 metavar="NEW",
@@ -84,7 +94,7 @@ def main(arguments: list[str] | None = None) -> int:
         parser.error("--depfile needs --stamp")
     root: Path = options.root.resolve()
     spec_dir: Path = (options.spec or root / "spec").resolve()
-    if options.command == "compat":
+    if options.command == "compat" and options.old is not None:
         from sbgcgen.compat import report
 
         return report.run(options.old, options.new, root, spec_dir)
@@ -99,6 +109,11 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     if options.command == "check":
         return _check(protocol, root)
+    if options.command in ("compat", "record"):
+        from sbgcgen.compat import release
+
+        act = release.check if options.command == "compat" else release.record
+        return act(layout, root, spec_dir)
     return _render_apart(options, protocol, root)
 
 
