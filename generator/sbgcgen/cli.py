@@ -33,7 +33,7 @@ def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
             "check",
             "check that generated/ is up to date with spec/ and generator/; exit status 1 if not",
         ),
-        *((target.name, target.help) for target in apart),
+        *((target.command, target.help) for target in apart),
         ("lint", "check spec/ only"),
         (
             "compat",
@@ -62,8 +62,8 @@ def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
             sub.add_argument("--stamp", type=Path, help="touch this file when done")
-        elif name in (target.name for target in apart):
-            text = f"output folder, if not <root>/build/{name}"
+        for target in (target for target in apart if target.command == name):
+            text = f"output {'file' if target.file else 'folder'}, if not <root>/{_place(target)}"
             sub.add_argument("--output", type=Path, help=text)
     return parser
 
@@ -73,6 +73,11 @@ def _apart() -> list[Target]:
     from sbgcgen.targets import targets
 
     return [target for target in targets() if not target.committed]
+
+
+def _place(target: Target) -> str:
+    """Where the output of a target that is not part of generated/ goes by default."""
+    return f"build/{target.file or target.command}"
 
 
 def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
@@ -176,10 +181,15 @@ def _check(protocol: Protocol, root: Path) -> int:
 def _render_apart(options: argparse.Namespace, protocol: Protocol, root: Path) -> int:
     from sbgcgen.output import Output
 
-    target = next(target for target in _apart() if target.name == options.command)
-    folder: Path = (options.output or root / "build" / target.name).resolve()
-    output = Output(folder, dict(target.files(protocol.layout, root)), target.mark)
+    target = next(target for target in _apart() if target.command == options.command)
+    place: Path = (options.output or root / _place(target)).resolve()
+    files = dict(target.files(protocol.layout, root))
     try:
+        if target.file:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(files[target.file])
+            return 0
+        output = Output(place, files, target.mark)
         changed = output.write()
     except OSError as error:
         return _cannot_write(error)

@@ -10,7 +10,7 @@ from sbgcgen.compat.compare import compare
 from sbgcgen.compat.released import NAME, Release, fingerprint_of, read, write
 from sbgcgen.compat.report import print_changes
 from sbgcgen.compat.revision import Version as Source
-from sbgcgen.compat.semver import lowest_version, step_of
+from sbgcgen.compat.semver import lowest_version, parse, step_of
 from sbgcgen.model import Layout
 
 
@@ -28,12 +28,12 @@ def check(layout: Layout, project: Path, spec_dir: Path) -> int:
     if fingerprint != last.fingerprint:
         print(f"fingerprint: {last.fingerprint} → {fingerprint}")
     step = step_of(changes, fingerprint == last.fingerprint)
-    version, lowest = library.version(project), lowest_version(last.version, step)
+    version, lowest = parse(library.version(project)), lowest_version(last.version, step)
     if version >= lowest:
         return 0
     print(
         f"The changes since the release of {last.version} {step.value} what its users rely on, but "
-        f"the version is {version}.\nSet it to {lowest} or higher in {library.HEADER} and describe "
+        f"the version is {version}.\nSet it to {lowest} or higher in {library.VERSION_HEADER} and describe "
         "the changes in CHANGELOG.md, or undo them.",
         file=sys.stderr,
     )
@@ -47,7 +47,7 @@ def record(layout: Layout, project: Path, spec_dir: Path) -> int:
     """
     if (status := check(layout, project, spec_dir)) != 0:
         return status
-    path, version = spec_dir / NAME, library.version(project)
+    path, version = spec_dir / NAME, parse(library.version(project))
     if path.is_file() and read(path).version == version:
         return 0
     write(Release(version, fingerprint_of(layout), layout), path)

@@ -11,9 +11,9 @@ import lzma
 from dataclasses import dataclass
 from pathlib import Path
 
-from sbgcgen import library
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
+from sbgcgen.compat.semver import Version, parse
 from sbgcgen.model import Layout
 from sbgcgen.model.export import export
 
@@ -24,7 +24,7 @@ NAME = "released.json.xz"
 class Release:
     """A release: its version, and the model with the fingerprint that it had at that time."""
 
-    version: library.Version
+    version: Version
     fingerprint: str
     layout: Layout
 
@@ -47,5 +47,4 @@ def write(release: Release, path: Path) -> None:
 def read(path: Path) -> Release:
     """Read a release from a file."""
     content = json.loads(lzma.decompress(path.read_bytes()))
-    version = library.parse(content["version"])
-    return Release(version, content["fingerprint"], restore(content["model"]))
+    return Release(parse(content["version"]), content["fingerprint"], restore(content["model"]))

@@ -4,10 +4,26 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable
-from typing import Optional
+from typing import NamedTuple, Optional
 
 from sbgcgen.compat.changes import Change, Level
-from sbgcgen.library import Version
+
+
+class Version(NamedTuple):
+    """A version of three numbers, which compare in this order."""
+
+    major: int
+    minor: int
+    patch: int
+
+    def __str__(self) -> str:
+        return ".".join(map(str, self))
+
+
+def parse(text: str) -> Version:
+    """The version written as 1.2.3. Raises ValueError for other texts."""
+    major, minor, patch = map(int, text.split("."))
+    return Version(major, minor, patch)
 
 
 class Step(enum.Enum):

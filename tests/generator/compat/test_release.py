@@ -12,8 +12,7 @@ from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.compare import compare
 from sbgcgen.compat.released import NAME, Release, fingerprint_of, read, write
-from sbgcgen.compat.semver import Step, lowest_version
-from sbgcgen.library import Version, parse
+from sbgcgen.compat.semver import Step, Version, lowest_version, parse
 from support import PROJECT, write_spec
 
 Capture = pytest.CaptureFixture[str]
@@ -50,7 +49,7 @@ def test_versions_are_compared_by_number() -> None:
 
 
 def write_version(root: Path, version: str) -> None:
-    header = root / library.HEADER
+    header = root / library.VERSION_HEADER
     header.parent.mkdir(parents=True, exist_ok=True)
     parts = zip(Version._fields, version.split("."))
     header.write_text("".join(f"#define SBGC_VERSION_{p.upper()} {n}\n" for p, n in parts))
@@ -90,7 +89,10 @@ def test_changes_need_a_version(
 ) -> None:
     assert check(project, spec, too_low) == 1
     error = capsys.readouterr().err
-    assert f"the version is {too_low}.\nSet it to {enough} or higher in {library.HEADER}" in error
+    assert (
+        f"the version is {too_low}.\nSet it to {enough} or higher in {library.VERSION_HEADER}"
+        in error
+    )
     assert check(project, spec, enough) == 0
     assert capsys.readouterr().err == ""
 
@@ -145,4 +147,4 @@ def test_the_record_of_a_version_is_not_replaced(project: Path, capsys: Capture)
 
 
 def test_the_committed_release_is_not_newer_than_the_library() -> None:
-    assert read(PROJECT / "spec" / NAME).version <= library.version(PROJECT)
+    assert read(PROJECT / "spec" / NAME).version <= parse(library.version(PROJECT))

@@ -101,6 +101,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     Raises ValueError if two pages would have the same path.
     """
     docs = project / "docs"
+    version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     guides = guides_in(docs)
     history = History(layout)
     each: dict[str, Items] = {
@@ -113,7 +114,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         raise ValueError(f"several pages have the path {min(twice)}")
     names: dict[str, Any] = {
         "pages": frozenset(pages),
-        "version": library.version(project) if (project / library.HEADER).is_file() else None,
+        "version": version,
         "fingerprint": export(layout)["fingerprint"],
         "guides": guides,
         "captures": captures_in(docs / "captures"),
