@@ -39,7 +39,7 @@ def write(release: Release, path: Path) -> None:
     content = {
         "version": str(release.version),
         "fingerprint": release.fingerprint,
-        "model": dump(release.layout),
+        "objects": dump(release.layout),
     }
     path.write_bytes(lzma.compress(json.dumps(content, separators=(",", ":")).encode()))
 
@@ -47,4 +47,4 @@ def write(release: Release, path: Path) -> None:
 def read(path: Path) -> Release:
     """Read a release from a file."""
     content = json.loads(lzma.decompress(path.read_bytes()))
-    return Release(parse(content["version"]), content["fingerprint"], restore(content["model"]))
+    return Release(parse(content["version"]), content["fingerprint"], restore(content["objects"]))
