@@ -29,6 +29,7 @@ ENTRIES = (
 TABLES = ("sbgc/validate.hpp", "sbgc/meta/all.hpp")
 
 _FOLDERS = ("generated/include", "runtime/core/include", "runtime/session/include")
+_GENERATED = "// Generated from "
 _DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*$")
 
 
@@ -101,6 +102,7 @@ def _read(name: str, text: str) -> Header:
             if not conditions:
                 header.standard.append(included)
                 continue
-        lines.append(line)
+        if not line.startswith(_GENERATED):
+            lines.append(line)
     header.body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).strip() + "\n"
     return header
