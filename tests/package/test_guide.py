@@ -3,15 +3,13 @@ taken from there, and build a program."""
 
 from __future__ import annotations
 
-import re
 import shutil
 from pathlib import Path
 
 import pytest
 
-from compilers import HERE, HOSTS, PREFIX, ROOT, run
+from compilers import HERE, HOSTS, PREFIX, ROOT, blocks, run
 
-GUIDE = (ROOT / "docs/11-library.md").read_text(encoding="utf-8")
 # What the library itself consists of. There is no generator, so the build cannot run Python.
 SOURCES = ("CMakeLists.txt", "LICENSE", "runtime", "emulator", "packaging", "generated/include")
 HEAD = "cmake_minimum_required(VERSION 3.25)\nproject(app LANGUAGES CXX)\nadd_executable(app app.cpp)\n"
@@ -22,10 +20,6 @@ TAIL = """foreach(target IN ITEMS sbgc sbgc_generate sbgc_serving)
   endif()
 endforeach()
 """
-
-
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
 
 
 @pytest.fixture(name="app")
@@ -59,11 +53,3 @@ def test_pkg_config_of_the_guide(app: Path) -> None:
     (folder,) = PREFIX.rglob("pkgconfig")
     run("bash", "-c", f"cd '{app}' && {line}", PKG_CONFIG_PATH=str(folder))
     assert run(app / "app") == "the board has answered\n"
-
-
-@pytest.mark.parametrize("command", ["single-header", "arduino"])
-def test_commands_of_the_generator(command: str, tmp_path: Path) -> None:
-    (line,) = (block for block in blocks("sh") if f" {command} " in block)
-    run("bash", "-c", f"cd '{tmp_path}' && '{ROOT}'/{line}")
-    (made,) = tmp_path.iterdir()
-    assert made.name == ("sbgc.hpp" if command == "single-header" else "sbgc")
