@@ -46,8 +46,12 @@ class Header:
 def version(project: Path) -> str:
     """The version of the library, such as 1.2.3."""
     text = (project / VERSION_HEADER).read_text(encoding="utf-8")
-    numbers = dict(re.findall(r"^#define SBGC_VERSION_([A-Z]+) ([0-9]+)$", text, re.MULTILINE))
-    return f"{numbers['MAJOR']}.{numbers['MINOR']}.{numbers['PATCH']}"
+    numbers = re.findall(
+        r"^#define SBGC_VERSION_(?:MAJOR|MINOR|PATCH) ([0-9]+)$", text, re.MULTILINE
+    )
+    if len(numbers) != 3:
+        raise ValueError(f"{VERSION_HEADER} defines no version")
+    return ".".join(numbers)
 
 
 def license_text(project: Path) -> str:

@@ -5,6 +5,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sbgc)
 set(CPACK_PACKAGE_VENDOR "The sbgc authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # would precede those of the packages
+# Debian requires an address; this one is reserved for examples.
 set(CPACK_PACKAGE_CONTACT "The sbgc authors <sbgc@example.com>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -16,6 +17,8 @@ HOSTS = [name for name in ("g++", "clang++") if shutil.which(name)]
 ARM = "arm-none-eabi-g++"
 WARNINGS = ["-Wall", "-Wextra", "-Werror"]
 BARE = ["-ffreestanding", "-fno-exceptions", "-fno-rtti"]
+
+GUIDE = (ROOT / "docs/11-library.md").read_text(encoding="utf-8")
 
 Argument = Union[str, Path]
 
@@ -33,10 +36,17 @@ def run(*command: Argument, **environment: str) -> str:
     return done.stdout
 
 
-def generate(command: str, output: Path) -> Path:
-    """Runs a command of the generator that writes the library in another form."""
-    run(ROOT / "generator/python", "-m", "sbgcgen", command, "--root", ROOT, "--output", output)
-    return output
+def blocks(language: str) -> list[str]:
+    """Returns the fenced blocks of a language in the guide of the library."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
+
+
+def generate(command: str, folder: Path) -> Path:
+    """Runs the line of the guide that writes the library in another form; returns what it wrote."""
+    (line,) = (block for block in blocks("sh") if f" {command} " in block)
+    run("bash", "-c", f"cd '{folder}' && '{ROOT}'/{line}")
+    (made,) = folder.iterdir()
+    return made
 
 
 def machine(compiler: str) -> list[str]:

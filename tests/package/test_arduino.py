@@ -9,16 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from compilers import ARM, BARE, HERE, HOSTS, PREFIX, ROOT, WARNINGS, generate, machine, run
+from compilers import ARM, HERE, HOSTS, PREFIX, ROOT, WARNINGS, generate, machine, run
 
 SKETCHES = ("Angles", "Tilt")
-COMPILERS = [*HOSTS, *([ARM] if shutil.which(ARM) else [])]
-CORE = ["-std=gnu++20", *WARNINGS, f"-I{HERE / 'arduino'}", "-include", "Arduino.h", "-x", "c++"]
+COMPILERS = [
+    name for name in ("g++", ARM) if shutil.which(name)
+]  # those of Arduino are of this kind
+CORE = ["-std=gnu++20", "-fno-exceptions", "-fno-rtti", *WARNINGS]
+CORE += [f"-I{HERE / 'arduino'}", "-include", "Arduino.h", "-x", "c++"]
 
 
 @pytest.fixture(name="library", scope="module")
 def arduino_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return generate("arduino", tmp_path_factory.mktemp("arduino") / "sbgc")
+    return generate("arduino", tmp_path_factory.mktemp("arduino"))
 
 
 def sketch(library: Path, name: str) -> Path:
@@ -28,7 +31,7 @@ def sketch(library: Path, name: str) -> Path:
 @pytest.mark.parametrize("name", SKETCHES)
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_sketch_compiles(compiler: str, name: str, library: Path, tmp_path: Path) -> None:
-    options = [*machine(compiler), "-Os", *BARE[1:], f"-I{library / 'src'}", *CORE]
+    options = [*machine(compiler), "-Os", f"-I{library / 'src'}", *CORE]
     run(compiler, *options, "-c", sketch(library, name), "-o", tmp_path / "sketch.o")
 
 
@@ -65,6 +68,11 @@ def test_the_camera_tilts_for_nothing_else(typed: str, programs: Path) -> None:
 def test_the_camera_tilts_when_asked(programs: Path) -> None:
     lines = run(programs / "Tilt", "5", "y").splitlines()
     assert lines[1:] == ["The camera tilts.", "tilted by -10 degrees"]
+
+
+def test_a_dead_line_is_reported(programs: Path) -> None:
+    lines = run(programs / "Tilt", "5", "y", "silent").splitlines()
+    assert lines[1:] == ["The board does not answer.", "tilted by 0 degrees"]
 
 
 def test_properties_have_the_fields_of_the_specification(library: Path) -> None:

@@ -13,7 +13,7 @@ SOURCES = [HERE / "single_header" / name for name in ("main.cpp", "ask.cpp")]
 
 @pytest.fixture(name="header", scope="module")
 def single_header(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return generate("single-header", tmp_path_factory.mktemp("single") / "sbgc.hpp")
+    return generate("single-header", tmp_path_factory.mktemp("single"))
 
 
 @pytest.mark.parametrize("compiler", HOSTS)
@@ -34,4 +34,4 @@ def test_it_is_one_header_with_license(header: Path, tmp_path: Path) -> None:
     assert text.count("#pragma once") == 1
     assert "#include <sbgc/" not in text
     assert "// MIT License\n" in text.partition("#pragma once")[0]
-    assert generate("single-header", tmp_path / "again.hpp").read_text(encoding="utf-8") == text
+    assert generate("single-header", tmp_path).read_text(encoding="utf-8") == text

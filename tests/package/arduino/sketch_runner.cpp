@@ -1,9 +1,9 @@
 // Runs a sketch on a board of which Serial1 is wired to an emulated gimbal and Serial to a user:
 //
-//     sketch_runner SECONDS [TEXT]
+//     sketch_runner SECONDS [TEXT [silent]]
 //
-// The user types TEXT after one second. Prints what the sketch writes to Serial, and at the end how
-// far the camera has turned. Time is simulated.
+// The user types TEXT after one second; a silent gimbal neither receives nor sends. Prints what the
+// sketch writes to Serial, and at the end how far the camera has tilted. Time is simulated.
 
 #include <cstdint>
 #include <cstdio>
@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   gimbal.advance(now = now + sbgc::seconds(5));  // it has started
   port = *gimbal.open_port();
+  gimbal.set_silent(argc > 3);
   const double before = gimbal.gimbal().sample(now).angles.pitch;
   setup();
   run(sbgc::seconds(1));

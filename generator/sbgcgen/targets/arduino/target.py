@@ -17,7 +17,7 @@ class Arduino(Target):
     help = (
         "write core, codec and session of the C++ library as a library for Arduino and PlatformIO"
     )
-    mark = "library.properties"
+    mark = "src/sbgc.h"
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(names={"version": library.version(project), "entries": library.ENTRIES})
