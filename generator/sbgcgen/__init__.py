@@ -10,5 +10,6 @@ Packages, each of which imports only those above it:
 - `compat/`: the changes between two versions of the protocol.
 
 `build.py` loads and checks a spec, `output.py` writes the output of the targets, `record.py`
-recognizes a run with nothing to do, `cli.py` is the command line.
+recognizes a run with nothing to do, `library.py` knows the version and the headers of the C++ library,
+`cli.py` is the command line.
 """

@@ -33,15 +33,25 @@ def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
             "check",
             "check that generated/ is up to date with spec/ and generator/; exit status 1 if not",
         ),
-        *((target.name, target.help) for target in apart),
+        *((target.command, target.help) for target in apart),
         ("lint", "check spec/ only"),
-        ("compat", "list the changes since another version of the spec; exit status 1 for breaks"),
+        (
+            "compat",
+            "list the changes since another version of the spec; exit status 1 for breaks, or, since "
+            "the last release, if the version is too low for them",
+        ),
+        ("record", "record the model as that of the release of this version"),
     ):
         sub = commands.add_parser(name, help=text, description=text)
         sub.add_argument("--root", type=Path, default=_ROOT, help="project folder")
         sub.add_argument("--spec", type=Path, help="spec folder, if not <root>/spec")
         if name == "compat":
-            sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
+            sub.add_argument(
+                "old",
+                metavar="OLD",
+                nargs="?",
+                help="spec folder, or git revision; default: the last release",
+            )
             sub.add_argument(
                 "new",
                 metavar="NEW",
@@ -52,8 +62,8 @@ def _parser(apart: Sequence[Target]) -> argparse.ArgumentParser:
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
             sub.add_argument("--stamp", type=Path, help="touch this file when done")
-        elif name in (target.name for target in apart):
-            text = f"output folder, if not <root>/build/{name}"
+        for target in (target for target in apart if target.command == name):
+            text = f"output {'file' if target.file else 'folder'}, if not <root>/{_place(target)}"
             sub.add_argument("--output", type=Path, help=text)
     return parser
 
@@ -63,6 +73,11 @@ def _apart() -> list[Target]:
     from sbgcgen.targets import targets
 
     return [target for target in targets() if not target.committed]
+
+
+def _place(target: Target) -> str:
+    """Where the output of a target that is not part of generated/ goes by default."""
+    return f"build/{target.file or target.command}"
 
 
 def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
@@ -84,7 +99,7 @@ def main(arguments: list[str] | None = None) -> int:
         parser.error("--depfile needs --stamp")
     root: Path = options.root.resolve()
     spec_dir: Path = (options.spec or root / "spec").resolve()
-    if options.command == "compat":
+    if options.command == "compat" and options.old is not None:
         from sbgcgen.compat import report
 
         return report.run(options.old, options.new, root, spec_dir)
@@ -99,6 +114,11 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     if options.command == "check":
         return _check(protocol, root)
+    if options.command in ("compat", "record"):
+        from sbgcgen.compat import release
+
+        act = release.check if options.command == "compat" else release.record
+        return act(layout, root, spec_dir)
     return _render_apart(options, protocol, root)
 
 
@@ -161,10 +181,15 @@ def _check(protocol: Protocol, root: Path) -> int:
 def _render_apart(options: argparse.Namespace, protocol: Protocol, root: Path) -> int:
     from sbgcgen.output import Output
 
-    target = next(target for target in _apart() if target.name == options.command)
-    folder: Path = (options.output or root / "build" / target.name).resolve()
-    output = Output(folder, dict(target.files(protocol.layout, root)), target.mark)
+    target = next(target for target in _apart() if target.command == options.command)
+    place: Path = (options.output or root / _place(target)).resolve()
+    files = dict(target.files(protocol.layout, root))
     try:
+        if target.file:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(files[target.file])
+            return 0
+        output = Output(place, files, target.mark)
         changed = output.write()
     except OSError as error:
         return _cannot_write(error)

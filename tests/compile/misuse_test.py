@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
-from compiler import COMPILERS, Compiler
+from compiler import COMPILERS, ROOT, Compiler
 
 
 @dataclass(frozen=True)
@@ -88,3 +90,15 @@ def test_the_compiler_says_what_is_wrong(compiler: Compiler, misuse: Misuse) -> 
     assert not errors_of(compiler, misuse.code.replace("WRONG", misuse.right))
     errors = errors_of(compiler, misuse.code.replace("WRONG", misuse.wrong))
     assert len(errors) == 1 and misuse.says in errors[0], errors
+
+
+@pytest.mark.parametrize("name", COMPILERS)
+def test_generated_headers_of_another_generator_do_not_compile(name: str, tmp_path: Path) -> None:
+    header = (ROOT / "generated/include/sbgc/messages/scripting.hpp").read_text(encoding="utf-8")
+    source = header.replace("#pragma once", "")
+    other = re.sub(r"(?<=codec_version == )\d+", "1", source)
+    assert other != source
+    compiler = Compiler(name, "#include <sbgc/codec.hpp>\n", tmp_path)
+    assert not errors_of(compiler, source)
+    errors = errors_of(compiler, other)
+    assert len(errors) == 1 and "generated code and runtime do not match" in errors[0], errors

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from sbgc_command import PROGRAM, ROOT, frame, run
+from sbgc_command import MODEL, PROGRAM, ROOT, frame, run
 
 GET_ANGLES = frame(73)
 LINE = '{"message":"GetAnglesRequest","fields":{}}\n'
@@ -73,11 +73,15 @@ def test_wrong_usage_says_what_may_have_been_meant(arguments: list[str], words: 
 
 
 def test_version() -> None:
-    """The version is defined only in CMakeLists.txt."""
-    project = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-    version = re.search(r"^ *VERSION ([0-9.]+)$", project, re.MULTILINE)
-    assert version
-    assert run("--version").text == f"sbgc {version[1]}\n"
+    """The first line has the version, which is defined only in version.hpp."""
+    header = ROOT / "runtime" / "core" / "include" / "sbgc" / "version.hpp"
+    numbers = re.findall(r"#define SBGC_VERSION_[A-Z]+ (\d+)$", header.read_text("utf-8"), re.M)
+    version, protocol, model = run("--version").text.splitlines()
+    assert version == f"sbgc {'.'.join(numbers)}"
+    facts = MODEL["protocol"]
+    revision, newest = f"{facts['revision']} ({facts['date']})", facts["newest_firmware"]
+    assert protocol == f"protocol: {facts['name']}, revision {revision} and firmware up to {newest}"
+    assert model == f"model: {MODEL['fingerprint']}"
 
 
 COMMANDS = ("decode", "emulate", "encode", "ports", "record")

@@ -14,6 +14,7 @@
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/usage.hpp"
+#include "command/version_text.hpp"
 #include "command/wording.hpp"
 #include "motion/guard.hpp"
 #include "shell/command_line_facts.hpp"
@@ -81,7 +82,8 @@ int run(int argc, char** argv) {
   app.formatter(std::make_shared<HelpFormatter>(line_width()));
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Print the help of all commands");
-  app.set_version_flag("--version", "sbgc " SBGC_VERSION, "Print the version");
+  app.set_version_flag("--version", version_text,
+                       "Print the version, the protocol and the fingerprint of its model");
   add_gimbal_options(app, context.gimbal);
   add_commands(app, context);
   app.footer(

@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/version.hpp>
+
 #include "command/commands.hpp"
 #include "command/suggestions.hpp"
 #include "command/usage.hpp"
@@ -123,8 +125,8 @@ std::string page_name(const CLI::App& command) {
 /// Returns the page of the command itself or of one of its subcommands.
 std::string page_of(const CLI::App& command) {
   const bool is_program = command.get_parent() == nullptr;
-  std::string page = fmt::format(".TH \"{}\" 1 \"\" \"sbgc " SBGC_VERSION "\" \"sbgc manual\"\n",
-                                 page_name(command));
+  std::string page = fmt::format(
+      ".TH \"{}\" 1 \"\" \"sbgc " SBGC_VERSION_TEXT "\" \"sbgc manual\"\n", page_name(command));
   page += ".SH NAME\n" + escaped(page_name(command)) + " \\- " +
           escaped(command.get_description()) + "\n.SH SYNOPSIS\n";
   put_synopsis(page, command);

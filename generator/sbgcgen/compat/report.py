@@ -1,4 +1,4 @@
-"""The `compat` command: prints the changes between two versions of the spec."""
+"""The `compat` command with a revision: prints the changes between two versions of the spec."""
 
 from __future__ import annotations
 
@@ -47,12 +47,17 @@ def _report(old: Version, new: Version, is_working_tree: bool) -> int:
     if len(layouts) < 2:
         return 1
     changes = compare(*layouts)
+    print_changes(changes, old, new)
+    return 1 if any(change.level is not Level.COMPATIBLE for change in changes) else 0
+
+
+def print_changes(changes: list[Change], old: Version, new: Version) -> None:
+    """Print the changes with their positions, and their number."""
     for change in changes:
         where = (old if change.in_old else new).where(change.at)
         print(f"{change.level.value}: {describe(change)}  [{where}]")
     counts = Counter(change.level for change in changes)
     print(", ".join(f"{counts[level]} {level.value}" for level in Level))
-    return 1 if any(counts[level] for level in Level if level is not Level.COMPATIBLE) else 0
 
 
 def describe(change: Change) -> str:

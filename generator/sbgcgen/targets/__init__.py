@@ -58,11 +58,14 @@ class Code:
 class Target:
     """The interface of a target to the generator."""
 
-    # True if its output is part of generated/. If not, `sbgcgen <name>` writes it to build/<name>/.
+    # True if its output is part of generated/. If not, `sbgcgen <command>` writes it to
+    # build/<command>/; the command is its name with hyphens.
     committed = True
     help = ""
     # If not committed: a file that every output contains. A folder without it is not cleaned.
     mark = ""
+    # If not committed: its only output, which the command writes as a file, to build/<file>.
+    file = ""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -70,6 +73,10 @@ class Target:
     @property
     def name(self) -> str:
         return self.folder.name
+
+    @property
+    def command(self) -> str:
+        return self.name.replace("_", "-")
 
     @property
     def templates(self) -> Path:

@@ -163,7 +163,7 @@ def test_an_unknown_revision(
     assert words in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("arguments", [[], ["a", "b", "c"], ["--depth", "1"]])
+@pytest.mark.parametrize("arguments", [["a", "b", "c"], ["--depth", "1"]])
 def test_wrong_usage(arguments: list[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
         main(["compat", *arguments])

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from sbgcgen.model import Command, Framing, Layout
+from sbgcgen.model.export.fingerprint import fingerprint
 from sbgcgen.model.export.messages import message_json
 from sbgcgen.model.export.types import enum_json, packed_json, quantity_json, variable_json, version
 
@@ -13,7 +14,12 @@ __all__ = ["export"]
 
 
 def export(layout: Layout) -> dict[str, Any]:
-    """The whole model as plain data for JSON."""
+    """The whole model as plain data for JSON, with its fingerprint."""
+    model = _model(layout)
+    return {"fingerprint": fingerprint(model), **model}
+
+
+def _model(layout: Layout) -> dict[str, Any]:
     return {
         "protocol": layout.protocol,
         "framings": [_framing(framing) for framing in layout.framings],

@@ -19,4 +19,4 @@ class Site(Target):
     def view(self, layout: Layout, project: Path) -> View:
         from sbgcgen.targets.site.view import view_of
 
-        return view_of(self, layout, project / "docs")
+        return view_of(self, layout, project)

@@ -14,7 +14,9 @@ from urllib.parse import quote
 import markdown
 from markupsafe import Markup, escape
 
+from sbgcgen import library
 from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.model.export import export
 from sbgcgen.oracle.example import Example, example_of, physical
 from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
 from sbgcgen.targets.render import expand, sources_of
@@ -93,11 +95,13 @@ def _guide_name(stem: str) -> str:
     return re.sub(r"^[0-9]+[-_]", "", stem)
 
 
-def view_of(site: Target, layout: Layout, docs: Path) -> View:
-    """The view of the templates; `docs` is the folder of the guides.
+def view_of(site: Target, layout: Layout, project: Path) -> View:
+    """The view of the templates; the guides and the version are those of the project.
 
     Raises ValueError if two pages would have the same path.
     """
+    docs = project / "docs"
+    version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     guides = guides_in(docs)
     history = History(layout)
     each: dict[str, Items] = {
@@ -110,6 +114,8 @@ def view_of(site: Target, layout: Layout, docs: Path) -> View:
         raise ValueError(f"several pages have the path {min(twice)}")
     names: dict[str, Any] = {
         "pages": frozenset(pages),
+        "version": version,
+        "fingerprint": export(layout)["fingerprint"],
         "guides": guides,
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),

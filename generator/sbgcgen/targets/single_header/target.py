@@ -1,0 +1,28 @@
+"""Messages, parser and session of the library as one header."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sbgcgen import library
+from sbgcgen.model import Layout
+from sbgcgen.targets import Target, View
+
+
+class SingleHeader(Target):
+    """The single header. It is not committed, because it repeats the headers that are."""
+
+    committed = False
+    help = "write messages, parser and session of the C++ library as a single header"
+    file = "sbgc.hpp"
+
+    def view(self, layout: Layout, project: Path) -> View:
+        headers = library.headers(project, library.ENTRIES)
+        return View(
+            names={
+                "version": library.version(project),
+                "license": library.license_text(project).splitlines(),
+                "headers": headers,
+                "standard": sorted({name for header in headers for name in header.standard}),
+            }
+        )

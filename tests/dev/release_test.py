@@ -1,0 +1,158 @@
+"""Tests of ./dev release with a part of the project, in which nothing is compiled."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from io import BytesIO
+from pathlib import Path
+from zipfile import ZipFile
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+HEADER = Path("runtime/core/include/sbgc/version.hpp")
+# What a release is made of, except what DEV stands for.
+PARTS = (".ci/release", "LICENSE", "spec", "generator", "generated/include", "runtime")
+CATEGORIES = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
+# Instead of ./dev, which compiles for minutes.
+DEV = """\
+#!/bin/sh
+set -eu
+case $1 in
+  package) echo package >"$2/sbgc_1_amd64.deb" ;;
+  docs) mkdir -p build/site/assets && echo page | tee build/site/index.html >build/site/assets/x ;;
+esac
+"""
+
+
+def git(project: Path, *arguments: str) -> None:
+    user = ["-c", "user.name=Test", "-c", "user.email=test@example.org"]
+    fixed = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_COMMITTER_DATE": "2026-01-02T03:04:05Z"}
+    environment = {**os.environ, **fixed, "GIT_AUTHOR_DATE": "2026-01-02T03:04:05Z"}
+    command = ["git", *user, "-C", str(project), *arguments]
+    subprocess.run(command, check=True, capture_output=True, env=environment)
+
+
+@pytest.fixture(name="release", scope="module")
+def committed_release(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A commit of the project that is ready: it has the model and a description of its version."""
+    project = tmp_path_factory.mktemp("release") / "project"
+    for name in PARTS:
+        (project / name).parent.mkdir(parents=True, exist_ok=True)
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, project / name)
+        else:
+            shutil.copy(ROOT / name, project / name)
+    dev = project / "dev"
+    dev.write_text(DEV, encoding="utf-8")
+    dev.chmod(0o755)
+    (project / ".gitignore").write_text("/build/\n__pycache__/\n", encoding="utf-8")
+    (project / "spec/released.json.xz").unlink()
+    generator = ["generator/python", "-m", "sbgcgen", "record", "--root", "."]
+    subprocess.run(generator, cwd=project, check=True, capture_output=True)
+    changes = f"# Changes\n\n## [{version()}] - 2026-01-02\n"
+    (project / "CHANGELOG.md").write_text(changes, encoding="utf-8")
+    git(project, "init", "--quiet")
+    git(project, "add", ".")
+    git(project, "commit", "--quiet", "--message", "All")
+    return project
+
+
+@pytest.fixture(name="project")
+def clone_of_the_release(release: Path, tmp_path: Path) -> Path:
+    return clone(release, tmp_path / "project")
+
+
+def clone(release: Path, folder: Path) -> Path:
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    git(release, "clone", "--quiet", "--shared", ".", str(folder))
+    return folder
+
+
+def version() -> str:
+    text = (ROOT / HEADER).read_text(encoding="utf-8")
+    return ".".join(re.findall(r"^#define SBGC_VERSION_[A-Z]+ (\d+)$", text, re.MULTILINE))
+
+
+def make(project: Path, *options: str, **settings: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [project / ".ci/release", *options],
+        env={**os.environ, **settings},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: Path) -> None:
+    found = []
+    for place, zone in (("one", "UTC"), ("an/other", "Asia/Tokyo")):
+        project = clone(release, tmp_path / place)
+        done = make(project, TZ=zone)
+        assert done.returncode == 0, done.stderr
+        folder = project / "build" / f"release-{version()}"
+        subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], cwd=folder, check=True)
+        found.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    archives = {
+        f"sbgc-arduino-{version()}": "library.properties",
+        f"sbgc-site-{version()}": "index.html",
+    }
+    files = {*(f"{name}.zip" for name in archives), f"sbgc-{version()}.tar.gz", "sbgc.hpp"}
+    assert found[0].keys() == files | {"sbgc_1_amd64.deb", "SHA256SUMS"}
+    assert found[0] == found[1]
+    listed = [line.split()[1] for line in found[0]["SHA256SUMS"].decode().splitlines()]
+    assert listed == sorted(found[0].keys() - {"SHA256SUMS"})
+    for name, file in archives.items():
+        names = ZipFile(BytesIO(found[0][f"{name}.zip"])).namelist()
+        assert {entry.partition("/")[0] for entry in names} == {name}
+        assert f"{name}/{file}" in names
+
+
+def test_a_commit_that_is_not_ready(project: Path) -> None:
+    def refusal() -> str:
+        done = make(project)
+        assert done.returncode == 1 and done.stdout.count("\n") <= 3
+        return done.stderr
+
+    (project / "NEWS").write_text("soon")
+    assert "commit these changes first:\n?? NEWS" in refusal()
+    (project / "NEWS").unlink()
+
+    header = (project / HEADER).read_text(encoding="utf-8")
+    (project / HEADER).write_text(re.sub(r"(_PATCH) \d+", r"\1 99", header), encoding="utf-8")
+    next_version = re.sub(r"\d+$", "99", version())
+    assert f"CHANGELOG.md has no section '## [{next_version}] - DATE'" in refusal()
+    with (project / "CHANGELOG.md").open("a", encoding="utf-8") as changes:
+        changes.write(f"\n## [{next_version}] - 2026-01-03\n")
+    assert "M spec/released.json.xz" in refusal(), "the model of the version has been recorded"
+
+    git(project, "checkout", "--quiet", ".")
+    spec = project / "spec/peripherals.yaml"
+    text = spec.read_text(encoding="utf-8")
+    assert text.count("\n    id: 89\n") == 1
+    spec.write_text(text.replace("\n    id: 89\n", "\n    id: 178\n"), encoding="utf-8")
+    error = refusal()
+    assert "Set it to " in error and error.endswith("release: the model cannot be recorded\n")
+    assert make(project, "--try").returncode == 0
+
+
+def test_wrong_usage(project: Path) -> None:
+    done = make(project, "--now")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "dev: release: invalid arguments: '--now'\n"
+
+
+def test_the_changes_of_the_version_are_described() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    sections = re.findall(r"^## (.+)$", text, re.MULTILINE)
+    if sections[0] == "Unreleased":
+        del sections[0]
+    dated = [re.fullmatch(r"\[(\d+)\.(\d+)\.(\d+)\] - \d{4}-\d\d-\d\d", name) for name in sections]
+    assert dated and all(dated)
+    released = [tuple(map(int, match.groups())) for match in dated if match]
+    assert released == sorted(set(released), reverse=True)
+    assert set(re.findall(r"^### (.+)$", text, re.MULTILINE)) <= CATEGORIES
+    assert released[0] == tuple(map(int, version().split("."))) or "## Unreleased" in text
