@@ -44,8 +44,8 @@ bool read_pitch(msg::Angle14& pitch) {
 
 bool identify() {
   msg::BoardInfo info;
-  // A board that has just got power does not answer yet.
-  for (int attempt = 0; attempt < 10; ++attempt) {
+  // The session sends each request up to three times. A board that has just started needs longer.
+  for (int attempt = 0; attempt < 2; ++attempt) {
     if (gimbal.ask(msg::BoardInfoRequest{}, info) != Outcome::answered) continue;
     print("board ", info.board_ver.raw(), "");
     print(", firmware ", info.firmware_ver.raw(), "\n");
