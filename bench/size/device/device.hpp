@@ -1,4 +1,5 @@
-// The rest of a firmware: its UART, its clock, its values. The programs call it, but it does not count.
+// The rest of a firmware: its UART, its clock, its values. The programs call it, but it does not
+// count.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,8 @@
 
 sbgc::Parser parser;
 decltype(sbgc::msg::GetAngles::axes) axes;
-std::array<std::uint8_t, 2 * sbgc::frame_size<sbgc::basic_framing>(sbgc::msg::Control::max_size)> out;
+std::array<std::uint8_t, 2 * sbgc::frame_size<sbgc::basic_framing>(sbgc::msg::Control::max_size)>
+    out;
 
 std::size_t write_requests() {
   using namespace sbgc::literals;
@@ -20,7 +21,8 @@ std::size_t write_requests() {
                                             .pitch = {.speed = 10_deg_per_s, .angle = pitch},
                                             .yaw = {.speed = 10_deg_per_s}}};
   const std::size_t size = sbgc::encode_frame(control, out).size;
-  return size + sbgc::encode_frame(sbgc::msg::GetAnglesRequest{}, std::span(out).subspan(size)).size;
+  return size +
+         sbgc::encode_frame(sbgc::msg::GetAnglesRequest{}, std::span(out).subspan(size)).size;
 }
 
 int main() {
