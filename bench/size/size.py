@@ -145,16 +145,16 @@ def main(arguments: list[str]) -> int:
     rows.pop("nothing")
     rows = dict(sorted(rows.items(), key=lambda row: row[1][folders[0].name].flash))
     print(table(rows), end="")
-    wrong = over_the_bars(measured)
+    too_large, changed = over_the_bars(measured), []
     if accept:
         README.write_text(TABLE.sub(table(rows), README.read_text(encoding="utf-8")), "utf-8")
     else:
-        wrong += off_the_table(rows, accepted_rows())
-    for complaint in wrong:
+        changed = off_the_table(rows, accepted_rows())
+    for complaint in too_large + changed:
         print(f"size: {complaint}", file=sys.stderr)
-    if wrong:
+    if changed:
         print("./dev size --accept writes the table, if there is a reason", file=sys.stderr)
-    return 1 if wrong else 0
+    return 1 if too_large or changed else 0
 
 
 if __name__ == "__main__":

@@ -73,6 +73,13 @@ def test_the_program_does_not_calculate_with_doubles(core: str) -> None:
     assert not re.findall(r"\.f64\b", code)
 
 
+@pytest.mark.parametrize("core", MACHINES)
+def test_the_state_needs_no_flash(core: str) -> None:
+    """It is in .bss, which start-up clears, not in .data, which is copied from flash."""
+    _, data, bss, *_ = output_of("arm-none-eabi-size", build(core)).splitlines()[1].split()
+    assert int(data) == 0 and int(bss) > 500
+
+
 def test_the_patterns_of_forbidden_names_match() -> None:
     examples = {
         "heap": ["malloc", "_Znwj", "_ZdlPvj"],

@@ -43,10 +43,10 @@ inline void send(std::span<const std::uint8_t> bytes) {
 /// Returns a time that wraps. Call it at least every two minutes.
 inline std::uint32_t microseconds() {
   constexpr std::uint32_t per_us = clock_hz / 1'000'000;
-  static std::uint32_t counted = 0xffff'ffff;
+  static std::uint32_t counted = 0;
   static std::uint32_t now = 0;
-  const std::uint32_t elapsed = (counted - timer.value) / per_us;
-  counted -= elapsed * per_us;
+  const std::uint32_t elapsed = (~timer.value - counted) / per_us;
+  counted += elapsed * per_us;
   return now += elapsed;
 }
 
