@@ -3,6 +3,7 @@
 //
 // The camera moves. Read docs/2-safety.md before you connect a real gimbal.
 
+#include <sbgc/availability.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/responses/control.hpp>
@@ -49,24 +50,27 @@ bool identify() {
     if (gimbal.ask(msg::BoardInfoRequest{}, info) != Outcome::answered) continue;
     print("board ", info.board_ver.raw(), "");
     print(", firmware ", info.firmware_ver.raw(), "\n");
-    return true;
+    if (sbgc::is_supported<msg::ControlExt>(info)) return true;
+    semihosting::print("its firmware is too old for this program\n");
+    return false;
   }
   semihosting::print("no board answers\n");
   return false;
 }
 
-/// The camera stops at an angle by itself, even if this program dies.
+/// Turns one axis; the others stay as they are. The camera stops at an angle by itself, even if
+/// this program dies.
 bool tilt() {
-  // Speed 0 means the speed of the board's parameters, so every axis gets one.
-  constexpr msg::Control control{.control_mode = msg::ControlMode::angle,
-                                 .axes = {.roll = {.speed = 10_deg_per_s},
-                                          .pitch = {.speed = 10_deg_per_s, .angle = target},
-                                          .yaw = {.speed = 10_deg_per_s}}};
+  constexpr msg::ControlExt control{
+      .control_mode = {.pitch = msg::ControlMode::angle},
+      .axes = {.pitch = {.speed = 10_deg_per_s, .angle = target}},
+  };
   const sbgc::Instant end = gimbal.now() + sbgc::seconds(20);
-  msg::Angle14 pitch;
-  gimbal.tell(control);
   while (gimbal.now() < end) {
+    // Again and again, because a command can be lost. To repeat a target is harmless.
+    gimbal.tell(control);
     gimbal.wait(sbgc::milliseconds(50));
+    msg::Angle14 pitch;
     if (!read_pitch(pitch)) continue;
     const int distance = pitch.raw() - target.raw();
     if (distance > tolerance.raw() || distance < -tolerance.raw()) continue;
@@ -78,7 +82,11 @@ bool tilt() {
 }
 
 /// Speed 0 stops the camera wherever it is.
-void stop() { gimbal.tell(msg::Control{.control_mode = msg::ControlMode::speed}); }
+void stop() {
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    gimbal.tell(msg::Control{.control_mode = msg::ControlMode::speed});
+  }
+}
 
 /// Reads the angles until the line has been dead for a while. A dead line needs no treatment: each
 /// request ends with a timeout, the loop goes on, and the next request shows whether the line is
