@@ -1,5 +1,5 @@
-# Debian's g++ for Cortex-M: the packages gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev and
-# libnewlib-dev. Only headers of the latter two are used: nothing of a C or C++ library is linked.
+# Debian's g++ for Cortex-M: the packages gcc-arm-none-eabi and, for the headers of the freestanding C++
+# library, libstdc++-arm-none-eabi-dev. Nothing of a C or C++ library is linked, except libgcc.
 #
 #   cmake -DCMAKE_TOOLCHAIN_FILE=.../toolchain.cmake -DCORTEX_M=m0plus|m4f|m7
 
