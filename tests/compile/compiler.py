@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -9,6 +10,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+
+
+def cross_compilers() -> dict[str, list[str]]:
+    """The commands of the compilers for microcontrollers, with the flags of the example's toolchain file."""
+    toolchain = (ROOT / "examples/cortex-m/toolchain.cmake").read_text(encoding="utf-8")
+    (name,) = re.findall(r"set\(CMAKE_CXX_COMPILER (.*)\)", toolchain)
+    flags = dict(re.findall(r'set\(flags_(\w+) "(.*)"\)', toolchain))
+    assert {"m0plus", "m4f", "m7"} <= flags.keys()
+    if not shutil.which(name):
+        return {}
+    return {core: [name, "-mthumb", *flags[core].split()] for core in flags}
 
 
 class Compiler:

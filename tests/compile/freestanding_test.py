@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from compiler import COMPILERS, INCLUDES
+from compiler import COMPILERS, INCLUDES, cross_compilers
 
 HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|from_json|text|fmt|ostream|io/|client/)")
 FLAGS = [
@@ -25,6 +25,7 @@ FLAGS = [
     "-Werror",
 ]
 FLAGS += [f"-I{folder}" for folder in INCLUDES]
+TARGETS = {**{name: [name] for name in COMPILERS}, **cross_compilers()}
 
 # The headers that may be included. Headers that these include in turn are up to the standard
 # library.
@@ -52,17 +53,17 @@ def headers() -> list[str]:
     return sorted(name for name in found if not HOSTED.match(name))
 
 
-def compile_text(compiler: str, source: str, *options: str) -> str:
+def compile_text(target: str, source: str, *options: str) -> str:
     """Compiles `source` and returns the standard output; fails with the compiler's messages."""
-    command = [compiler, *FLAGS, "-x", "c++", *options, "-"]
+    command = [*TARGETS[target], *FLAGS, "-x", "c++", *options, "-"]
     done = subprocess.run(command, input=source, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{' '.join(command)}\n{source}\n{done.stderr}"
     return done.stdout
 
 
-def read_files(compiler: str, source: str) -> set[str]:
+def read_files(target: str, source: str) -> set[str]:
     """Returns the files that compiling `source` reads."""
-    rule = compile_text(compiler, source, "-M").replace("\\\n", " ")
+    rule = compile_text(target, source, "-M").replace("\\\n", " ")
     names = [name.replace("\\ ", " ") for name in re.findall(r"(?:\\.|\S)+", rule)]
     return {str(Path(name).resolve()) for name in names[1:] if name != "-"}
 
@@ -136,11 +137,16 @@ def test_each_header_alone() -> None:
         compile_text(COMPILERS[-1], text, "-fsyntax-only")
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_nothing_else_is_read(compiler: str) -> None:
+@pytest.mark.parametrize("target", TARGETS)
+def test_all_headers_together(target: str) -> None:
+    compile_text(target, "".join(f"#include <{name}>\n" for name in headers()), "-fsyntax-only")
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_nothing_else_is_read(target: str) -> None:
     """Apart from sbgc's own headers, only files that the allowed headers include are read."""
-    allowed = read_files(compiler, "".join(f"#include <{name}>\n" for name in sorted(ALLOWED)))
-    everything = read_files(compiler, "".join(f"#include <{name}>\n" for name in headers()))
+    allowed = read_files(target, "".join(f"#include <{name}>\n" for name in sorted(ALLOWED)))
+    everything = read_files(target, "".join(f"#include <{name}>\n" for name in headers()))
     assert any(is_own(path) for path in everything)
     assert {path for path in everything if not is_own(path)} <= allowed
 
@@ -189,11 +195,11 @@ unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t
 """
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_code_needs_nothing(compiler: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("target", COMPILERS)
+def test_code_needs_nothing(target: str, tmp_path: Path) -> None:
     """No allocation, exceptions or library: only functions that freestanding compilers expect."""
     program = tmp_path / "use.o"
-    compile_text(compiler, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
+    compile_text(target, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
     listing = subprocess.run(
         ["nm", "-u", program], capture_output=True, text=True, check=True
     ).stdout

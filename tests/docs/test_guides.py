@@ -19,6 +19,8 @@ GUIDES = sorted((ROOT / "docs").glob("*.md"))
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fno-exceptions", "-fno-rtti"]
 INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "emulator/include", ROOT / "generated/include"]
 FLAGS += [f"-I{folder}" for folder in INCLUDES]
+# A guide shows a task of FreeRTOS.
+FLAGS.append(f"-I{ROOT}/tests/docs/freertos")
 
 
 def stem_of(guide: Path) -> str:

@@ -1,0 +1,19 @@
+// Reads telemetry: finds the frames of CMD_REALTIME_DATA_4 and decodes them.
+
+#include <sbgc/message.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/parser.hpp>
+
+#include "device.hpp"
+
+sbgc::Parser parser;
+sbgc::msg::RealtimeData4 newest;
+
+int main() {
+  while (true) {
+    parser.feed(device::received(), [](const sbgc::Frame& frame) noexcept {
+      if (frame.id != static_cast<std::uint8_t>(sbgc::msg::RealtimeData4::command)) return;
+      if (sbgc::decode(frame.body, newest)) device::use(newest);
+    });
+  }
+}

@@ -1,0 +1,47 @@
+// The start of a program, and the end of one that fails.
+
+#include <cstdint>
+
+#include "semihosting.hpp"
+#include "stack.hpp"
+
+extern "C" {
+// Addresses that the linker script defines.
+extern std::uint32_t data_in_flash[], data_begin[], data_end[], bss_begin[], bss_end[];
+extern void (*const constructors_begin[])();
+extern void (*const constructors_end[])();
+
+int main();
+
+[[noreturn]] void reset() {
+#if defined(__ARM_FP)
+  *reinterpret_cast<volatile std::uint32_t*>(0xe000'ed88) = 0xf0'0000;  // CPACR: enables the FPU
+  asm volatile("dsb; isb");
+#endif
+  const std::uint32_t* from = data_in_flash;
+  for (std::uint32_t* to = data_begin; to != data_end; ++to) *to = *from++;
+  for (std::uint32_t* to = bss_begin; to != bss_end; ++to) *to = 0;
+  stack::mark();
+  for (auto construct = constructors_begin; construct != constructors_end; ++construct) {
+    (*construct)();
+  }
+  semihosting::exit(main());
+}
+
+[[noreturn]] void fault() {
+  semihosting::print("fault\n");
+  semihosting::exit(1);
+}
+
+// Where the processor starts, and what it calls for each exception. A firmware with interrupts
+// continues this table with their handlers.
+using Handler = void (*)();
+struct Vectors {
+  std::uint32_t* stack;
+  Handler handlers[15];
+};
+[[gnu::section(".vectors"), gnu::used]] extern const Vectors vectors{
+    stack_begin,
+    {reset, fault, fault, fault, fault, fault, nullptr, nullptr, nullptr, nullptr, fault, fault,
+     nullptr, fault, fault}};
+}
