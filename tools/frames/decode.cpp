@@ -30,7 +30,7 @@
 #include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "serving/arguments.hpp"
+#include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
 
 namespace sbgc::tools {
