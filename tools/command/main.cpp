@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
   app.formatter(std::make_shared<HelpFormatter>(line_width()));
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // "/name" is a file
   app.set_help_all_flag("--help-all", "Print the help of all commands");
   app.set_version_flag("--version", "sbgc " SBGC_VERSION, "Print the version");
   add_commands(app, context);

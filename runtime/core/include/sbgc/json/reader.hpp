@@ -403,7 +403,7 @@ class JsonReader {
   }
 
   struct Announced {
-    const char* name = nullptr;
+    std::string_view name{};
     std::int64_t count{};
   };
 
