@@ -1,8 +1,6 @@
 #include "serving/arguments.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -16,6 +14,8 @@
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
+#include "serving/argument_text.hpp"
+#include "serving/firmware_text.hpp"
 #include "serving/listen.hpp"
 #include "serving/motion_file.hpp"
 
@@ -25,19 +25,6 @@ namespace {
 
 /// About 11 days: longer times are considered a mistake.
 constexpr double most_seconds = 1e6;
-
-[[noreturn]] void refuse(const std::string& text, const char* wanted) {
-  throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
-}
-
-/// Parses an unsigned number that fills the text and is at most `most`.
-template <class Number>
-bool read(std::string_view text, Number most, Number& number) {
-  const char* const end = text.data() + text.size();
-  if (text.empty() || text.front() == '-') return false;
-  const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stopped == end && number <= most;  // false for NaN
-}
 
 bool read_share(std::string_view text, double& share) {
   const bool is_percent = text.ends_with('%');
@@ -52,18 +39,6 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
   if (!read(text, most_seconds * 1e6 / us_per_unit, number)) return false;
   duration = microseconds(std::llround(number * us_per_unit));
   return true;
-}
-
-/// The texts before and after the separator.
-struct Halves {
-  std::string_view first;
-  std::string_view second;
-};
-
-Halves split(std::string_view text, char separator) {
-  const std::size_t at = text.find(separator);
-  if (at == std::string_view::npos) return {text, {}};
-  return {text.substr(0, at), text.substr(at + 1)};
 }
 
 }  // namespace
@@ -129,22 +104,6 @@ Duration parse_interval(const std::string& text) {
     refuse(text, "a time in seconds from 0.001 to 1000000");
   }
   return result;
-}
-
-msg::FirmwareVersion read_firmware(const std::string& text) {
-  constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
-  const auto [major, rest] = split(text, '.');
-  // Later releases have another point, as in 2.73.1.
-  const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
-  std::array<unsigned, 3> parts{};
-  const bool has_last = minor.size() < rest.size();
-  msg::FirmwareVersion version;
-  if (minor.size() != 2 || !read(major, 64U, parts[0]) || !read(minor, 99U, parts[1]) ||
-      (has_last && !read(last, 9U, parts[2])) || !version.set_major(parts[0]) ||
-      !version.set_minor(parts[1]) || !version.set_beta(parts[2])) {
-    refuse(text, wanted);
-  }
-  return version;
 }
 
 msg::FirmwareVersion parse_firmware(const std::string& text) {

@@ -24,7 +24,9 @@ const fs::path folder = SBGC_GENERATED "/vectors";
 
 std::vector<std::string> families() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().stem());
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().stem().string());
+  }
   std::ranges::sort(names);
   return names;
 }

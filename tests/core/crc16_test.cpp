@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/crc16.hpp>
+#include <sbgc/detail/compiler.hpp>
 
 namespace sbgc::test {
 namespace {
@@ -100,7 +101,7 @@ TEST(Crc16, IsTheSameAtEveryAlignment) {
   }
 }
 
-#if defined(SBGC_HAS_CRC_FOLD)
+#if SBGC_HAS_CARRYLESS_MULTIPLICATION
 // Also for sizes for which it is not worthwhile.
 TEST(Crc16, FoldingGivesTheRegister) {
   if (!detail::has_carryless_multiplication()) GTEST_SKIP() << "this processor cannot fold";

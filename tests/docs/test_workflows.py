@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 from collections.abc import Iterator
@@ -39,6 +40,16 @@ def steps(workflow: dict[str, Any]) -> Iterator[dict[str, Any]]:
         yield from job["steps"]
 
 
+def commands(workflow: dict[str, Any]) -> Iterator[str]:
+    """Yields the lines that the steps run, with each value of a job's matrix."""
+    for job in workflow["jobs"].values():
+        lines = [line for step in job["steps"] for line in step.get("run", "").splitlines()]
+        for key, values in job.get("strategy", {}).get("matrix", {}).items():
+            place = "${{ matrix.%s }}" % key
+            lines = [line.replace(place, value) for line in lines for value in values]
+        yield from lines
+
+
 def test_there_are_workflows() -> None:
     assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "nightly"]
 
@@ -59,16 +70,15 @@ def test_it_has_the_shape_of_a_workflow(path: Path) -> None:
 @pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
 def test_it_runs_nothing_but_the_commands_of_the_project(path: Path) -> None:
     known = subprocess.run([ROOT / "dev"], capture_output=True, text=True, check=True).stdout
-    for step in steps(load(path)):
-        for line in step.get("run", "").splitlines():
-            if line in SET_UP:
-                continue
-            match = re.fullmatch(r"(\.ci/run)|\./dev ([a-z]+)(?: [-a-z0-9_ ]+)?", line)
-            assert match, line
-            if match[1]:
-                assert (ROOT / match[1]).is_file()
-            else:
-                assert re.search(rf"^  {match[2]}\b", known, re.MULTILINE), line
+    for line in commands(load(path)):
+        if line in SET_UP:
+            continue
+        match = re.fullmatch(r"(\.ci/run)|\./dev ([a-z]+)(?: [-+a-z0-9_ ]+)?", line)
+        assert match, line
+        if match[1]:
+            assert (ROOT / match[1]).is_file()
+        else:
+            assert re.search(rf"^  {match[2]}\b", known, re.MULTILINE), line
 
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
@@ -86,6 +96,17 @@ def test_crashes_and_corpus_are_where_the_fuzzers_leave_them() -> None:
         assert named, path
         for folder in named:
             assert folder in dev, folder
+
+
+def test_every_night_all_presets_of_other_machines_and_compilers_run() -> None:
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    portable = [
+        preset["name"]
+        for preset in presets["configurePresets"]
+        if preset.get("inherits") in ("machine", "compiler")
+    ]
+    lines = list(commands(load(ROOT / ".github/workflows/nightly.yml")))
+    assert portable and [name for name in portable if f"./dev test {name}" not in lines] == []
 
 
 def test_every_night_the_commands_of_readme_run_on_a_fresh_machine() -> None:

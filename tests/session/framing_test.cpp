@@ -129,8 +129,12 @@ TEST(SessionFraming, NothingIsInFlightDuringATrial) {
   const Handle trial = try_v2(line);
   const Handle after = line.send(sbgc::msg::GetAnglesExtRequest{});
   line.on_event = [&](const simulation::Record& record) {
-    if (record.event.handle == before) EXPECT_THAT(line.written, SizeIs(1));
-    if (record.event.handle == trial) EXPECT_THAT(line.written, SizeIs(2));
+    if (record.event.handle == before) {
+      EXPECT_THAT(line.written, SizeIs(1));
+    }
+    if (record.event.handle == trial) {
+      EXPECT_THAT(line.written, SizeIs(2));
+    }
   };
   line.run();
   EXPECT_EQ(line.outcome(trial), Outcome::answered);

@@ -14,7 +14,17 @@ from pathlib import Path
 
 import pytest
 
-from sbgc_command import MODEL, PROGRAM, ROOT, decode, decode_one, frame, run, valid_frames
+from sbgc_command import (
+    MODEL,
+    ON_WINDOWS,
+    PROGRAM,
+    ROOT,
+    decode,
+    decode_one,
+    frame,
+    run,
+    valid_frames,
+)
 
 BOARD_INFO = bytes.fromhex("3e5612681f8709000200010000000000000000000000b2")
 GET_ANGLES = frame(73)
@@ -597,6 +607,7 @@ def test_real_values() -> None:
     assert {key: line[key] for key in plain} == plain and list(line)[-1] == "values"
 
 
+@pytest.mark.skipif(ON_WINDOWS, reason="Wine takes no pseudo-terminal for a console")
 def test_colors_only_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     def on_a_terminal() -> str:
         outside, inside = os.openpty()

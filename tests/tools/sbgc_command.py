@@ -1,4 +1,6 @@
-"""Runs the sbgc command for the tests. The environment variable SBGC names the program."""
+"""Runs the sbgc command for the tests. The environment variable SBGC names the program, and SBGC_SYSTEM
+the system that it was built for.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 PROGRAM = os.environ.get("SBGC", "sbgc")
+ON_WINDOWS = os.environ.get("SBGC_SYSTEM") == "Windows"
 ROOT = Path(__file__).resolve().parents[2]
 MODEL = json.loads((ROOT / "generated" / "simplebgc.json").read_text(encoding="utf-8"))
 VECTORS = json.loads((ROOT / "tests" / "data" / "vectors.json").read_text(encoding="utf-8"))

@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "command/colors.hpp"
 #include "command/command_error.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 
 namespace sbgc::tools {
 

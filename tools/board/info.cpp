@@ -14,9 +14,9 @@
 #include <sbgc/meta/all.hpp>
 
 #include "board/connection.hpp"
+#include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
-#include "command/terminal.hpp"
 
 namespace sbgc::tools {
 

@@ -9,7 +9,7 @@
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 
 namespace sbgc::tools {
 

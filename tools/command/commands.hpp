@@ -1,6 +1,8 @@
 /// The subcommands of sbgc. Each adds itself to the command line and stores its exit status.
 #pragma once
 
+#include <optional>
+
 #include <CLI/CLI.hpp>
 
 #include "board/gimbal_options.hpp"
@@ -24,6 +26,13 @@ inline constexpr const char* bytes = "Bytes";
 inline constexpr const char* share = "Share";
 inline constexpr const char* shell = "Shell";
 }  // namespace heading
+
+/// Adds the subcommands that this program has: those of all_commands.cpp or offline_commands.cpp.
+void add_commands(CLI::App& app, CommandContext& context);
+
+/// If this process is a helper that a subcommand started, does its work and returns the exit
+/// status.
+std::optional<int> run_helper(int argc, char** argv);
 
 void add_ports(CLI::App& app, CommandContext& context);
 void add_info(CLI::App& app, CommandContext& context);

@@ -5,9 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
+#include "command/system.hpp"
 #include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
@@ -25,11 +23,6 @@ std::size_t width_from_environment() {
   std::size_t width = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), width);
   return error == std::errc{} && end == digits.data() + digits.size() ? width : 0;
-}
-
-std::size_t width_of_terminal() {
-  winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 /// Removes the text up to `separator` from the front of `text` and returns it.

@@ -4,7 +4,8 @@
 #include <cstring>
 
 #include <fmt/format.h>
-#include <unistd.h>
+
+#include "command/system.hpp"
 
 namespace sbgc::tools {
 
@@ -26,11 +27,8 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
 Input::Input(const std::string& name) : name_(name), file_(open(name)), block_(65536) {}
 
 std::span<const std::uint8_t> Input::read() {
-  // read(2) returns the available bytes; fread would wait until the block is full.
-  ssize_t size = 0;
-  do {
-    size = ::read(fileno(file_.get()), block_.data(), block_.size());
-  } while (size < 0 && errno == EINTR);
+  // fread would wait until the block is full.
+  const std::ptrdiff_t size = read_available(file_.get(), block_);
   if (size < 0) {
     throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
   }

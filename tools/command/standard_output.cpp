@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "command/command_error.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 
 namespace sbgc::tools {
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/is_control.hpp>
+
 namespace sbgc::tools {
 
 std::string counted(std::uint64_t number, const char* thing) {
@@ -15,8 +17,7 @@ std::string counted(std::uint64_t number, const char* thing) {
 std::string clipped(std::string_view message) {
   constexpr std::size_t longest = 1000;
   std::string result(message.substr(0, longest));
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
-  std::replace_if(result.begin(), result.end(), is_control, '?');
+  std::replace_if(result.begin(), result.end(), detail::is_control, '?');
   return message.size() > longest ? result + "..." : result;
 }
 

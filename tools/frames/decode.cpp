@@ -5,13 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <sbgc/io/capture.hpp>
@@ -30,7 +28,7 @@
 #include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "serving/arguments.hpp"
+#include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
 
 namespace sbgc::tools {
@@ -254,6 +252,21 @@ class RawDecoder {
   std::uint64_t end_ = 0;  // end of the printed bytes
 };
 
+/// Formats a time after 1970 for any year: those of a time_t can end in 2038, and those of
+/// std::chrono do in 32767. The calendar repeats itself after 400 years.
+std::string utc_text(std::chrono::sys_seconds time) {
+  constexpr std::chrono::days cycle{146'097};
+  const auto cycles = time.time_since_epoch() / cycle;
+  const std::chrono::sys_seconds in_cycle(time.time_since_epoch() % cycle);
+  const auto day = std::chrono::floor<std::chrono::days>(in_cycle);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss clock(in_cycle - day);
+  return fmt::format("{}-{:02}-{:02} {:02}:{:02}:{:02} UTC",
+                     static_cast<int>(date.year()) + 400 * cycles,
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     clock.hours().count(), clock.minutes().count(), clock.seconds().count());
+}
+
 /// Decodes a capture file, which records direction and time.
 class CaptureDecoder final : private CaptureListener {
  public:
@@ -306,10 +319,8 @@ class CaptureDecoder final : private CaptureListener {
     ++session_;
     if (session_ == 0) first_start_ = session.start;
     start_ = session.start;
-    // Use seconds, because a conversion to nanoseconds overflows for dates far in the future.
-    const auto start = std::chrono::floor<std::chrono::seconds>(session.start).time_since_epoch();
-    output_.put_remark(fmt::format("session {}, started {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
-                                   fmt::gmtime(static_cast<std::time_t>(start.count()))));
+    output_.put_remark(fmt::format("session {}, started {}\n", session_,
+                                   utc_text(std::chrono::floor<std::chrono::seconds>(start_))));
   }
 
   void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {

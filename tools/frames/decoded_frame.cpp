@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/to_json.hpp>
@@ -145,8 +146,8 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
 }
 
 // Not inlined: it contains the decoders of all messages.
-[[gnu::noinline]] Status FrameDecoder::decode_body(std::span<const std::uint8_t> body,
-                                                   const Contexts& contexts, DecodedFrame& result) {
+SBGC_NOINLINE Status FrameDecoder::decode_body(std::span<const std::uint8_t> body,
+                                               const Contexts& contexts, DecodedFrame& result) {
   return visit(result.frame.id, body, result.direction, Taker{*this, result}, contexts);
 }
 

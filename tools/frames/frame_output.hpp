@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "command/colors.hpp"
 #include "command/standard_output.hpp"
-#include "command/terminal.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_filter.hpp"
 #include "line/sample_writer.hpp"

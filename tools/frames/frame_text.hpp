@@ -3,7 +3,7 @@
 
 #include <sbgc/text_output.hpp>
 
-#include "command/terminal.hpp"
+#include "command/colors.hpp"
 #include "frames/decoded_frame.hpp"
 
 namespace sbgc::tools {

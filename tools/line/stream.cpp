@@ -19,7 +19,7 @@
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 #include "command/wording.hpp"
 #include "line/field_patterns.hpp"
 #include "line/line_queue.hpp"

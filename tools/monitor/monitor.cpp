@@ -13,7 +13,7 @@
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 #include "line/listed_ports.hpp"
 #include "monitor/gimbal_state.hpp"
 #include "monitor/pages.hpp"

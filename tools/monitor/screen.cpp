@@ -14,7 +14,7 @@
 #include <curses.h>
 
 #include "command/command_error.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 
 namespace sbgc::tools {
 

@@ -18,7 +18,7 @@
 #include "board/progress_bar.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 #include "monitor/terminal_restorer.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"

@@ -16,7 +16,7 @@
 #include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"
-#include "command/terminal.hpp"
+#include "command/system.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"
 #include "motion/moving_gimbal.hpp"

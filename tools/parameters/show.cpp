@@ -12,11 +12,11 @@
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/suggestions.hpp"
-#include "command/terminal.hpp"
 #include "command/wording.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"

@@ -15,10 +15,10 @@
 #include <sbgc/reference.hpp>
 #include <sbgc/text.hpp>
 
+#include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/suggestions.hpp"
-#include "command/terminal.hpp"
 #include "command/wording.hpp"
 #include "values/effect_text.hpp"
 #include "values/field_lookup.hpp"

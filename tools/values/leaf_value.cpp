@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/is_control.hpp>
+
 namespace sbgc::tools {
 
 namespace {
@@ -36,9 +38,8 @@ std::string csv_text(std::string_view text) {
   std::string result;
   bool is_special = false;
   for (const char c : text) {
-    const bool is_control = (c >= 0 && c < ' ') || c == '\x7F';
     is_special = is_special || c == ',' || c == '"';
-    if (is_control) {
+    if (detail::is_control(c)) {
       // A terminal would obey it.
       result += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
     } else {

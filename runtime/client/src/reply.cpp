@@ -4,6 +4,7 @@
 
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/typed.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/text/status.hpp>
 
@@ -31,7 +32,7 @@ struct Decoder<M> {
 };
 
 /// Makes the compiler emit decode_in_context() for every message that needs it.
-[[gnu::used]] const auto decoders = entries_for<Decoder>(AllMessages{});
+SBGC_USED const auto decoders = entries_for<Decoder>(AllMessages{});
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
@@ -117,7 +118,7 @@ struct StreamRefusal {
 };
 
 /// Makes the compiler emit stream_refusal() for every message that boards stream.
-[[gnu::used]] const auto stream_refusals = entries_for<StreamRefusal>(roles::StreamMessages{});
+SBGC_USED const auto stream_refusals = entries_for<StreamRefusal>(roles::StreamMessages{});
 
 template <class M>
 struct Preparer {};
@@ -129,7 +130,7 @@ struct Preparer<M> {
 };
 
 /// Makes the compiler emit prepare() for every message to the board.
-[[gnu::used]] const auto preparers = entries_for<Preparer>(AllMessages{});
+SBGC_USED const auto preparers = entries_for<Preparer>(AllMessages{});
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/network.hpp>
 
@@ -62,7 +63,7 @@ Lookup look_up(const std::string& host) {
   for (const addrinfo* entry = list; entry != nullptr; entry = entry->ai_next) {
     tcp::endpoint endpoint;
     if (entry->ai_addrlen > endpoint.capacity()) continue;
-    __builtin_memcpy(endpoint.data(), entry->ai_addr, entry->ai_addrlen);
+    sbgc::detail::copy_memory(endpoint.data(), entry->ai_addr, entry->ai_addrlen);
     endpoint.resize(entry->ai_addrlen);
     result.addresses.push_back(endpoint.address());
   }
@@ -205,7 +206,7 @@ class DatagramStream {
 
   std::size_t take(const asio::mutable_buffer& into) {
     const std::size_t size = std::min(into.size(), datagram_->end - datagram_->begin);
-    __builtin_memcpy(into.data(), datagram_->bytes.data() + datagram_->begin, size);
+    sbgc::detail::copy_memory(into.data(), datagram_->bytes.data() + datagram_->begin, size);
     datagram_->begin += size;
     return size;
   }

@@ -18,7 +18,9 @@ msg::RealtimeDataCustom blocks_of(Host& host, msg::RealtimeDataCustomFlags flags
   const Packets packets = host.ask(msg::RealtimeDataCustomRequest{.flags = flags});
   msg::RealtimeDataCustom data;
   EXPECT_EQ(packets.size(), 1U);
-  if (packets.size() == 1) EXPECT_TRUE(decode(std::span(packets[0].body), data, {flags}));
+  if (packets.size() == 1) {
+    EXPECT_TRUE(decode(std::span(packets[0].body), data, {flags}));
+  }
   EXPECT_TRUE(data.tail.empty());
   return data;
 }

@@ -88,7 +88,9 @@ TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
       for (const Packet& one : packets) {
         is_answered = is_answered || policy.responses.form_of({one.id, one.body}) != nullptr;
       }
-      if (policy.response_required && !is_refused) EXPECT_TRUE(is_answered);
+      if (policy.response_required && !is_refused) {
+        EXPECT_TRUE(is_answered);
+      }
     }
   });
 }

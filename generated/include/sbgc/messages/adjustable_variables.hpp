@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -74,7 +75,7 @@ struct AdjVarInfo {
   std::int32_t value{};
 
   bool operator==(const AdjVarInfo&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.value(self.var_id, "var_id");
     cursor.value(self.name, "name");
@@ -114,7 +115,7 @@ struct SetAdjVarsVal {
   BoundedBytes<254> tail{};
 
   bool operator==(const SetAdjVarsVal&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_vars_count = 0;
     cursor.count(num_vars_count, self.params, "num_vars");
@@ -139,7 +140,7 @@ struct GetAdjVarsVal {
   BoundedArray<VariableId, 254> param_id{};
 
   bool operator==(const GetAdjVarsVal&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_vars_count = 0;
     cursor.count(num_vars_count, self.param_id, "num_vars");
@@ -297,7 +298,7 @@ struct AdjVarsInfo {
 
   bool operator==(const AdjVarsInfo&) const = default;
   using FixedMembers = Members<&AdjVarsInfo::total_number>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.vars, "vars");
   }
@@ -358,7 +359,7 @@ struct SetAdjVarsValF {
   BoundedBytes<254> tail{};
 
   bool operator==(const SetAdjVarsValF&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_params_count = 0;
     cursor.count(num_params_count, self.params, "num_params");
@@ -383,7 +384,7 @@ struct GetAdjVarsValF {
   BoundedArray<VariableId, 254> id{};
 
   bool operator==(const GetAdjVarsValF&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_params_count = 0;
     cursor.count(num_params_count, self.id, "num_params");

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -422,7 +423,7 @@ struct CalibMotorMagLink {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLink&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -445,7 +446,7 @@ struct CalibMotorMagLinkRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLinkRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -469,7 +470,7 @@ struct EncodersCalibOffset4 {
   Optional<CalibMotor> for_motor{};
 
   bool operator==(const EncodersCalibOffset4&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.appended(self.for_motor, "for_motor");
   }
@@ -500,7 +501,7 @@ struct EncodersCalibFldOffset4 {
   Optional<FieldOffsetFlags> calib_flags{};
 
   bool operator==(const EncodersCalibFldOffset4&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.appended(self.calib_angle, "calib_angle");
     cursor.appended(self.calib_speed, "calib_speed");
@@ -608,7 +609,7 @@ struct AutoPid2 {
 
   bool operator==(const AutoPid2&) const = default;
   using FixedMembers = Members<&AutoPid2::action, &AutoPid2::cmd_flags, &AutoPid2::reserved>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when(self.action == AutoPid2Action::start || self.action == AutoPid2Action::start_save ||
         self.action == AutoPid2Action::save, self.config, "config");
@@ -708,7 +709,7 @@ struct BodeTestStartStop {
   BoundedBytes<255> data{};
 
   bool operator==(const BodeTestStartStop&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -731,7 +732,7 @@ struct BodeTestStartStopRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const BodeTestStartStopRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -752,7 +753,7 @@ struct BodeTestData {
   BoundedBytes<255> data{};
 
   bool operator==(const BodeTestData&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -774,7 +775,7 @@ struct BodeTestDataRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const BodeTestDataRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -795,7 +796,7 @@ struct CoggingCalibInfo {
   BoundedBytes<255> data{};
 
   bool operator==(const CoggingCalibInfo&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -818,7 +819,7 @@ struct CoggingCalibInfoRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CoggingCalibInfoRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -839,7 +840,7 @@ struct CanDrvHardParams {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvHardParams&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -862,7 +863,7 @@ struct CanDrvHardParamsRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvHardParamsRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -883,7 +884,7 @@ struct CanDrvCalibrate {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvCalibrate&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -906,7 +907,7 @@ struct CanDrvCalibrateRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvCalibrateRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -927,7 +928,7 @@ struct CalibEncoderLut {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibEncoderLut&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -950,7 +951,7 @@ struct CalibEncoderLutRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibEncoderLutRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -971,7 +972,7 @@ struct CalibEncoderLutRes {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibEncoderLutRes&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -994,7 +995,7 @@ struct CalibEncoderLutResRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibEncoderLutResRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1015,7 +1016,7 @@ struct CalibCurSens {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibCurSens&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1037,7 +1038,7 @@ struct CalibCurSensRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibCurSensRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1058,7 +1059,7 @@ struct EncIntCalib {
   BoundedBytes<255> data{};
 
   bool operator==(const EncIntCalib&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1081,7 +1082,7 @@ struct EncIntCalibRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const EncIntCalibRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1103,7 +1104,7 @@ struct VibrationTestStartStop {
   BoundedBytes<255> data{};
 
   bool operator==(const VibrationTestStartStop&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1126,7 +1127,7 @@ struct VibrationTestStartStopRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const VibrationTestStartStopRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1148,7 +1149,7 @@ struct VibrationTestData {
   BoundedBytes<255> data{};
 
   bool operator==(const VibrationTestData&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -1171,7 +1172,7 @@ struct VibrationTestDataRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const VibrationTestDataRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

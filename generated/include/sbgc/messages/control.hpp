@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/flag_unit.hpp>
 #include <sbgc/response.hpp>
@@ -254,7 +255,7 @@ struct ControlExtCommand {
 
   bool operator==(const ControlExtCommand&) const = default;
   using FixedMembers = Members<&ControlExtCommand::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when((self.data_set.has(ControlExtField::roll_speed) ||
         self.data_set.has(ControlExtField::roll_angle)), self.roll_mode, "roll_mode");
@@ -541,7 +542,7 @@ struct ControlQuatStatus {
 
   bool operator==(const ControlQuatStatus&) const = default;
   using FixedMembers = Members<&ControlQuatStatus::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.mode, "mode");
     cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.flags, "flags");
@@ -625,7 +626,7 @@ struct ControlQuatConfig {
 
   bool operator==(const ControlQuatConfig&) const = default;
   using FixedMembers = Members<&ControlQuatConfig::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when(self.data_set.has(ControlQuatConfigField::max_speed), self.max_speed, "max_speed");
     cursor.when(self.data_set.has(ControlQuatConfigField::acc_limit), self.acc_limit, "acc_limit");

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -29,7 +30,7 @@ struct DebugVarInfo {
   std::uint16_t arr_size{};
 
   bool operator==(const DebugVarInfo&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.value(self.var_name, "var_name");
     cursor.value(self.var_type, "var_type");
@@ -55,7 +56,7 @@ struct DebugVarsInfo3 {
   BoundedBytes<254> tail{};
 
   bool operator==(const DebugVarsInfo3&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t debug_vars_num_count = 0;
     cursor.count(debug_vars_num_count, self.vars, "debug_vars_num");
@@ -80,7 +81,7 @@ struct DebugVarsInfo3Request {
   Optional<std::uint8_t> start_idx{};
 
   bool operator==(const DebugVarsInfo3Request&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.appended(self.start_idx, "start_idx");
   }
@@ -111,7 +112,7 @@ struct DebugVars3 {
   BoundedBytes<255> tail{};
 
   bool operator==(const DebugVars3&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
     cursor.numbers(self.var_value, context.types, "var_value");
   }
@@ -152,7 +153,7 @@ struct DebugVars3RequestSelected {
   BoundedArray<std::uint32_t, 63> selected_mask{};
 
   bool operator==(const DebugVars3RequestSelected&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.selected_mask, "selected_mask", 1);
   }
@@ -181,7 +182,7 @@ struct SetDebugPort {
   bool operator==(const SetDebugPort&) const = default;
   using FixedMembers = Members<&SetDebugPort::time_ms, &SetDebugPort::port_and_dir,
       &SetDebugPort::cmd_id>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.payload, "payload");
   }

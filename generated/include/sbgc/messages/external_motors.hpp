@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -87,7 +88,7 @@ struct ExtMotorsAction {
 
   bool operator==(const ExtMotorsAction&) const = default;
   using FixedMembers = Members<&ExtMotorsAction::for_motors, &ExtMotorsAction::action>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.args, "args");
   }
@@ -134,7 +135,7 @@ struct ExtMotorsControl {
 
   bool operator==(const ExtMotorsControl&) const = default;
   using FixedMembers = Members<&ExtMotorsControl::for_motors, &ExtMotorsControl::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     if (cursor.present(!self.data_set.has(ExtMotorsControlField::setpoint_32bit) && !self.data_set.has(ExtMotorsControlField::param1_16bit) && !self.data_set.has(ExtMotorsControlField::param1_32bit), self.setpoint16, "setpoint16")) {
       cursor.counted_by_bits(*self.setpoint16, self.for_motors, "setpoint16");
@@ -191,7 +192,7 @@ struct ExtMotorsControlConfig {
   bool operator==(const ExtMotorsControlConfig&) const = default;
   using FixedMembers = Members<&ExtMotorsControlConfig::for_motors,
       &ExtMotorsControlConfig::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when(self.data_set.has(ExtMotorsControlConfigField::mode), self.mode, "mode");
     cursor.when(self.data_set.has(ExtMotorsControlConfigField::max_speed), self.max_speed,
@@ -267,7 +268,7 @@ struct ExtMotorsState {
 
   bool operator==(const ExtMotorsState&) const = default;
   using FixedMembers = Members<&ExtMotorsState::motor_id, &ExtMotorsState::data_set>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when(self.data_set.has(ExtMotorsStateField::control_mode), self.control_mode,
         "control_mode");

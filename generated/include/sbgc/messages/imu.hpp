@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -96,7 +97,7 @@ struct SelectImu3Ext {
 
   bool operator==(const SelectImu3Ext&) const = default;
   using FixedMembers = Members<&SelectImu3Ext::imu_type, &SelectImu3Ext::param>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.params, "params");
   }
@@ -346,7 +347,7 @@ struct ExtImuCmd {
 
   bool operator==(const ExtImuCmd&) const = default;
   using FixedMembers = Members<&ExtImuCmd::cmd_id>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -371,7 +372,7 @@ struct ExtSensCmd {
 
   bool operator==(const ExtSensCmd&) const = default;
   using FixedMembers = Members<&ExtSensCmd::cmd_id>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -399,7 +400,7 @@ struct ExtSensCmdRequest {
 
   bool operator==(const ExtSensCmdRequest&) const = default;
   using FixedMembers = Members<&ExtSensCmdRequest::flags, &ExtSensCmdRequest::cmd_id>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -420,7 +421,7 @@ struct ImuAdvancedCalib {
   BoundedBytes<255> data{};
 
   bool operator==(const ImuAdvancedCalib&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -443,7 +444,7 @@ struct ImuAdvancedCalibRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const ImuAdvancedCalibRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

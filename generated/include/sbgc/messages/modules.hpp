@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -68,7 +69,7 @@ struct ModuleList {
   BoundedBytes<254> tail{};
 
   bool operator==(const ModuleList&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t device_num_count = 0;
     cursor.count(device_num_count, self.modules, "device_num");
@@ -106,7 +107,7 @@ struct CanDeviceScan {
   BoundedArray<CanDevice, 18> devices{};
 
   bool operator==(const CanDeviceScan&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.devices, "devices");
   }
@@ -146,7 +147,7 @@ struct TransparentSapi {
 
   bool operator==(const TransparentSapi&) const = default;
   using FixedMembers = Members<&TransparentSapi::target>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.payload, "payload");
   }
@@ -173,7 +174,7 @@ struct TransparentSapiRequest {
 
   bool operator==(const TransparentSapiRequest&) const = default;
   using FixedMembers = Members<&TransparentSapiRequest::target>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.payload, "payload");
   }
@@ -194,7 +195,7 @@ struct UartBypass {
   BoundedBytes<255> data{};
 
   bool operator==(const UartBypass&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -217,7 +218,7 @@ struct UartBypassRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const UartBypassRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -238,7 +239,7 @@ struct SetDeviceAddr {
   BoundedBytes<255> data{};
 
   bool operator==(const SetDeviceAddr&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -261,7 +262,7 @@ struct SetDeviceAddrRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const SetDeviceAddrRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -282,7 +283,7 @@ struct SerialProxy {
   BoundedBytes<255> data{};
 
   bool operator==(const SerialProxy&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -304,7 +305,7 @@ struct SerialProxyRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const SerialProxyRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -54,7 +55,7 @@ struct BeepSound {
   bool operator==(const BeepSound&) const = default;
   using FixedMembers = Members<&BeepSound::mode, &BeepSound::note_length, &BeepSound::decay_factor,
       &BeepSound::reserved>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.note_freq_hz, "note_freq_hz");
   }
@@ -136,7 +137,7 @@ struct ServoOutExt {
 
   bool operator==(const ServoOutExt&) const = default;
   using FixedMembers = Members<&ServoOutExt::servo_bits>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.counted_by_bits(self.servo_time, self.servo_bits, "servo_time");
   }
@@ -165,7 +166,7 @@ struct I2cWriteRegBuf {
 
   bool operator==(const I2cWriteRegBuf&) const = default;
   using FixedMembers = Members<&I2cWriteRegBuf::device_addr, &I2cWriteRegBuf::reg_addr>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -187,7 +188,7 @@ struct I2cReadRegBuf {
   BoundedBytes<255> data{};
 
   bool operator==(const I2cReadRegBuf&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -288,7 +289,7 @@ struct ApiVirtChControl {
   BoundedArray<CentredRcSignal, 32> val_ch{};
 
   bool operator==(const ApiVirtChControl&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.val_ch, "val_ch", 1);
   }
@@ -315,7 +316,7 @@ struct ApiVirtChHighRes {
   BoundedArray<FineRcSignal, 32> val_ch{};
 
   bool operator==(const ApiVirtChHighRes&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.val_ch, "val_ch", 1);
   }
@@ -339,7 +340,7 @@ struct ReadRcInputs {
   BoundedArray<FineRcSignal, 127> rc_val{};
 
   bool operator==(const ReadRcInputs&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.rc_val, "rc_val");
   }
@@ -364,7 +365,7 @@ struct ReadRcInputsRequest {
 
   bool operator==(const ReadRcInputsRequest&) const = default;
   using FixedMembers = Members<&ReadRcInputsRequest::cfg_flags>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.rc_src, "rc_src");
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/response.hpp>
@@ -466,7 +467,7 @@ struct RealtimeDataCustom {
 
   bool operator==(const RealtimeDataCustom&) const = default;
   using FixedMembers = Members<&RealtimeDataCustom::timestamp_ms>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
     cursor.when_context(context.flags.has(RealtimeDataCustomFlag::imu_angles), self.imu_angles,
         "imu_angles");
@@ -592,7 +593,7 @@ struct DataStreamInterval {
   using FixedMembers = Members<&DataStreamInterval::cmd_id, &DataStreamInterval::interval_ms,
       &DataStreamInterval::config, &DataStreamInterval::sync_to_data,
       &DataStreamInterval::reserved>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void tagged_unions(auto& self, auto& cursor) noexcept {
     cursor.enter(3, 8);
     cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
@@ -675,7 +676,7 @@ struct CanDrvTelemetry {
 
   bool operator==(const CanDrvTelemetry&) const = default;
   using FixedMembers = Members<&CanDrvTelemetry::drv_id, &CanDrvTelemetry::timestamp_ms>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
     cursor.when_context(context.flags.has(CanDrvTelemetryFlag::can_bus_flags), self.can_bus_flags,
         "can_bus_flags");
@@ -726,7 +727,7 @@ struct CanDrvState {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvState&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -748,7 +749,7 @@ struct CanDrvStateRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CanDrvStateRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -769,7 +770,7 @@ struct RealtimeDataCanDrv {
   BoundedBytes<255> data{};
 
   bool operator==(const RealtimeDataCanDrv&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -792,7 +793,7 @@ struct RealtimeDataCanDrvRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const RealtimeDataCanDrvRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

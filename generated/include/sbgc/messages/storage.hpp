@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -43,7 +44,7 @@ struct EepromWrite {
 
   bool operator==(const EepromWrite&) const = default;
   using FixedMembers = Members<&EepromWrite::addr>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -70,7 +71,7 @@ struct ReadFile {
 
   bool operator==(const ReadFile&) const = default;
   using FixedMembers = Members<&ReadFile::file_size, &ReadFile::page_offset>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -146,7 +147,7 @@ struct WriteFile {
 
   bool operator==(const WriteFile&) const = default;
   using FixedMembers = Members<&WriteFile::file_id, &WriteFile::file_size, &WriteFile::page_offset>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -187,7 +188,7 @@ struct EepromRead {
 
   bool operator==(const EepromRead&) const = default;
   using FixedMembers = Members<&EepromRead::addr>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
@@ -123,7 +124,7 @@ struct BoardInfoRequestExt {
 
   bool operator==(const BoardInfoRequestExt&) const = default;
   using FixedMembers = Members<&BoardInfoRequestExt::cfg>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.reserved, "reserved");
   }
@@ -151,7 +152,7 @@ struct Confirm {
 
   bool operator==(const Confirm&) const = default;
   using FixedMembers = Members<&Confirm::cmd>;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when_or_missing(self.cmd == CommandToBoard::eeprom_write, self.addr, "addr");
     cursor.when_or_missing(self.cmd == CommandToBoard::write_file || self.cmd ==
@@ -510,7 +511,7 @@ struct QueueParamsInfo3 {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -533,7 +534,7 @@ struct QueueParamsInfo3Request {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3Request&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -555,7 +556,7 @@ struct SystemState {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemState&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -578,7 +579,7 @@ struct SystemStateRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemStateRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -600,7 +601,7 @@ struct MavlinkInfo {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfo&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -623,7 +624,7 @@ struct MavlinkInfoRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfoRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -645,7 +646,7 @@ struct MavlinkDebug {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebug&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -668,7 +669,7 @@ struct MavlinkDebugRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebugRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -689,7 +690,7 @@ struct ExtLicenseInfo {
   BoundedBytes<255> data{};
 
   bool operator==(const ExtLicenseInfo&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -712,7 +713,7 @@ struct ExtLicenseInfoRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const ExtLicenseInfoRequest&) const = default;
-  [[gnu::always_inline]]
+  SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

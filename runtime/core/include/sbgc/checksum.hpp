@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 
 namespace detail {
@@ -15,29 +17,7 @@ constexpr std::uint8_t byte_sum_plain(const std::uint8_t* bytes, std::size_t siz
   return static_cast<std::uint8_t>(sum);
 }
 
-#if defined(__SSE2__)
-
-// The vector types and built-ins of GCC and Clang, because <emmintrin.h> includes hosted headers.
-using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
-using Words2 = long long __attribute__((vector_size(16)));
-using Chars16 = char __attribute__((vector_size(16)));
-
-/// Returns the sums of the lower and the upper eight bytes.
-inline Words2 sum_halves(Bytes16 bytes) noexcept {
-  return reinterpret_cast<Words2>(
-      __builtin_ia32_psadbw128(reinterpret_cast<Chars16>(bytes), Chars16{}));
-}
-
-/// Returns the highest bit of each byte.
-inline unsigned sign_bits(Bytes16 bytes) noexcept {
-  return static_cast<unsigned>(__builtin_ia32_pmovmskb128(reinterpret_cast<Chars16>(bytes)));
-}
-
-inline Bytes16 load16(const std::uint8_t* bytes) noexcept {
-  Bytes16 value;
-  __builtin_memcpy(&value, bytes, sizeof value);
-  return value;
-}
+#if SBGC_HAS_SSE2
 
 /// A table of masks: the 16 bytes at offset n keep the last n of 16 bytes.
 inline constexpr std::uint8_t keep_last[32] = {
@@ -60,7 +40,7 @@ inline std::uint8_t byte_sum_sse2(const std::uint8_t* bytes, std::size_t size) n
 
 /// Returns the sum of `size` bytes modulo 256.
 constexpr std::uint8_t byte_sum(const std::uint8_t* bytes, std::size_t size) noexcept {
-#if defined(__SSE2__)
+#if SBGC_HAS_SSE2
   if (!std::is_constant_evaluated() && size >= 16) return detail::byte_sum_sse2(bytes, size);
 #endif
   return detail::byte_sum_plain(bytes, size);
@@ -72,19 +52,19 @@ namespace detail {
 class ByteSum {
  public:
   /// Adds `size` bytes. Fast only if the compiler knows `size`.
-  [[gnu::always_inline]] void add(const std::uint8_t* bytes, std::size_t size) noexcept {
-#if defined(__SSE2__)
+  SBGC_ALWAYS_INLINE void add(const std::uint8_t* bytes, std::size_t size) noexcept {
+#if SBGC_HAS_SSE2
     if (size >= 16) {
       const std::size_t rest = size % 16;
       for (std::size_t at = 0; at != size - rest; at += 16) add16(load16(bytes + at));
       if (rest != 0) add16(load16(bytes + size - 16) & load16(keep_last + rest));
     } else if (size >= 8) {
       std::uint64_t halves[2];
-      __builtin_memcpy(&halves[0], bytes, 8);
-      __builtin_memcpy(&halves[1], bytes + size - 8, 8);
+      copy_memory(&halves[0], bytes, 8);
+      copy_memory(&halves[1], bytes + size - 8, 8);
       halves[1] = size == 8 ? 0 : halves[1] >> (8 * (16 - size));
       Bytes16 all;
-      __builtin_memcpy(&all, halves, sizeof all);
+      copy_memory(&all, halves, sizeof all);
       add16(all);
     } else {
       add(byte_sum_plain(bytes, size));
@@ -98,7 +78,7 @@ class ByteSum {
   void add(std::uint8_t sum) noexcept { sum_ += sum; }
 
   std::uint8_t value() const noexcept {
-#if defined(__SSE2__)
+#if SBGC_HAS_SSE2
     return static_cast<std::uint8_t>(sum_ + static_cast<std::uint64_t>(halves_[0] + halves_[1]));
 #else
     return static_cast<std::uint8_t>(sum_);
@@ -107,8 +87,8 @@ class ByteSum {
 
  private:
   unsigned sum_{};
-#if defined(__SSE2__)
-  [[gnu::always_inline]] void add16(Bytes16 bytes) noexcept { halves_ += sum_halves(bytes); }
+#if SBGC_HAS_SSE2
+  SBGC_ALWAYS_INLINE void add16(Bytes16 bytes) noexcept { halves_ += sum_halves(bytes); }
 
   Words2 halves_{};
 #endif

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/crc_fold.hpp>
 #include <sbgc/protocol.hpp>
 
@@ -70,7 +71,7 @@ class Crc16 {
 
  public:
   constexpr Crc16& add(const std::uint8_t* bytes, std::size_t size) noexcept {
-#if defined(SBGC_HAS_CRC_FOLD)
+#if SBGC_HAS_CARRYLESS_MULTIPLICATION
     if constexpr (table == CrcTable::slices) {
       constexpr std::size_t worthwhile = 32;
       if (!std::is_constant_evaluated() && size >= worthwhile &&

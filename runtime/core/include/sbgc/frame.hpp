@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/status.hpp>
 
@@ -97,7 +98,7 @@ constexpr WriteResult write_frame(std::uint8_t id, std::span<const std::uint8_t>
   if (std::is_constant_evaluated()) {
     for (std::size_t i = 0; i < body.size(); ++i) place[i] = body[i];
   } else if (!body.empty()) {
-    __builtin_memmove(place, body.data(), body.size());
+    detail::move_memory(place, body.data(), body.size());
   }
   // The checksum of `body` is correct even if it is in place, where its bytes have not changed.
   return {FrameFormat<framing, table>::finish(out.data(), id, body.size(), body.data()), {}};

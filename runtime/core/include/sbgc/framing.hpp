@@ -11,6 +11,7 @@
 
 #include <sbgc/checksum.hpp>
 #include <sbgc/crc16.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {
@@ -170,7 +171,7 @@ struct FrameFormat {
 
 namespace detail {
 
-#if defined(__SSE2__)
+#if SBGC_HAS_SSE2
 /// Advances to the next start byte with a valid header checksum. Stops early if fewer than 16
 /// headers are left, or after 255 blocks of 16 positions. In noise, a branch per start byte would
 /// often be mispredicted; one per 16 positions hardly ever is.
@@ -210,12 +211,12 @@ inline const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uin
 /// Returns the first position in [begin, end) at which one of the start bytes begins a valid or
 /// incomplete header, or `end`. Adds the number of bad headers before it to `bad_headers`.
 template <class Starts>
-[[gnu::always_inline]] constexpr const std::uint8_t* find_header(const std::uint8_t* begin,
-                                                                 const std::uint8_t* end,
-                                                                 std::uint64_t& bad_headers,
-                                                                 const Starts& starts) noexcept {
+SBGC_ALWAYS_INLINE constexpr const std::uint8_t* find_header(const std::uint8_t* begin,
+                                                             const std::uint8_t* end,
+                                                             std::uint64_t& bad_headers,
+                                                             const Starts& starts) noexcept {
   for (;; ++begin) {
-#if defined(__SSE2__)
+#if SBGC_HAS_SSE2
     if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers, starts);
 #endif
     if (begin == end) return end;

@@ -9,6 +9,7 @@
 
 #include <sbgc/checksum.hpp>
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/layout.hpp>
 #include <sbgc/detail/value_sum.hpp>
 #include <sbgc/frame.hpp>
@@ -23,8 +24,8 @@ inline constexpr bool is_same_in_memory =
     layout<M>.only_blocks && !HasVaryingMembers<M> && !HasTaggedUnions<M>;
 
 template <class M, std::size_t... i>
-[[gnu::always_inline]] inline void add_blocks(ByteSum& sum, const M& message,
-                                              std::index_sequence<i...>) noexcept {
+SBGC_ALWAYS_INLINE inline void add_blocks(ByteSum& sum, const M& message,
+                                          std::index_sequence<i...>) noexcept {
   constexpr auto block = [](std::size_t index) {
     return layout<M>.places[layout<M>.blocks[index]];
   };
@@ -52,9 +53,9 @@ inline constexpr bool is_of_fixed_size =
 
 /// Completes the frame whose body was encoded from `message`; returns its size.
 template <Framing framing, CrcTable table, class M>
-[[gnu::always_inline]] constexpr std::size_t finish_frame_of(const M& message, std::uint8_t* frame,
-                                                             std::uint8_t id,
-                                                             std::size_t body_size) noexcept {
+SBGC_ALWAYS_INLINE constexpr std::size_t finish_frame_of(const M& message, std::uint8_t* frame,
+                                                         std::uint8_t id,
+                                                         std::size_t body_size) noexcept {
   // To sum the values of a small message is faster than to sum its bytes: they may still be in
   // registers, and reading back members that were just set one by one would stall.
   constexpr bool is_small = is_of_fixed_size<M> && fixed_size<M> <= 24;

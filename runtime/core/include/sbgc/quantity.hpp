@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 namespace detail {
 
@@ -14,7 +16,7 @@ inline constexpr bool always_false = false;
 
 /// Called if a number that does not fit is used without a test: a compile error in a constant
 /// expression, a trap at run time.
-[[noreturn]] inline void the_number_does_not_fit_into_the_quantity() noexcept { __builtin_trap(); }
+[[noreturn]] inline void the_number_does_not_fit_into_the_quantity() noexcept { trap(); }
 
 }  // namespace detail
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/digits.hpp>
 
 namespace sbgc {
@@ -88,12 +89,12 @@ class TextOutput {
 
  private:
   // Not inlined, to reduce compile time.
-  [[gnu::noinline]] void put_integer(bool is_negative, std::uint64_t size) {
+  SBGC_NOINLINE void put_integer(bool is_negative, std::uint64_t size) {
     char* const start = room(longest_number);
     *start = '-';
     advance(detail::write_digits(start + (is_negative ? 1 : 0), size));
   }
-  [[gnu::noinline]] void put_in_parts(std::string_view text) {
+  SBGC_NOINLINE void put_in_parts(std::string_view text) {
     while (text.size() > free()) {
       const std::size_t some = free();
       put(text.substr(0, some));

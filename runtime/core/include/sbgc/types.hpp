@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 
 /// One value for each axis of the gimbal, in wire order.
@@ -62,7 +64,7 @@ class Integer24 {
   constexpr Integer24() = default;
   /// Traps if the number does not fit; in a constant expression, it does not compile.
   constexpr explicit Integer24(Raw raw) noexcept : raw_(raw) {
-    if (raw < lowest || raw > highest) __builtin_trap();
+    if (raw < lowest || raw > highest) detail::trap();
   }
   constexpr Raw raw() const noexcept { return raw_; }
 

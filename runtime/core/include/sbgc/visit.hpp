@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/visitor.hpp>

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc::wire {
 
 /// A number type of the wire.
@@ -44,7 +46,7 @@ template <Number T, std::endian host = std::endian::native>
 constexpr T load(const std::uint8_t* bytes) noexcept {
   if (detail::same_order<host> && !std::is_constant_evaluated()) {
     T value;
-    __builtin_memcpy(&value, bytes, sizeof value);
+    sbgc::detail::copy_memory(&value, bytes, sizeof value);
     return value;
   }
   detail::Shifted<T> bits = 0;
@@ -58,7 +60,7 @@ constexpr T load(const std::uint8_t* bytes) noexcept {
 template <Number T, std::endian host = std::endian::native>
 constexpr void store(std::uint8_t* bytes, T value) noexcept {
   if (detail::same_order<host> && !std::is_constant_evaluated()) {
-    __builtin_memcpy(bytes, &value, sizeof value);
+    sbgc::detail::copy_memory(bytes, &value, sizeof value);
     return;
   }
   // NOLINTNEXTLINE(modernize-use-auto): widened, so that the shifts below are defined

@@ -3,30 +3,16 @@
 /// and Barrett reduction computes that.
 #pragma once
 
-#if defined(__x86_64__) && defined(__SSE2__) && \
-    ((defined(__PCLMUL__) && defined(__SSSE3__)) || (defined(__GNUC__) && __STDC_HOSTED__))
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <sbgc/checksum.hpp>
+#include <sbgc/detail/compiler.hpp>
 
-/// Defined if crc_by_folding() can be compiled; has_carryless_multiplication() says if it can run.
-#define SBGC_HAS_CRC_FOLD 1
+#if SBGC_HAS_CARRYLESS_MULTIPLICATION
 
 namespace sbgc::detail {
-
-/// Returns true if the processor has the instructions of crc_by_folding(). Freestanding programs
-/// have no library that knows; they use them if the compiler may.
-inline bool has_carryless_multiplication() noexcept {
-#if defined(__PCLMUL__) && defined(__SSSE3__)
-  return true;
-#else
-  return static_cast<bool>(__builtin_cpu_supports("pclmul")) &&
-         static_cast<bool>(__builtin_cpu_supports("ssse3"));
-#endif
-}
 
 /// Returns x^exponent modulo the polynomial. Here and below the coefficient of the highest power is
 /// in the lowest bit, as in the register of a check whose bytes enter least significant bit first.
@@ -62,56 +48,45 @@ inline constexpr std::uint8_t shift_bytes[48] = {
     0,   1,   2,   3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13,  14,  15,
     128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128};
 
-/// Returns the product of one half of each: a[half_of_a] * b[half_of_b].
-template <int half_of_a, int half_of_b>
-[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline Words2 product(Words2 a,
-                                                                          Words2 b) noexcept {
-  return __builtin_ia32_pclmulqdq128(a, b, half_of_a + 16 * half_of_b);
-}
-
 /// Returns a block with the same remainder as `block` has `distance` bits further up.
 template <std::uint16_t polynomial, unsigned distance>
-[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline Words2 folded(Words2 block) noexcept {
+SBGC_CARRYLESS_MULTIPLICATION SBGC_ALWAYS_INLINE inline Words2 folded(Words2 block) noexcept {
   constexpr Words2 by = {factor_over<polynomial, distance + 64>, factor_over<polynomial, distance>};
-  return product<0, 0>(block, by) ^ product<1, 1>(block, by);
+  return carryless_product<0, 0>(block, by) ^ carryless_product<1, 1>(block, by);
 }
 
 /// Returns the register that a block leaves if it enters a register of 0: the remainder of the
 /// block times x^16.
 template <std::uint16_t polynomial>
-[[gnu::target("pclmul,ssse3"), gnu::always_inline]] inline std::uint16_t remainder(
+SBGC_CARRYLESS_MULTIPLICATION SBGC_ALWAYS_INLINE inline std::uint16_t remainder(
     Words2 block) noexcept {
   // The upper half over the lower one, then the 16 bits by which their sum is longer.
   constexpr Words2 over_half = {factor_over<polynomial, 64>, 0};
-  const Words2 sum = product<0, 0>(block, over_half);
-  const Words2 excess = product<0, 0>(sum, over_half);
+  const Words2 sum = carryless_product<0, 0>(block, over_half);
+  const Words2 excess = carryless_product<0, 0>(sum, over_half);
   const Words2 value = {block[1] ^ sum[1] ^ excess[1], 0};
   // value * x^16 = quotient * polynomial + remainder.
   constexpr Words2 division = {static_cast<long long>(quotient_of_x80(polynomial)),
                                static_cast<long long>(std::uint64_t{polynomial} << 48)};
-  const Words2 high = product<0, 0>(value, division);
+  const Words2 high = carryless_product<0, 0>(value, division);
   const Words2 quotient = {value[0] ^ high[0] << 1, 0};
-  const Words2 low = product<0, 1>(quotient, division);
+  const Words2 low = carryless_product<0, 1>(quotient, division);
   return static_cast<std::uint16_t>(static_cast<std::uint64_t>(low[1]) >> 47);
 }
 
 /// Returns the register `start` after `size` bytes have entered it. Precondition: size >= 16.
 template <std::uint16_t polynomial>
-[[gnu::target("pclmul,ssse3")]] inline std::uint16_t crc_by_folding(std::uint16_t start,
-                                                                    const std::uint8_t* bytes,
-                                                                    std::size_t size) noexcept {
+SBGC_CARRYLESS_MULTIPLICATION inline std::uint16_t crc_by_folding(std::uint16_t start,
+                                                                  const std::uint8_t* bytes,
+                                                                  std::size_t size) noexcept {
   const auto load = [](const std::uint8_t* from) { return reinterpret_cast<Words2>(load16(from)); };
   const auto first = reinterpret_cast<Bytes16>(Words2{start, 0});
   const std::size_t rest = size % 16;
   // Leading zeros do not change a register of 0: the first block is filled up with them. The
   // register enters together with the first two bytes, the second of which may be in the next
   // block.
-  const auto to_end = reinterpret_cast<Chars16>(load16(shift_bytes + rest));
-  const auto to_begin = reinterpret_cast<Chars16>(load16(shift_bytes + 16 + rest));
-  auto even = reinterpret_cast<Words2>(
-      __builtin_ia32_pshufb128(reinterpret_cast<Chars16>(load16(bytes) ^ first), to_end));
-  auto odd = reinterpret_cast<Words2>(
-      __builtin_ia32_pshufb128(reinterpret_cast<Chars16>(first), to_begin));
+  Words2 even = shuffled(load16(bytes) ^ first, load16(shift_bytes + rest));
+  Words2 odd = shuffled(first, load16(shift_bytes + 16 + rest));
   odd ^= load(bytes + rest);
   const std::uint8_t* const end = bytes + size;
   bytes += rest + 16;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc::detail {
 
 /// "00", "01" to "99".
@@ -19,7 +21,7 @@ inline constexpr auto digit_pairs = [] {
 
 /// Writes a number below 100 as two digits.
 inline void write_pair(char* out, std::uint64_t number) noexcept {
-  __builtin_memcpy(out, &digit_pairs[static_cast<std::size_t>(2 * number)], 2);
+  copy_memory(out, &digit_pairs[static_cast<std::size_t>(2 * number)], 2);
 }
 
 /// 1, 10, 100 …

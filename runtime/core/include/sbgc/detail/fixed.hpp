@@ -7,13 +7,11 @@
 #include <type_traits>
 #include <utility>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/layout.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>
-
-// Nonstandard, but supported under this name by all major compilers.
-#define SBGC_RESTRICT __restrict
 
 namespace sbgc::detail {
 
@@ -21,7 +19,7 @@ constexpr void copy(const std::uint8_t* from, std::uint8_t* to, std::size_t size
   if (std::is_constant_evaluated()) {
     for (std::size_t i = 0; i < size; ++i) to[i] = from[i];
   } else if (size != 0) {
-    __builtin_memcpy(to, from, size);
+    copy_memory(to, from, size);
   }
 }
 
@@ -165,7 +163,7 @@ struct Fixed {
       if constexpr (place.block != 0) {
         static_assert(std::is_standard_layout_v<M> && std::is_trivially_copyable_v<M>);
         auto* const bytes = reinterpret_cast<unsigned char*>(&out);
-        __builtin_memcpy(bytes + place.memory, from + place.wire, place.block);
+        copy_memory(bytes + place.memory, from + place.wire, place.block);
       }
     } else if constexpr (!TaggedUnion<T>) {
       get(from + place.wire, member);
@@ -177,7 +175,7 @@ struct Fixed {
       if constexpr (place.block != 0) {
         static_assert(std::is_standard_layout_v<M> && std::is_trivially_copyable_v<M>);
         const auto* const bytes = reinterpret_cast<const unsigned char*>(&in);
-        __builtin_memcpy(to + place.wire, bytes + place.memory, place.block);
+        copy_memory(to + place.wire, bytes + place.memory, place.block);
       }
     } else if constexpr (!TaggedUnion<T>) {
       put(to + place.wire, member);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/named_values.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/variables.hpp>
@@ -35,7 +36,7 @@ class PlainCheck {
     const VariableInfo* variable = nullptr;  ///< the one that the last VariableId names, or null
 
     template <class Member>
-    [[gnu::always_inline]] constexpr void operator()(const FieldInfo& field, const Member& member) {
+    SBGC_ALWAYS_INLINE constexpr void operator()(const FieldInfo& field, const Member& member) {
       if constexpr (std::is_same_v<Member, msg::VariableId>) variable = find_variable(member);
       if constexpr (std::is_integral_v<Member>) {
         if (field.is_variable_value && variable != nullptr) {
@@ -50,9 +51,8 @@ class PlainCheck {
     PlainCheck& check;
 
     template <class T>
-    [[gnu::always_inline]] constexpr void operator()(const FieldInfo&, const T& low,
-                                                     const FieldInfo&, const T& high,
-                                                     bool is_strict) {
+    SBGC_ALWAYS_INLINE constexpr void operator()(const FieldInfo&, const T& low, const FieldInfo&,
+                                                 const T& high, bool is_strict) {
       compare(low, high, is_strict);
     }
 
@@ -69,12 +69,12 @@ class PlainCheck {
   };
 
   // Without branches, which would outnumber the comparisons.
-  [[gnu::always_inline]] constexpr void note(bool is_wrong) noexcept {
+  SBGC_ALWAYS_INLINE constexpr void note(bool is_wrong) noexcept {
     wrong_ |= static_cast<unsigned>(is_wrong);
   }
 
   template <class T>
-  [[gnu::always_inline]] constexpr void value(const T& value, const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const T& value, const FieldInfo& field) {
     if constexpr (std::is_enum_v<T>) {
       number(static_cast<std::underlying_type_t<T>>(value), field);
       names(value);
@@ -88,54 +88,51 @@ class PlainCheck {
       members(value);
     }
   }
-  [[gnu::always_inline]] constexpr void value(Counter counter, const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(Counter counter, const FieldInfo& field) {
     number(counter.count, field);
   }
   template <class T>
-  [[gnu::always_inline]] constexpr void value(const Axes<T>& axes, const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const Axes<T>& axes, const FieldInfo& field) {
     value(axes.roll, field);
     value(axes.pitch, field);
     value(axes.yaw, field);
   }
   template <class T>
-  [[gnu::always_inline]] constexpr void value(const Xyz<T>& xyz, const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const Xyz<T>& xyz, const FieldInfo& field) {
     value(xyz.x, field);
     value(xyz.y, field);
     value(xyz.z, field);
   }
   template <class T, std::size_t n>
-  [[gnu::always_inline]] constexpr void value(const std::array<T, n>& array,
-                                              const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const std::array<T, n>& array, const FieldInfo& field) {
     for (const T& element : array) value(element, field);
   }
   template <std::size_t n>
   constexpr void value(const Bytes<n>&, const FieldInfo&) {}
   template <class T, std::size_t n>
-  [[gnu::always_inline]] constexpr void value(const BoundedArray<T, n>& array,
-                                              const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const BoundedArray<T, n>& array, const FieldInfo& field) {
     count(array.size(), field);
     for (const T& element : array) value(element, field);
   }
   template <std::size_t n>
-  [[gnu::always_inline]] constexpr void value(const BoundedBytes<n>& bytes,
-                                              const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const BoundedBytes<n>& bytes, const FieldInfo& field) {
     count(bytes.size(), field);
     if (field.align != 1) note(bytes.size() % field.align != 0);
   }
   template <class T>
-  [[gnu::always_inline]] constexpr void value(const Optional<T>& optional, const FieldInfo& field) {
+  SBGC_ALWAYS_INLINE constexpr void value(const Optional<T>& optional, const FieldInfo& field) {
     if (!optional) return;
     note(!is_available(field.since, versions_));
     value(*optional, field);
   }
 
-  [[gnu::always_inline]] constexpr void count(std::size_t size, const FieldInfo& field) noexcept {
+  SBGC_ALWAYS_INLINE constexpr void count(std::size_t size, const FieldInfo& field) noexcept {
     note(size < field.min_count);
     if (field.max_count != 0) note(size > field.max_count);
   }
 
   template <class T>
-  [[gnu::always_inline]] constexpr void number(T raw, const FieldInfo& field) noexcept {
+  SBGC_ALWAYS_INLINE constexpr void number(T raw, const FieldInfo& field) noexcept {
     if (field.since.firmware != 0 || field.since.board != 0) {
       note(raw != 0 && !is_available(field.since, versions_));
     }
@@ -157,7 +154,7 @@ class PlainCheck {
   }
 
   template <class T>
-  [[gnu::always_inline]] static constexpr bool is_outside(T raw, const Range& range) noexcept {
+  SBGC_ALWAYS_INLINE static constexpr bool is_outside(T raw, const Range& range) noexcept {
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 4) {
       constexpr std::int64_t least = std::numeric_limits<T>::min();
       constexpr std::int64_t most = std::numeric_limits<T>::max();
@@ -180,7 +177,7 @@ class PlainCheck {
   }
 
   template <class T>
-  [[gnu::always_inline]] constexpr void names(const T& value) {
+  SBGC_ALWAYS_INLINE constexpr void names(const T& value) {
     constexpr Availability needed = has_all_values_of<T>;
     if constexpr (needed.firmware != 0 || needed.board != 0) {
       if (is_available(needed, versions_)) return;

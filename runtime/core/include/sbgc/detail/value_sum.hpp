@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>
@@ -14,7 +15,7 @@ namespace sbgc::detail {
 
 /// Returns the sum of the lowest `size` bytes. Only the lowest byte of the result counts.
 template <std::size_t size, wire::Number T>
-[[gnu::always_inline]] constexpr unsigned sum_of_number(T number) noexcept {
+SBGC_ALWAYS_INLINE constexpr unsigned sum_of_number(T number) noexcept {
   const auto bits = std::bit_cast<wire::detail::Bits<T>>(number);
   unsigned sum = 0;
   for (std::size_t i = 0; i < size; ++i) sum += static_cast<unsigned>(bits >> (8 * i));
@@ -25,14 +26,13 @@ template <class T>
 constexpr unsigned sum_of_value(const T& value) noexcept;
 
 template <class T, auto... member>
-[[gnu::always_inline]] constexpr unsigned sum_of_members(const T& value,
-                                                         Members<member...>) noexcept {
+SBGC_ALWAYS_INLINE constexpr unsigned sum_of_members(const T& value, Members<member...>) noexcept {
   return (0U + ... + sum_of_value(value.*member));
 }
 
 /// The same for any value of fixed size.
 template <class T>
-[[gnu::always_inline]] constexpr unsigned sum_of_value(const T& value) noexcept {
+SBGC_ALWAYS_INLINE constexpr unsigned sum_of_value(const T& value) noexcept {
   if constexpr (wire::Number<T>) {
     return sum_of_number<sizeof(T)>(value);
   } else if constexpr (std::is_same_v<T, char>) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include <sbgc/detail/is_control.hpp>
+
 namespace sbgc {
 
 /// The reason why JSON text is rejected.
@@ -32,7 +34,7 @@ inline std::string shortened(const std::string& key) {
   while (inside_character()) --size;
   std::string result = key.substr(0, size) + (size < key.size() ? "..." : "");
   for (char& c : result) {
-    if ((c >= 0 && c < ' ') || c == '\x7F') c = '?';
+    if (is_control(c)) c = '?';
   }
   return result;
 }

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
@@ -70,7 +71,7 @@ class JsonReader {
     void take_key() { has_key = reader.source_.next(scope, key); }
 
     template <class Member>
-    [[gnu::noinline]] void operator()(const FieldInfo& field, Member&& member) {
+    SBGC_NOINLINE void operator()(const FieldInfo& field, Member&& member) {
       const FieldPath path{parent, field.name};
       if (!is_next(path, may_be_missing(field, member))) return;
       reader.value(member, path);
@@ -81,7 +82,7 @@ class JsonReader {
     }
 
     /// Returns true if the value of this member is next in the source.
-    [[gnu::noinline]] bool is_next(const FieldPath& path, bool may_be_missing) {
+    SBGC_NOINLINE bool is_next(const FieldPath& path, bool may_be_missing) {
       std::uint64_t& word = read[index / 64];
       const std::uint64_t bit = std::uint64_t{1} << index % 64;
       const bool is_known = (word & bit) != 0;
@@ -109,8 +110,8 @@ class JsonReader {
       Meta<T>::visit(*static_cast<T*>(object), members);
     });
   }
-  [[gnu::noinline]] void object(const FieldPath* path, void* out,
-                                void (*visit)(void* object, Members& members)) {
+  SBGC_NOINLINE void object(const FieldPath* path, void* out,
+                            void (*visit)(void* object, Members& members)) {
     constexpr const char* needed = "an object is needed";
     if (!source_.is_object()) return path != nullptr ? fail(*path, needed) : fail_at_all(needed);
     Members members{*this, path, source_.enter()};
@@ -250,8 +251,8 @@ class JsonReader {
     out = static_cast<T>(integer(Limits::min(), Limits::max(), path));
   }
   /// Returns an integer in a range; 0 after an error.
-  [[gnu::noinline]] std::int64_t integer(std::int64_t lowest, std::int64_t highest,
-                                         const FieldPath& path) {
+  SBGC_NOINLINE std::int64_t integer(std::int64_t lowest, std::int64_t highest,
+                                     const FieldPath& path) {
     JsonInteger number;
     if (!source_.integer(number)) {
       fail(path, "an integer is needed");
@@ -386,7 +387,7 @@ class JsonReader {
     fail(path, size, what, " do not fit: at most ", limit);
   }
   template <class... Part>
-  [[gnu::noinline]] void fail(const FieldPath& path, Part... reason) {
+  SBGC_NOINLINE void fail(const FieldPath& path, Part... reason) {
     if (!ok()) return;
     std::array<char, 256> text{};
     field_.assign(text.data(), path.write(text.data(), text.size()));
@@ -402,7 +403,7 @@ class JsonReader {
   }
 
   struct Announced {
-    const char* name = nullptr;
+    std::string_view name{};
     std::int64_t count{};
   };
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <version>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/text_output.hpp>
 
@@ -106,7 +107,7 @@ inline void put_escaped(TextOutput& out, std::string_view text) {
       case '\r': out.put("\\r"); break;
       case '\t': out.put("\\t"); break;
       default:
-        if (c >= 0 && c < ' ') {
+        if (static_cast<unsigned char>(c) < ' ') {
           out.put("\\u00");
           const auto byte = static_cast<std::uint8_t>(c);
           out.put_hex({&byte, 1});
@@ -126,7 +127,7 @@ class JsonTextSink {
   void end_object() { end('}'); }
   void begin_list() { begin('['); }
   void end_list() { end(']'); }
-  [[gnu::noinline]] void key(const char* name) {
+  SBGC_NOINLINE void key(const char* name) {
     out_.put(is_first_ ? std::string_view("\"") : std::string_view(",\""));
     is_first_ = false;
     out_.put(name);

@@ -1,4 +1,4 @@
-/// The terminal that the command runs in.
+/// Colored text.
 #pragma once
 
 #include <cstdio>
@@ -6,9 +6,6 @@
 #include <string_view>
 
 namespace sbgc::tools {
-
-/// True if `file` is a terminal.
-bool is_terminal(std::FILE* file);
 
 enum class Color : unsigned char { bold, dim, red, green, yellow, blue, cyan };
 

@@ -1,72 +1,27 @@
-"""Tests of captures in sbgc decode and sbgc record. The files are built here from the description
-of the format, not by the library."""
+"""Tests of captures in sbgc decode."""
 
 from __future__ import annotations
 
-import fcntl
 import json
-import os
-import pty
-import resource
-import signal
-import socket
 import struct
 import subprocess
-import sys
-import termios
-import threading
-import tty
 import zlib
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from sbgc_command import PROGRAM, decode, frame, run
-
-FROM_BOARD, TO_BOARD, NOTE = 1, 2, 3
-ANGLES_REQUEST = frame(73)
-ANGLES = frame(73, struct.pack("<9h", *range(9)))
-
-
-def session(start: float = 0.0) -> bytes:
-    head = b"\x89SBGC\r\n\x1a" + struct.pack("<HHQ", 1, 0, int(start * 1e6))
-    return head + struct.pack("<I", zlib.crc32(head))
-
-
-def record(kind: int, seconds: float, data: bytes) -> bytes:
-    head = struct.pack("<BBHQ", 0xA5, kind, len(data), round(seconds * 1e6)) + data
-    return head + struct.pack("<I", zlib.crc32(head))
-
-
-def records(capture: bytes) -> list[tuple[int, bytes]]:
-    """Returns kind and bytes of the records of a capture with one session."""
-    assert capture[:8] == session()[:8]
-    assert zlib.crc32(capture[:20]) == struct.unpack_from("<I", capture, 20)[0]
-    result = []
-    at = 24
-    while at < len(capture):
-        mark, kind, size, _ = struct.unpack_from("<BBHQ", capture, at)
-        end = at + 12 + size
-        assert mark == 0xA5
-        assert zlib.crc32(capture[at:end]) == struct.unpack_from("<I", capture, end)[0]
-        result.append((kind, capture[at + 12 : end]))
-        at = end + 4
-    return result
-
-
-CAPTURE = (
-    session(1_700_000_000)
-    + record(NOTE, 0, b"serial port /dev/ttyUSB0, 115200 8N1")
-    + record(TO_BOARD, 0.25, ANGLES_REQUEST)
-    + record(FROM_BOARD, 0.5, b"??" + ANGLES[:10])
-    + record(TO_BOARD, 0.625, ANGLES_REQUEST)
-    + record(FROM_BOARD, 1.75, ANGLES[10:] + ANGLES)
+from captures import (
+    ANGLES,
+    ANGLES_REQUEST,
+    CAPTURE,
+    FROM_BOARD,
+    NOTE,
+    TO_BOARD,
+    keys,
+    record,
+    session,
 )
-
-
-def keys(lines: list[Any], *names: str) -> list[Any]:
-    return [tuple(line[name] for name in names) for line in lines]
+from sbgc_command import PROGRAM, decode, frame, run
 
 
 def test_json_lines_have_direction_and_time() -> None:
@@ -271,7 +226,7 @@ def test_times_out_of_all_bounds() -> None:
     late[20:24] = struct.pack("<I", zlib.crc32(late[:20]))
     capture = bytes(late) + record(FROM_BOARD, 2**62 / 1e6, ANGLES)
     assert decode(capture)[0]["time"] > 4e12
-    assert run("decode", stdin=capture).status == 0
+    assert "started 294247-01-10 04:00:54 UTC" in run("decode", stdin=capture).text
 
 
 def test_notes_can_not_talk_to_the_terminal() -> None:
@@ -292,189 +247,3 @@ def test_a_capture_arrives_in_pieces(tmp_path: Path) -> None:
         process.stdin.close()
         process.stdout.read()
         assert process.wait(60) == 1  # torn
-
-
-def test_record_replays_and_decodes(tmp_path: Path) -> None:
-    (tmp_path / "in").write_bytes(CAPTURE)
-    result = run("record", f"capture:{tmp_path / 'in'}?timing=fast", str(tmp_path / "out"))
-    assert result.status == 0
-    assert result.text.splitlines() == [
-        f"capture {tmp_path / 'in'}",
-        f"{2 + 2 * len(ANGLES)} bytes recorded in {tmp_path / 'out'}",
-    ]
-    kept = records((tmp_path / "out").read_bytes())
-    assert [data for kind, data in kept if kind == FROM_BOARD] == [
-        b"??" + ANGLES[:10],
-        ANGLES[10:] + ANGLES,
-    ]
-    assert kept[0] == (NOTE, f"capture {tmp_path / 'in'}".encode())
-    lines = decode((tmp_path / "out").read_bytes())
-    assert keys(lines, "message") == [("GetAngles",), ("GetAngles",)]
-
-
-def test_record_to_the_standard_output(tmp_path: Path) -> None:
-    """Only the capture is written there, and it can be read while it grows."""
-    (tmp_path / "in").write_bytes(CAPTURE)
-    result = run("record", f"capture:{tmp_path / 'in'}?timing=fast", "-")
-    assert result.status == 0
-    assert [data for kind, data in records(result.out) if kind == FROM_BOARD] == [
-        b"??" + ANGLES[:10],
-        ANGLES[10:] + ANGLES,
-    ]
-    assert not (tmp_path / "-").exists()
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        with subprocess.Popen(
-            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", "-"], stdout=subprocess.PIPE
-        ) as recorder, subprocess.Popen(
-            [PROGRAM, "decode", "--format", "jsonl"], stdin=recorder.stdout, stdout=subprocess.PIPE
-        ) as decoder:
-            assert recorder.stdout and decoder.stdout
-            recorder.stdout.close()
-            connection, _ = server.accept()
-            connection.sendall(ANGLES)
-            assert json.loads(decoder.stdout.readline())["message"] == "GetAngles"
-            recorder.send_signal(signal.SIGINT)
-            assert recorder.wait(60) == 0
-            assert decoder.wait(60) == 0
-            connection.close()
-
-
-def send_until_closed(connection: socket.socket) -> None:
-    try:
-        while True:
-            connection.sendall(bytes(65536))
-    except OSError:
-        pass
-
-
-def waiting_bytes(pipe: int) -> int:
-    buffer = bytearray(4)
-    fcntl.ioctl(pipe, termios.FIONREAD, buffer)
-    return int.from_bytes(buffer, sys.byteorder)
-
-
-def test_a_reader_that_does_not_read_can_be_left() -> None:
-    """The recorder waits for its reader, but can be interrupted."""
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        with subprocess.Popen(
-            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", "-"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        ) as process:
-            assert process.stdout and process.stderr
-            connection, _ = server.accept()
-            sender = threading.Thread(target=send_until_closed, args=(connection,))
-            sender.start()
-            while waiting_bytes(process.stdout.fileno()) < 32768:
-                assert process.poll() is None
-            while process.poll() is None:  # it may not have been waiting yet
-                process.send_signal(signal.SIGINT)
-            # The last signal may have arrived during the exit.
-            assert process.returncode in (0, 1, -signal.SIGINT)
-            error = process.stderr.read()
-            assert b"Interrupted" in error or process.returncode != 1
-            sender.join()
-            connection.close()
-
-
-def test_record_from_a_serial_port_until_it_is_unplugged(tmp_path: Path) -> None:
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    capture = tmp_path / "capture"
-    with subprocess.Popen(
-        [PROGRAM, "record", f"{os.ttyname(slave)}?baud=57600", str(capture)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    ) as process:
-        assert process.stdout and process.stderr
-        assert b"57600 8N1" in process.stdout.readline()
-        os.close(slave)
-        os.write(master, ANGLES)
-        while sum(len(d) for k, d in records_so_far(capture) if k == FROM_BOARD) < len(ANGLES):
-            assert process.poll() is None
-        os.close(master)
-        assert process.wait(60) == 1
-        assert b"unplugged" in process.stderr.read()
-    assert keys(decode(capture.read_bytes()), "message") == [("GetAngles",)]
-
-
-def records_so_far(path: Path) -> list[tuple[int, bytes]]:
-    """Returns the records of a capture that is being written."""
-    try:
-        return records(path.read_bytes()) if path.exists() and path.stat().st_size >= 24 else []
-    except struct.error:
-        return []
-
-
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
-def test_record_stops_when_asked(how: signal.Signals, tmp_path: Path) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        with subprocess.Popen(
-            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", str(tmp_path / "c")],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        ) as process:
-            connection, _ = server.accept()
-            assert process.stdout and process.stderr
-            process.stdout.readline()
-            connection.sendall(ANGLES)
-            while FROM_BOARD not in [kind for kind, _ in records_so_far(tmp_path / "c")]:
-                assert process.poll() is None
-            process.send_signal(how)
-            assert process.wait(60) == 0
-            assert process.stderr.read() == b""
-            connection.close()
-    assert keys(decode((tmp_path / "c").read_bytes()), "message") == [("GetAngles",)]
-
-
-def test_record_stops_in_time(tmp_path: Path) -> None:
-    result = run("record", "pty:", str(tmp_path / "c"), "--seconds", "0.01")
-    assert result.status == 0
-    assert "0 bytes recorded" in result.text
-
-
-@pytest.mark.parametrize(
-    "address, words",
-    [
-        ("tcp:host", "the port is missing"),
-        ("ttyUSB0", "/dev/ttyUSB0"),
-        ("/dev/ttyNONE", "There is no port /dev/ttyNONE"),
-        ("/dev/null", "not a serial port"),
-        ("capture:/nowhere", "There is no file /nowhere"),
-    ],
-)
-def test_record_says_what_is_wrong(address: str, words: str, tmp_path: Path) -> None:
-    result = run("record", address, str(tmp_path / "c"))
-    assert result.status == 1 and words in result.error
-    assert not (tmp_path / "c").exists()
-
-
-def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
-    assert "/nowhere/c" in run("record", "pty:", "/nowhere/c").error
-    other = tmp_path / "other"
-    other.write_text("my thesis")
-    assert "not a capture" in run("record", "pty:", str(other)).error
-    assert other.read_text() == "my thesis"
-
-
-def leave_little_room() -> None:
-    """Leaves space for the header of a session, but not for the first record."""
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30))
-
-
-def test_record_says_that_there_is_no_room(tmp_path: Path) -> None:
-    (tmp_path / "in").write_bytes(CAPTURE)
-    done = subprocess.run(
-        [PROGRAM, "record", f"capture:{tmp_path / 'in'}", str(tmp_path / "c")],
-        capture_output=True,
-        preexec_fn=leave_little_room,
-        restore_signals=False,
-        timeout=60,
-        check=False,
-    )
-    assert done.returncode == 1
-    assert b"c cannot be written: File too large" in done.stderr

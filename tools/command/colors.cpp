@@ -1,12 +1,10 @@
-#include "command/terminal.hpp"
+#include "command/colors.hpp"
 
 #include <cstdlib>
 
-#include <unistd.h>
+#include "command/system.hpp"
 
 namespace sbgc::tools {
-
-bool is_terminal(std::FILE* file) { return ::isatty(::fileno(file)) == 1; }
 
 Colors::Colors(std::FILE* file) {
   const char* const no_color = std::getenv("NO_COLOR");

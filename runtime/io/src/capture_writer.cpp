@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sbgc/detail/crc32.hpp>
+#include <sbgc/io/capture.hpp>
+#include <sbgc/wire.hpp>
+
+#include "capture_format.hpp"
+
+namespace sbgc::io {
+
+namespace {
+
+using capture_format::checksum_size;
+using capture_format::header_size;
+using capture_format::magic;
+using capture_format::max_bytes;
+using capture_format::record_head_size;
+using capture_format::record_mark;
+using capture_format::version;
+
+void store64(std::uint8_t* bytes, std::uint64_t value) {
+  wire::store(bytes, static_cast<std::uint32_t>(value));
+  wire::store(bytes + 4, static_cast<std::uint32_t>(value >> 32));
+}
+
+void append_checksum(std::vector<std::uint8_t>& bytes) {
+  const std::uint32_t sum = sbgc::detail::crc32(bytes);
+  bytes.resize(bytes.size() + checksum_size);
+  wire::store(bytes.data() + bytes.size() - checksum_size, sum);
+}
+
+}  // namespace
+
+CaptureWriter::CaptureWriter(CaptureWriter&& other) noexcept { *this = std::move(other); }
+
+CaptureWriter& CaptureWriter::operator=(CaptureWriter&& other) noexcept {
+  std::swap(fd_, other.fd_);
+  std::swap(may_wait_, other.may_wait_);
+  std::swap(path_, other.path_);
+  std::swap(start_, other.start_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(error_, other.error_);
+  return *this;
+}
+
+CaptureWriter::~CaptureWriter() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
+  *this = CaptureWriter();
+  path_ = path;
+  start_ = now;
+  // Non-blocking, so that a pipe without a reader does not block the program.
+  fd_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (fd_ < 0) return fail(errno);
+  if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    return error_ = {Errc::busy, "Another program is writing to the capture " + path + "."};
+  }
+  struct stat status {};
+  if (fstat(fd_, &status) != 0) return fail(errno);
+  std::array<std::uint8_t, capture_magic_size> begin{};
+  if (status.st_size != 0 &&
+      (pread(fd_, begin.data(), begin.size(), 0) < 0 || !is_capture(begin))) {
+    return error_ = {Errc::not_a_capture,
+                     path + " exists and is not a capture; it was not changed."};
+  }
+  begin_session();
+  return error_;
+}
+
+Error CaptureWriter::open(int descriptor, const std::string& name, Clock::time_point now) {
+  *this = CaptureWriter();
+  path_ = name;
+  start_ = now;
+  may_wait_ = true;
+  fd_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (fd_ < 0) return fail(errno);
+  begin_session();
+  return error_;
+}
+
+void CaptureWriter::begin_session() {
+  buffer_.assign(magic.begin(), magic.end());
+  buffer_.resize(header_size - checksum_size);
+  wire::store(buffer_.data() + 8, version);
+  const auto wall = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
+  store64(buffer_.data() + 12, static_cast<std::uint64_t>(wall.time_since_epoch().count()));
+  append_checksum(buffer_);
+  put(buffer_);
+}
+
+const Error& CaptureWriter::write(CaptureKind kind, std::span<const std::uint8_t> bytes,
+                                  Clock::time_point now) {
+  const auto time = std::chrono::floor<CaptureTime>(std::max(now, start_) - start_);
+  do {
+    const auto part = bytes.first(std::min(bytes.size(), max_bytes));
+    bytes = bytes.subspan(part.size());
+    buffer_.resize(record_head_size);
+    buffer_[0] = record_mark;
+    buffer_[1] = static_cast<std::uint8_t>(kind);
+    wire::store(buffer_.data() + 2, static_cast<std::uint16_t>(part.size()));
+    store64(buffer_.data() + 4, static_cast<std::uint64_t>(time.count()));
+    buffer_.insert(buffer_.end(), part.begin(), part.end());
+    append_checksum(buffer_);
+  } while (put(buffer_) && !bytes.empty());
+  return error_;
+}
+
+const Error& CaptureWriter::write_note(std::string_view text, Clock::time_point now) {
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  return write(CaptureKind::note, bytes, now);
+}
+
+bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
+  if (!error_ && fd_ < 0) fail(EBADF);
+  if (error_) return false;
+  while (!bytes.empty()) {
+    if (may_wait_ && !wait_for_reader()) return false;
+    // A write that a pipe has room for does not block, so only wait_for_reader() waits.
+    const std::size_t most = may_wait_ ? PIPE_BUF : bytes.size();
+    const ssize_t size = ::write(fd_, bytes.data(), std::min(bytes.size(), most));
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) {
+      fail(errno);
+      return false;
+    }
+    // After a short write, writing the rest reports the reason.
+    bytes = bytes.subspan(static_cast<std::size_t>(size));
+  }
+  return true;
+}
+
+bool CaptureWriter::wait_for_reader() {
+  pollfd waiting{fd_, POLLOUT, 0};
+  constexpr int forever = -1;
+  if (::poll(&waiting, 1, forever) >= 0) return true;  // write() reports errors of the other side
+  fail(errno);
+  return false;
+}
+
+Error CaptureWriter::fail(int reason) {
+  const std::error_code code(reason, std::generic_category());
+  return error_ = {code, "The capture " + path_ + " cannot be written: " + code.message() + "."};
+}
+
+}  // namespace sbgc::io

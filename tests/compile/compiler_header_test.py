@@ -1,0 +1,46 @@
+"""What is peculiar to a compiler or processor is in one header, sbgc/detail/compiler.hpp."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from compiler import ROOT
+
+HEADER = "runtime/core/include/sbgc/detail/compiler.hpp"
+PECULIAR = re.compile(
+    r"__builtin|__attribute__|__restrict|\b(?:gnu|clang|msvc)::"
+    r"|__(?:GNUC|clang|SSE|x86_64|arm|aarch64|BYTE_ORDER)|_MSC_VER|_WIN32|#pragma (?!once)"
+)
+# The decoder of the site is compiled by one compiler, and exports functions to JavaScript.
+FREE = {HEADER, "tools/web/decoder.cpp"}
+# These have yet to use the header.
+WAITING = {
+    "runtime/core/include/sbgc/parser.hpp",
+    "runtime/session/include/sbgc/detector.hpp",
+    "runtime/session/include/sbgc/session.hpp",
+    "runtime/session/include/sbgc/time.hpp",
+}
+
+
+def peculiar_lines(path: str) -> list[str]:
+    lines = (ROOT / path).read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if PECULIAR.search(line.split("//")[0])]
+
+
+@pytest.mark.parametrize("folder", ["runtime", "generated/include", "emulator", "tools"])
+def test_other_files_are_standard_cpp(folder: str) -> None:
+    files = [p.relative_to(ROOT).as_posix() for p in (ROOT / folder).rglob("*.[ch]pp")]
+    assert files
+    found = {path: peculiar_lines(path) for path in files if path not in FREE | WAITING}
+    assert {path: lines for path, lines in found.items() if lines} == {}
+
+
+def test_the_header_has_them() -> None:
+    assert len(peculiar_lines(HEADER)) > 5
+
+
+@pytest.mark.parametrize("path", sorted(WAITING))
+def test_only_files_that_need_it_wait(path: str) -> None:
+    assert peculiar_lines(path)

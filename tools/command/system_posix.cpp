@@ -1,0 +1,36 @@
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "command/system.hpp"
+
+namespace sbgc::tools {
+
+/// Opens closed standard files, so that files opened later do not take their place. Reading the
+/// input, or writing the others, still fails.
+void prepare_standard_files() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_open = fcntl(fd, F_GETFD) != -1;
+    // The lowest free number is this one.
+    if (!is_open && ::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) == -1) return;
+  }
+}
+
+std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into) {
+  ssize_t size = 0;
+  do {
+    size = ::read(::fileno(file), into.data(), into.size());
+  } while (size < 0 && errno == EINTR);
+  return size;
+}
+
+bool is_terminal(std::FILE* file) { return ::isatty(::fileno(file)) == 1; }
+
+std::size_t width_of_terminal() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+}  // namespace sbgc::tools
