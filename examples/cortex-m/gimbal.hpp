@@ -82,7 +82,9 @@ class Gimbal {
   };
 
   using Formats = sbgc::FrameFormats<sbgc::CrcTable::nibbles, sbgc::Framing::v1>;
-  sbgc::BasicSession<{.requests = 1, .late_replies = 2, .streams = 1}, Formats> session_;
+  static constexpr sbgc::SessionCapacity capacity{
+      .requests = 1, .late_replies = 2, .streams = 0, .body = 32, .optimize = sbgc::Optimize::size};
+  sbgc::BasicSession<capacity, Formats> session_;
   Pending pending_{};
   sbgc::Instant now_{};
   std::uint32_t read_us_{};

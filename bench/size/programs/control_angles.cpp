@@ -8,8 +8,8 @@
 
 #include "device.hpp"
 
-sbgc::Parser parser;
-decltype(sbgc::msg::GetAngles::axes) axes;
+sbgc::SmallParser parser;
+decltype(sbgc::msg::GetAngles::axes) axes{};
 std::array<std::uint8_t, 2 * sbgc::frame_size<sbgc::basic_framing>(sbgc::msg::Control::max_size)>
     out;
 

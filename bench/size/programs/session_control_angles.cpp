@@ -6,8 +6,8 @@
 #include "device.hpp"
 #include "session.hpp"
 
-SmallSession session;
-decltype(sbgc::msg::GetAngles::axes) axes;
+SmallSession<sbgc::msg::Control::max_size> session;
+decltype(sbgc::msg::GetAngles::axes) axes{};
 
 void take(const sbgc::Event& event) {
   if (event.outcome != sbgc::Outcome::answered) return;

@@ -6,8 +6,8 @@
 #include "device.hpp"
 #include "session.hpp"
 
-SmallSession session;
-sbgc::msg::ReadParams3 parameters;
+SmallSession<sbgc::msg::WriteParams3::max_size> session;
+sbgc::msg::ReadParams3 parameters{};
 
 void take(const sbgc::Event& event) {
   if (event.outcome == sbgc::Outcome::answered) {

@@ -6,8 +6,8 @@
 
 #include "device.hpp"
 
-sbgc::Parser parser;
-sbgc::msg::RealtimeData4 newest;
+sbgc::SmallParser parser;
+sbgc::msg::RealtimeData4 newest{};  // with {}, g++ needs no code to initialize it
 
 int main() {
   while (true) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/framing.hpp>
 
@@ -58,7 +59,7 @@ class BasicParser {
 
   /// Consumes the next bytes of the stream and calls `sink` for each frame that they complete.
   template <class Sink>
-  [[gnu::always_inline]] void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
+  SBGC_ALWAYS_INLINE void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
       std::is_nothrow_invocable_v<Sink&, const Frame&>) {
     const std::size_t held = held_;  // a local, because copying to buffer_ could change held_
     // The fast paths: most small chunks do not complete the waiting candidate, and most bytes of
@@ -106,7 +107,7 @@ class BasicParser {
   /// The slow path of feed(), for a chunk [begin, end) that can decide a candidate. Not inlined, to
   /// keep feed() small at each call.
   template <class Sink>
-  [[gnu::noinline]] void search(const std::uint8_t* begin, const std::uint8_t* end, Sink& sink) {
+  SBGC_NOINLINE void search(const std::uint8_t* begin, const std::uint8_t* end, Sink& sink) {
     taken_ += static_cast<std::size_t>(end - begin);
     if (held_ != 0) begin = settle_held(begin, end, sink);
     begin = scan(begin, end, sink);
@@ -165,7 +166,7 @@ class BasicParser {
       const std::uint8_t* const next = formats_.find(buffer_ + done, held_end, header_errors_);
       if (next == held_end) return begin;
       held = static_cast<std::size_t>(held_end - next);
-      __builtin_memmove(buffer_, next, held);
+      detail::move_memory(buffer_, next, held);
     }
   }
 
@@ -200,7 +201,7 @@ class BasicParser {
   }
 
   static void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) noexcept {
-    if (size != 0) __builtin_memcpy(to, from, size);
+    if (size != 0) detail::copy_memory(to, from, size);
   }
 
   [[no_unique_address]] Formats formats_{};

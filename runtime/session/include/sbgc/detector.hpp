@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/line_facts.hpp>
@@ -169,7 +170,7 @@ class Detector {
     if (!roles::is_introduction(frame)) return;
     introduction_id_ = frame.id;
     introduction_size_ = frame.body.size();
-    __builtin_memcpy(introduction_.data(), frame.body.data(), frame.body.size());
+    detail::copy_memory(introduction_.data(), frame.body.data(), frame.body.size());
     phase_ = Phase::found;
   }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
 
 namespace sbgc {
@@ -96,7 +97,7 @@ struct Responses {
   /// Compares the bytes, which takes little code. There is no padding among them.
   friend bool operator==(const Responses& a, const Responses& b) noexcept {
     static_assert(std::has_unique_object_representations_v<Responses>);
-    return __builtin_memcmp(&a, &b, sizeof a) == 0;
+    return detail::is_same_memory(&a, &b, sizeof a);
   }
 
   /// Returns the form that the frame matches, or null.

@@ -10,6 +10,7 @@
 #include <span>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
@@ -62,7 +63,7 @@ template <SessionCapacity capacity, class Formats = AnyFrameFormats>
 class BasicSession {
  public:
   /// Not constexpr, because a static object that is initialized at compile time occupies flash too.
-  [[gnu::always_inline]] explicit BasicSession(const SessionOptions& options = {}) noexcept
+  SBGC_ALWAYS_INLINE explicit BasicSession(const SessionOptions& options = {}) noexcept
       : settings_(options) {
     use(Formats::first);
   }
@@ -97,7 +98,7 @@ class BasicSession {
     if (slot == nullptr) return refuse(SendStatus::queue_full);
     const Status status = check_frame(id, body.size(), frame_size<basic_framing>(capacity.body));
     if (!status) return refuse(SendStatus::not_encodable, status);
-    if (!body.empty()) __builtin_memcpy(slot->body.data(), body.data(), body.size());
+    if (!body.empty()) detail::copy_memory(slot->body.data(), body.data(), body.size());
     slot->policy = policy;
     return accept(*slot, id, body.size(), options);
   }
@@ -224,7 +225,7 @@ class BasicSession {
     return nullptr;
   }
 
-  [[gnu::noinline]] SendResult refuse(SendStatus status, const Status& encoding = {}) noexcept {
+  SBGC_NOINLINE SendResult refuse(SendStatus status, const Status& encoding = {}) noexcept {
     count(&SessionStatistics::refused);
     return {{}, status, encoding};
   }
@@ -300,7 +301,7 @@ class BasicSession {
   std::size_t transmit(Request& request, Sink& sink) {
     if (is_trial(request)) accept_all();
     const Framing framing = is_trial(request) ? trial_.framing : this->framing();
-    __builtin_memcpy(frame_body(out_.data()), request.body.data(), request.size);
+    detail::copy_memory(frame_body(out_.data()), request.body.data(), request.size);
     const std::size_t size =
         Formats::finish(framing, out_.data(), request.id, request.size, request.body.data());
     count(&SessionStatistics::sent_frames);
@@ -584,7 +585,7 @@ class BasicSession {
 
   /// Not inlined, because it is called in many places.
   template <class Sink>
-  [[gnu::noinline]] static void report(const Event& event, Sink& sink) {
+  SBGC_NOINLINE static void report(const Event& event, Sink& sink) {
     sink(event);
   }
 

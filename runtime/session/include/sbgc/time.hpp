@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 
 namespace detail {
@@ -13,7 +15,7 @@ namespace detail {
 /// Returns a + b, saturated to the range of the type.
 constexpr std::int64_t add_saturating(std::int64_t a, std::int64_t b) noexcept {
   std::int64_t sum = 0;
-  if (!__builtin_add_overflow(a, b, &sum)) return sum;
+  if (!add_overflows(a, b, sum)) return sum;
   return b < 0 ? std::numeric_limits<std::int64_t>::min()
                : std::numeric_limits<std::int64_t>::max();
 }
@@ -21,7 +23,7 @@ constexpr std::int64_t add_saturating(std::int64_t a, std::int64_t b) noexcept {
 /// Returns a - b, saturated to the range of the type.
 constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexcept {
   std::int64_t difference = 0;
-  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  if (!subtract_overflows(a, b, difference)) return difference;
   return b < 0 ? std::numeric_limits<std::int64_t>::max()
                : std::numeric_limits<std::int64_t>::min();
 }
@@ -43,7 +45,7 @@ struct Duration {
   }
   friend constexpr Duration operator*(Duration a, std::int32_t n) noexcept {
     std::int64_t product = 0;
-    if (!__builtin_mul_overflow(a.us, std::int64_t{n}, &product)) return {product};
+    if (!detail::multiply_overflows(a.us, std::int64_t{n}, product)) return {product};
     return {(a.us < 0) == (n < 0) ? std::numeric_limits<std::int64_t>::max()
                                   : std::numeric_limits<std::int64_t>::min()};
   }

@@ -30,6 +30,11 @@ SBGC_ALWAYS_INLINE inline void move_memory(void* to, const void* from, std::size
   __builtin_memmove(to, from, size);
 }
 
+SBGC_ALWAYS_INLINE inline bool is_same_memory(const void* a, const void* b,
+                                              std::size_t size) noexcept {
+  return __builtin_memcmp(a, b, size) == 0;
+}
+
 /// Ends the program. A constant expression that gets here does not compile.
 [[noreturn]] SBGC_ALWAYS_INLINE inline void trap() noexcept { __builtin_trap(); }
 
@@ -49,6 +54,14 @@ template <class T>
 SBGC_ALWAYS_INLINE constexpr bool multiply_overflows(T a, T b, T& product) noexcept {
   return __builtin_mul_overflow(a, b, &product);
 }
+
+}  // namespace sbgc::detail
+
+namespace sbgc::detail {
+
+/// True on processors of 32 bits, most of which are microcontrollers: small code counts more there
+/// than the stalls that a large processor has when it reads bytes just written.
+inline constexpr bool prefers_small_code = sizeof(void*) < 8;
 
 }  // namespace sbgc::detail
 

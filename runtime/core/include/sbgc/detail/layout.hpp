@@ -6,14 +6,11 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/wire_size.hpp>
 
 namespace sbgc::detail {
-
-/// True on processors of 32 bits, most of which are microcontrollers: small code counts more there
-/// than the stalls that a large processor has when it reads bytes just written.
-inline constexpr bool prefers_small_code = sizeof(void*) < 8;
 
 /// The offsets of one fixed-offset member.
 struct Place {
@@ -48,6 +45,7 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
   std::size_t memory = 0;
   std::size_t wire = 0;
   std::size_t others = 0;
+  std::size_t numbers = 0;
   bool is_packed = false;
   Place* block = nullptr;
   for (std::size_t i = 0; i < count; ++i) {
@@ -64,11 +62,13 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
       layout.blocks[layout.block_count++] = i;
     }
     if (block != nullptr) block->block += sizes[i];
+    numbers += sizes[i] / alignments[i];
     memory += sizes[i];
     wire += wire_sizes[i];
   }
-  const bool is_worthwhile =
-      prefers_small_code || (count > 2 && 2 * (layout.block_count + others) <= count);
+  // For small code, a block replaces the numbers that it consists of.
+  const std::size_t copies = prefers_small_code ? numbers : count;
+  const bool is_worthwhile = copies > 2 && 2 * (layout.block_count + others) <= copies;
   layout.in_blocks = is_worthwhile && !is_packed && std::endian::native == std::endian::little;
   layout.only_blocks = layout.in_blocks && others == 0;
   return layout;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/parser.hpp>
 
 namespace sbgc {
@@ -51,7 +52,7 @@ class BasicParser<Formats, Optimize::size> {
   /// Delivers the frames among the held bytes, which `following` bytes of the chunk follow. What
   /// remains is an incomplete candidate.
   template <class Sink>
-  [[gnu::noinline]] void settle(std::uint32_t following, Sink& sink) {
+  SBGC_NOINLINE void settle(std::uint32_t following, Sink& sink) {
     while (held_ != 0 && held_ >= needed_) {
       const Candidate candidate = formats_.inspect(buffer_, held_);
       if (candidate.verdict == Verdict::incomplete) {
@@ -86,7 +87,7 @@ class BasicParser<Formats, Optimize::size> {
     while (count < held_ && !formats_.is_start(buffer_[count])) ++count;
     held_ = static_cast<std::uint16_t>(held_ - count);
     needed_ = 0;
-    __builtin_memmove(buffer_, buffer_ + count, held_);
+    detail::move_memory(buffer_, buffer_ + count, held_);
   }
 
   [[no_unique_address]] Formats formats_{};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/session/event.hpp>
@@ -22,7 +23,7 @@ class Settings {
   bool until_response;
 
   // Inlined, so that the compiler converts constant options.
-  [[gnu::always_inline]] explicit Settings(const SessionOptions& options) noexcept
+  SBGC_ALWAYS_INLINE explicit Settings(const SessionOptions& options) noexcept
       : late(ticks_of(options.late)),
         duplicates(ticks_of(options.duplicate_window)),
         idle(ticks_of(options.idle)),
@@ -35,7 +36,7 @@ class Settings {
     set_line(options.line);
   }
 
-  [[gnu::always_inline]] void set_line(const LineSettings& line) noexcept {
+  SBGC_ALWAYS_INLINE void set_line(const LineSettings& line) noexcept {
     const std::uint32_t all = bytes_per_second(line);
     stream_limit = all / 100 * stream_percent_ + all % 100 * stream_percent_ / 100;
     // A slower line has no use, and its product in frame_time() would not fit.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::detail {
@@ -22,14 +23,14 @@ inline constexpr Ticks longest_response = 3'600'000'000;
 inline constexpr Ticks longest_other = 600'000'000;
 
 /// Returns the span of a duration: 0 if it is negative, `longest` if it is longer.
-[[gnu::always_inline]] constexpr Ticks ticks_of(Duration duration,
-                                                Ticks longest = longest_other) noexcept {
+SBGC_ALWAYS_INLINE constexpr Ticks ticks_of(Duration duration,
+                                            Ticks longest = longest_other) noexcept {
   if (duration.us < 0) return 0;
   return duration.us < std::int64_t{longest} ? static_cast<Ticks>(duration.us) : longest;
 }
 
 /// Returns the span of a number of milliseconds, at most longest_response.
-[[gnu::noinline]] constexpr Ticks ticks_of_ms(std::uint32_t ms) noexcept {
+SBGC_NOINLINE constexpr Ticks ticks_of_ms(std::uint32_t ms) noexcept {
   return ms < longest_response / 1000 ? ms * 1000 : longest_response;
 }
 
@@ -42,7 +43,7 @@ constexpr void pass(Ticks& left, Ticks elapsed) noexcept {
 }
 
 /// Returns the time from `from` to `to`: 0 if that is earlier, the longest span if it is too long.
-[[gnu::noinline]] constexpr Ticks between(Instant from, Instant to) noexcept {
+SBGC_NOINLINE constexpr Ticks between(Instant from, Instant to) noexcept {
   if (to == Instant::never) return never;
   if (to.us <= from.us) return 0;
   const std::uint64_t span =
