@@ -34,13 +34,12 @@ _DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*$")
 
 
 @dataclass
-class Header:
-    """A header: the headers that it includes, and its text without those `#include` lines."""
+class Part:
+    """A header without its `#include` lines, or a part of it: an `#include` after code divides it."""
 
-    name: str  # as in #include <name>
-    own: list[str] = field(default_factory=list)  # headers of the library
-    standard: list[str] = field(default_factory=list)
+    header: str  # as in #include <header>
     body: str = ""
+    standard: list[str] = field(default_factory=list)  # headers of the compiler that it includes
 
 
 def version(project: Path) -> str:
@@ -67,46 +66,52 @@ def path_of(project: Path, name: str) -> Path:
     return found
 
 
-def headers(project: Path, entries: Iterable[str]) -> list[Header]:
-    """The entries and all headers that they include, each after those that it includes."""
-    found: dict[str, Header] = {}
+def headers(project: Path, entries: Iterable[str]) -> list[str]:
+    """The entries and all headers that they include."""
+    return sorted({part.header for part in parts(project, entries)})
 
-    def add(name: str) -> None:
-        if name in found:
+
+def parts(project: Path, entries: Iterable[str]) -> list[Part]:
+    """The entries and all headers that they include, in the order in which a compiler reads them.
+
+    Each header is read once. What a header includes on a condition is read before it: headers of the
+    library in any case, those of the compiler where they stand.
+    """
+    found: list[Part] = []
+    seen: set[str] = set()
+
+    def read(name: str) -> None:
+        if name in seen:
             return
-        header = _read(name, path_of(project, name).read_text(encoding="utf-8"))
-        for included in header.own:
-            add(included)
-        found[name] = header
+        seen.add(name)
+        part, lines, conditions = Part(name), list[str](), 0
+        for line in path_of(project, name).read_text(encoding="utf-8").splitlines():
+            directive = _DIRECTIVE.match(line)
+            word, rest = directive.groups() if directive else ("", "")
+            conditions += word.startswith("if")
+            conditions -= word == "endif"
+            included = rest.strip("<>") if word == "include" else ""
+            if included.startswith("sbgc/"):
+                if not conditions and any(map(_is_code, lines)):
+                    found.append(_finished(part, lines))
+                    part, lines = Part(name), []
+                read(included)
+            elif included and not conditions:
+                part.standard.append(included)
+            elif (word, rest) != ("pragma", "once") and not line.startswith(_GENERATED):
+                lines.append(line)
+        found.append(_finished(part, lines))
 
     for entry in entries:
-        add(entry)
-    return list(found.values())
+        read(entry)
+    return found
 
 
-def _read(name: str, text: str) -> Header:
-    """Separates a header from what it includes.
+def _is_code(line: str) -> bool:
+    return bool(line.strip()) and not line.lstrip().startswith(("//", "#"))
 
-    An `#include` of the compiler stays where it is if it depends on a condition.
-    """
-    header = Header(name)
-    lines, conditions = [], 0
-    for line in text.splitlines():
-        directive = _DIRECTIVE.match(line)
-        word, rest = directive.groups() if directive else ("", "")
-        conditions += word.startswith("if")
-        conditions -= word == "endif"
-        if word == "pragma" and rest == "once":
-            continue
-        if word == "include":
-            included = rest.strip("<>")
-            if included.startswith("sbgc/"):
-                header.own.append(included)
-                continue
-            if not conditions:
-                header.standard.append(included)
-                continue
-        if not line.startswith(_GENERATED):
-            lines.append(line)
-    header.body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).strip() + "\n"
-    return header
+
+def _finished(part: Part, lines: list[str]) -> Part:
+    text = re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).strip()
+    part.body = f"{text}\n" if text else ""
+    return part

@@ -18,7 +18,7 @@ def write_headers(project: Path, **texts: str) -> None:
 
 
 def names(project: Path, *entries: str) -> list[str]:
-    return [header.name for header in library.headers(project, entries)]
+    return [part.header for part in library.parts(project, entries)]
 
 
 def test_a_header_comes_after_those_that_it_includes(tmp_path: Path) -> None:
@@ -41,11 +41,23 @@ def test_only_includes_without_conditions_are_collected(tmp_path: Path) -> None:
         "# include <span>\nint a;\n",
         b="int b;\n",
     )
-    b, a = library.headers(tmp_path, ["sbgc/a.hpp"])
-    assert (b.name, a.own, a.standard) == ("sbgc/b.hpp", ["sbgc/b.hpp"], ["array", "span"])
+    b, a = library.parts(tmp_path, ["sbgc/a.hpp"])
+    assert (b.header, a.header, a.standard) == ("sbgc/b.hpp", "sbgc/a.hpp", ["array", "span"])
     assert a.body == (
         "/// About a.\n\n#if defined(__SSE2__)\n#include <emmintrin.h>\n#endif\nint a;\n"
     )
+
+
+def test_a_header_that_is_included_after_code_comes_there(tmp_path: Path) -> None:
+    write_headers(
+        tmp_path,
+        a="/// About a.\n#pragma once\n#include <sbgc/c.hpp>\nint a;\n#include <sbgc/b.hpp>\nint z;\n",
+        b="#include <sbgc/a.hpp>\nint b = a;\n",
+        c="int c;\n",
+    )
+    bodies = [part.body for part in library.parts(tmp_path, ["sbgc/a.hpp"])]
+    assert bodies == ["int c;\n", "/// About a.\nint a;\n", "int b = a;\n", "int z;\n"]
+    assert library.headers(tmp_path, ["sbgc/a.hpp"]) == ["sbgc/a.hpp", "sbgc/b.hpp", "sbgc/c.hpp"]
 
 
 def test_a_header_of_another_layer_is_an_error(tmp_path: Path) -> None:

@@ -26,4 +26,4 @@ class Arduino(Target):
         yield from super().files(layout, project)
         yield "LICENSE", library.license_text(project).encode()
         for header in library.headers(project, (*library.ENTRIES, *library.TABLES)):
-            yield f"src/{header.name}", library.path_of(project, header.name).read_bytes()
+            yield f"src/{header}", library.path_of(project, header).read_bytes()

@@ -17,12 +17,12 @@ class SingleHeader(Target):
     file = "sbgc.hpp"
 
     def view(self, layout: Layout, project: Path) -> View:
-        headers = library.headers(project, library.ENTRIES)
+        parts = library.parts(project, library.ENTRIES)
         return View(
             names={
                 "version": library.version(project),
                 "license": library.license_text(project).splitlines(),
-                "headers": headers,
-                "standard": sorted({name for header in headers for name in header.standard}),
+                "parts": parts,
+                "standard": sorted({name for part in parts for name in part.standard}),
             }
         )
