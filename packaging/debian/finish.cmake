@@ -19,8 +19,10 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(package "${CPACK_DEBIAN_${name}_PACKAGE_NAME}")
   set(root "${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}")
   set(documents "${root}/share/doc/${package}")
-  configure_file("${CMAKE_CURRENT_LIST_DIR}/copyright.in" "${documents}/copyright" @ONLY)
-  configure_file("${CMAKE_CURRENT_LIST_DIR}/changelog.in" "${documents}/changelog.Debian" @ONLY)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/copyright.in" "${documents}/copyright" @ONLY
+                 NO_SOURCE_PERMISSIONS)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/changelog.in" "${documents}/changelog.Debian" @ONLY
+                 NO_SOURCE_PERMISSIONS)
   # Header-only libraries become part of the compiled code; these ask for their notice in copies of it.
   foreach(library IN ITEMS libcli11-dev libfmt-dev nlohmann-json3-dev)
     file(COPY_FILE "/usr/share/doc/${library}/copyright" "${documents}/copyright.${library}")
