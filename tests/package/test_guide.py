@@ -11,7 +11,7 @@ import pytest
 from compilers import HERE, HOSTS, PREFIX, ROOT, blocks, run
 
 # What the library itself consists of. There is no generator, so the build cannot run Python.
-SOURCES = ("CMakeLists.txt", "LICENSE", "runtime", "emulator", "packaging", "generated/include")
+SOURCES = ("CMakeLists.txt", "LICENSE", "runtime", "emulator", "generated/include")
 HEAD = "cmake_minimum_required(VERSION 3.25)\nproject(app LANGUAGES CXX)\nadd_executable(app app.cpp)\n"
 # A subproject must not bring along its tests, its tools and the generator.
 TAIL = """foreach(target IN ITEMS sbgc sbgc_generate sbgc_serving)
