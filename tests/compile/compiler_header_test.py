@@ -15,13 +15,6 @@ PECULIAR = re.compile(
 )
 # The decoder of the site is compiled by one compiler, and exports functions to JavaScript.
 FREE = {HEADER, "tools/web/decoder.cpp"}
-# These have yet to use the header.
-WAITING = {
-    "runtime/core/include/sbgc/parser.hpp",
-    "runtime/session/include/sbgc/detector.hpp",
-    "runtime/session/include/sbgc/session.hpp",
-    "runtime/session/include/sbgc/time.hpp",
-}
 
 
 def peculiar_lines(path: str) -> list[str]:
@@ -33,14 +26,9 @@ def peculiar_lines(path: str) -> list[str]:
 def test_other_files_are_standard_cpp(folder: str) -> None:
     files = [p.relative_to(ROOT).as_posix() for p in (ROOT / folder).rglob("*.[ch]pp")]
     assert files
-    found = {path: peculiar_lines(path) for path in files if path not in FREE | WAITING}
+    found = {path: peculiar_lines(path) for path in files if path not in FREE}
     assert {path: lines for path, lines in found.items() if lines} == {}
 
 
 def test_the_header_has_them() -> None:
     assert len(peculiar_lines(HEADER)) > 5
-
-
-@pytest.mark.parametrize("path", sorted(WAITING))
-def test_only_files_that_need_it_wait(path: str) -> None:
-    assert peculiar_lines(path)
