@@ -17,6 +17,7 @@
 
 #include <sbgc/frame.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/small_parser.hpp>
 
 #include "core/reference_parser.hpp"
 

@@ -38,6 +38,7 @@ ALLOWED = {
     "cstdint",
     "initializer_list",
     "limits",
+    "new",
     "span",
     "type_traits",
     "utility",
@@ -161,8 +162,9 @@ USE_EVERYTHING = """
 #include <sbgc/validate.hpp>
 #include <sbgc/visit.hpp>
 
+sbgc::Session session;
+
 unsigned talk(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
-  static constinit sbgc::Session session;
   unsigned result = 0;
   const auto sink = [&](const sbgc::Event& event) { result += event.frame.id; };
   result += static_cast<unsigned>(session.send(sbgc::msg::ReadParams3Request{}).status);

@@ -12,6 +12,7 @@
 
 #include <sbgc/frame.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/small_parser.hpp>
 
 #include "reference_parser.hpp"
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/parser.hpp>
+#include <sbgc/small_parser.hpp>
 
 #include "reference_parser.hpp"
 #include "streams.hpp"

@@ -4,7 +4,7 @@
 
 #include <sbgc/message.hpp>
 #include <sbgc/messages/control.hpp>
-#include <sbgc/parser.hpp>
+#include <sbgc/small_parser.hpp>
 
 #include "device.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <sbgc/message.hpp>
 #include <sbgc/messages/realtime.hpp>
-#include <sbgc/parser.hpp>
+#include <sbgc/small_parser.hpp>
 
 #include "device.hpp"
 

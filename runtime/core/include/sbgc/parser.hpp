@@ -49,6 +49,8 @@ struct ParserCounters {
 /// SmallParser or ParserOfAll, unless it should accept others or use another table for checksums.
 template <class Formats, Optimize optimize = Optimize::speed>
 class BasicParser {
+  static_assert(optimize == Optimize::speed, "include <sbgc/small_parser.hpp>");
+
  public:
   constexpr BasicParser() noexcept = default;
   constexpr explicit BasicParser(const Formats& formats) noexcept : formats_(formats) {}
@@ -218,13 +220,9 @@ class BasicParser {
 
 /// The parser for frames of the framing that every board understands.
 using Parser = BasicParser<FrameFormats<CrcTable::slices, basic_framing>>;
-/// The same for a small microcontroller.
-using SmallParser = BasicParser<FrameFormats<CrcTable::nibbles, basic_framing>, Optimize::size>;
 /// The parser for frames of all framings in one stream.
 using ParserOfAll = BasicParser<AllFrameFormats>;
 
 static_assert(sizeof(Parser) <= 600, "a parser must fit into a small microcontroller");
 
 }  // namespace sbgc
-
-#include <sbgc/detail/small_parser.hpp>

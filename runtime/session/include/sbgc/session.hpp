@@ -23,6 +23,7 @@
 #include <sbgc/session/request.hpp>
 #include <sbgc/session/streams.hpp>
 #include <sbgc/session/ticks.hpp>
+#include <sbgc/small_parser.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc {

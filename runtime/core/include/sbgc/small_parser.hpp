@@ -1,4 +1,4 @@
-/// The parser for small microcontrollers. Included by <sbgc/parser.hpp>.
+/// The parser for small microcontrollers.
 #pragma once
 
 #include <cstddef>
@@ -102,5 +102,8 @@ class BasicParser<Formats, Optimize::size> {
   std::uint32_t incomplete_{};
   std::uint8_t buffer_[max_frame_size]{};
 };
+
+/// For frames of the framing that every board understands.
+using SmallParser = BasicParser<FrameFormats<CrcTable::nibbles, basic_framing>, Optimize::size>;
 
 }  // namespace sbgc
