@@ -35,7 +35,7 @@ using Session =
 
 /// The smallest session, for a microcontroller.
 using SmallSession = sbgc::BasicSession<sbgc::SessionCapacity{
-    .requests = 1, .late_replies = 1, .streams = 0, .body = 100, .optimize = sbgc::Optimize::size}>;
+    .requests = 1, .late_replies = 1, .streams = 0, .optimize = sbgc::Optimize::size}>;
 
 template <class Session>
 class Player {

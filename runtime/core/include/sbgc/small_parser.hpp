@@ -12,7 +12,8 @@
 namespace sbgc {
 
 /// Copies each byte into its buffer and decides a candidate when its last byte arrives. Half the
-/// code of the other parser; far slower on a PC, but fast enough for any UART.
+/// code of the other parser; far slower on a PC, but fast enough for any UART. The body of a frame
+/// is always a view into the parser, valid only during the call of the sink.
 template <class Formats>
 class BasicParser<Formats, Optimize::size> {
  public:

@@ -438,12 +438,7 @@ class BasicSession {
     if (meant != nullptr && !is_unclear && !is_repeated) {
       if (!is_reset) end_pause(*meant);
       if (is_confirmation) return confirm(*meant, event, sink);
-      const ResponseForm* const form = meant->policy.responses.form_of(frame);
-      complete(*meant,
-               is_error         ? Outcome::board_error
-               : form->is_error ? Outcome::failed
-                                : Outcome::answered,
-               frame, sink);
+      complete(*meant, is_error ? Outcome::board_error : outcome_of(*meant, frame), frame, sink);
       if (!is_reset) return;
     } else if (!is_reset && !(is_error && meant != nullptr)) {
       event.is_late = late_replies_.take(meaning, settings_.duplicates);
@@ -466,6 +461,11 @@ class BasicSession {
     if (request.handle != sent_.handle || request.transmissions != 1) return;
     pause_left_ = 0;
     sent_.pause = 0;
+  }
+
+  /// Returns the outcome of a request that the frame answers.
+  static Outcome outcome_of(const Request& request, const Frame& frame) noexcept {
+    return request.policy.responses.form_of(frame)->is_error ? Outcome::failed : Outcome::answered;
   }
 
   /// Counts a confirmation of `request`, which may complete it.
