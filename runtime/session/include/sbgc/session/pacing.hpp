@@ -18,7 +18,7 @@ class Settings {
   Ticks late;
   Ticks duplicates;
   Ticks idle;
-  std::uint32_t stream_limit;  // in bytes per second, 0: unlimited
+  std::uint32_t stream_limit{};  // in bytes per second, 0: unlimited
   std::uint8_t attempts;
   bool until_response;
 
@@ -66,7 +66,7 @@ class Settings {
   static constexpr std::uint32_t both_largest = 2 * max_frame_size;
 
   std::uint8_t stream_percent_;
-  Ticks us_per_256_bytes_;
+  Ticks us_per_256_bytes_{};
   Ticks longest_pause_;
   Ticks shortest_pause_;
   Ticks pause_per_byte_;  // rounded up
