@@ -38,6 +38,7 @@ void answer(Simulation& line, const Written& request, Framing newest = Framing::
 
 std::vector<Framing> framings_of(const std::vector<Written>& written) {
   std::vector<Framing> result;
+  result.reserve(written.size());
   for (const Written& frame : written) result.push_back(frame.framing);
   return result;
 }

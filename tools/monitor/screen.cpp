@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 // Without it, the names of functions are macros.
-#define NCURSES_NOMACROS
+#define NCURSES_NOMACROS  // NOLINT(readability-identifier-naming)
 #include <curses.h>
 
 #include "command/command_error.hpp"
@@ -78,6 +78,7 @@ std::size_t Screen::height() const { return static_cast<std::size_t>(getmaxy(std
 
 void Screen::clear() { werase(stdscr); }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it changes the screen
 void Screen::put(std::size_t row, std::size_t column, std::string_view text, Style style) {
   if (row >= height() || column >= width()) return;
   const attr_t attribute = is_faint_ ? A_DIM : attributes(style);

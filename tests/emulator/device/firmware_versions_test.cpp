@@ -59,27 +59,27 @@ bool is_refusal(const Packets& packets, msg::BoardErrorCode reason) {
 
 class EachFirmware : public ::testing::TestWithParam<std::uint16_t> {
  protected:
-  const emulator::BoardOptions options_ = board_with(GetParam());
-  const Availability versions_ = versions_of(options_);
+  const emulator::BoardOptions options = board_with(GetParam());
+  const Availability versions = versions_of(options);
 };
 
 TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
   AllMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (M::direction != Direction::from_board) {
       SCOPED_TRACE(Meta<M>::info.name);
-      Host host(options_);
+      Host host(options);
       const M request = any_request<M>();
       const ResponsePolicy policy = response_policy(request);
       const Packets packets = host.ask(request, milliseconds(60));
       const auto& counters = host.board.counters();
-      if (!is_supported<M>(versions_)) {
+      if (!is_supported<M>(versions)) {
         EXPECT_EQ(counters.unknown, 1U);
         EXPECT_TRUE(is_refusal(packets, msg::BoardErrorCode::unknown_command) ||
                     is_refusal(packets, msg::BoardErrorCode::cmd_size));
         return;
       }
       EXPECT_EQ(counters.unknown, 0U);
-      for (const Packet& one : packets) expect_sendable(one, versions_);
+      for (const Packet& one : packets) expect_sendable(one, versions);
       // An answer that is certain comes, or the board says why not. There are no external motors in
       // the request.
       if (std::is_same_v<M, msg::ExtMotorsStateRequest>) return;
@@ -96,7 +96,7 @@ TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
 }
 
 TEST_P(EachFirmware, SendsSamplesThatItHas) {
-  Host host(options_);
+  Host host(options);
   for (const auto command :
        {msg::CommandFromBoard::realtime_data_3, msg::CommandFromBoard::realtime_data_4,
         msg::CommandFromBoard::realtime_data_custom, msg::CommandFromBoard::ext_motors_state,
@@ -112,32 +112,32 @@ TEST_P(EachFirmware, SendsSamplesThatItHas) {
   }
   host.ask(msg::ExecuteMenu{msg::MenuCommand::motor_off});
   const Packets packets = host.listen(milliseconds(200));
-  for (const Packet& one : packets) expect_sendable(one, versions_);
-  const bool has_streams = is_supported<msg::DataStreamInterval>(versions_);
+  for (const Packet& one : packets) expect_sendable(one, versions);
+  const bool has_streams = is_supported<msg::DataStreamInterval>(versions);
   EXPECT_EQ(packets.empty(), !has_streams);
 }
 
 TEST_P(EachFirmware, HasFactoryParametersThatItKnows) {
-  Host host(options_);
+  Host host(options);
   ParameterMessages::for_each([&]<class M>(Type<M>) {
-    if (!is_supported<M>(versions_)) return;
+    if (!is_supported<M>(versions)) return;
     M parameters{};
     ParametersOf<M>::Readers::for_each([&]<class Request>(Type<Request>) {
-      if (is_supported<Request>(versions_)) parameters = host.get<M>(Request{});
+      if (is_supported<Request>(versions)) parameters = host.get<M>(Request{});
     });
-    validate(parameters, versions_, [](const Violation& violation) {
+    validate(parameters, versions, [](const Violation& violation) {
       ADD_FAILURE() << Meta<M>::info.name << ": " << to_string(violation);
     });
   });
 }
 
 TEST_P(EachFirmware, IsAsItIntroducesItself) {
-  Host host(options_);
+  Host host(options);
   const auto info = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
-  EXPECT_EQ(info.firmware_ver, options_.firmware);
+  EXPECT_EQ(info.firmware_ver, options.firmware);
   const auto details = host.get<msg::BoardInfo3>(msg::BoardInfo3Request{});
   const auto has = [&](bool flag, auto request) {
-    EXPECT_EQ(flag, is_supported<decltype(request)>(versions_));
+    EXPECT_EQ(flag, is_supported<decltype(request)>(versions));
     if (!flag) return;
     EXPECT_TRUE(all<msg::ErrorExt>(host.ask(request)).empty());
   };
