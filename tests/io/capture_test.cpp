@@ -2,16 +2,20 @@
 // damaged at any position.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <sbgc/detail/crc32.hpp>
 #include <sbgc/io/capture.hpp>
+#include <sbgc/wire.hpp>
 
 #include "capture_support.hpp"
 
@@ -175,6 +179,49 @@ TEST(Capture, ZerosAtTheEndAreDamage) {
   whole.file.resize(size + 4096);
   whole.log.push_back("damaged: 4096 from " + std::to_string(size));
   EXPECT_EQ(log_of(whole.file), whole.log);
+}
+
+/// Writes a time and the checksum of the item around it.
+void set_time(Bytes& file, std::size_t begin, std::size_t end, std::size_t offset,
+              std::uint64_t time) {
+  for (std::size_t i = 0; i < 8; ++i)
+    file[begin + offset + i] = static_cast<std::uint8_t>(time >> 8 * i);
+  wire::store(file.data() + end - 4,
+              sbgc::detail::crc32(std::span(file).subspan(begin, end - 4 - begin)));
+}
+
+TEST(Capture, TimesFrom2To62AreDamage) {
+  const Example whole = example();
+  const std::size_t record = whole.ends[1];
+  for (const std::uint64_t time : {std::uint64_t{1} << 62, ~std::uint64_t{0} >> 1,
+                                   std::uint64_t{1} << 63, ~std::uint64_t{0}}) {
+    Bytes file = whole.file;
+    set_time(file, record, whole.ends[2], 4, time);
+    Log expected = whole.log;
+    expected[2] =
+        "damaged: " + std::to_string(whole.ends[2] - record) + " from " + std::to_string(record);
+    EXPECT_EQ(log_of(file), expected) << time;
+
+    file = whole.file;
+    set_time(file, 0, whole.ends[0], 12, time);
+    expected.assign(whole.log.begin() + 4, whole.log.end());
+    expected.insert(expected.begin(), "damaged: " + std::to_string(whole.ends[3]) + " from 0");
+    EXPECT_EQ(log_of(file), expected) << time;
+  }
+}
+
+TEST(Capture, TheLongestTimeIsFollowedByDamageAndASession) {
+  const Example whole = example();
+  constexpr std::uint64_t longest = (std::uint64_t{1} << 62) - 1;
+  Bytes file = whole.file;
+  set_time(file, whole.ends[0], whole.ends[1], 4, longest);
+  file[whole.ends[1]] ^= 0x10;
+  Log expected(whole.log.begin(), whole.log.begin() + 1);
+  expected.push_back("2 @" + std::to_string(longest) + whole.log[1].substr(4));
+  expected.push_back("damaged: " + std::to_string(whole.ends[3] - whole.ends[1]) + " from " +
+                     std::to_string(whole.ends[1]));
+  expected.insert(expected.end(), whole.log.begin() + 4, whole.log.end());
+  EXPECT_EQ(log_of(file), expected);
 }
 
 TEST(Capture, OtherFilesAreNone) {

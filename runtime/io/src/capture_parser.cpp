@@ -18,6 +18,8 @@ using capture_format::header_size;
 using capture_format::magic;
 using capture_format::record_head_size;
 using capture_format::record_mark;
+using capture_format::start_offset;
+using capture_format::time_offset;
 using capture_format::version;
 using Reason = CaptureDamage::Reason;
 
@@ -26,9 +28,11 @@ std::uint64_t load64(const std::uint8_t* bytes) {
                                                 << 32;
 }
 
-/// Loads a time. The sign bit is cleared, so that damaged times are not negative.
-std::chrono::microseconds load_time(const std::uint8_t* bytes) {
-  return std::chrono::microseconds(static_cast<std::int64_t>(load64(bytes) & ~(1ULL << 63)));
+/// Loads a time; nullopt if it is 2^62 us or later. The sum of two times therefore cannot overflow.
+std::optional<std::chrono::microseconds> load_time(const std::uint8_t* bytes) {
+  const std::uint64_t time = load64(bytes);
+  if (time >= std::uint64_t{1} << 62) return std::nullopt;
+  return std::chrono::microseconds(static_cast<std::int64_t>(time));
 }
 
 /// Returns true if the checksum at the end of these bytes is correct.
@@ -121,8 +125,12 @@ std::optional<CaptureItem> CaptureParser::session() {
     begin_damage(Reason::newer_version);
     return std::nullopt;
   }
-  const CaptureSession result{
-      std::chrono::sys_time<std::chrono::microseconds>(load_time(header.data() + 12)), offset_};
+  const auto start = load_time(header.data() + start_offset);
+  if (!start) {
+    begin_damage(Reason::damaged);
+    return std::nullopt;
+  }
+  const CaptureSession result{std::chrono::sys_time<std::chrono::microseconds>(*start), offset_};
   advance(header_size);
   has_session_ = true;
   time_ = {};
@@ -137,12 +145,13 @@ std::optional<CaptureItem> CaptureParser::record() {
   }
   const auto size = size_of_item(bytes);
   if (!size || bytes.size() < *size) return incomplete();
-  if (!is_sound(bytes.first(*size))) {
+  const auto time = load_time(bytes.data() + time_offset);
+  if (!time || !is_sound(bytes.first(*size))) {
     begin_damage(Reason::damaged);
     return std::nullopt;
   }
   const std::size_t content = *size - record_head_size - checksum_size;
-  const CaptureRecord result{static_cast<CaptureKind>(bytes[1]), load_time(bytes.data() + 4),
+  const CaptureRecord result{static_cast<CaptureKind>(bytes[1]), *time,
                              bytes.subspan(record_head_size, content), offset_};
   time_ = result.time;
   advance(*size);
@@ -184,7 +193,8 @@ bool CaptureParser::continues(std::span<const std::uint8_t> item) noexcept {
   if (item[0] != record_mark) return true;
   // Threads may write their records slightly out of order.
   constexpr CaptureTime tolerance = std::chrono::seconds(1);
-  has_session_ = load_time(item.data() + 4) + tolerance >= time_;
+  const auto time = load_time(item.data() + time_offset);
+  has_session_ = time && *time >= time_ - tolerance;
   return has_session_;
 }
 

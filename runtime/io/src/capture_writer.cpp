@@ -95,7 +95,9 @@ void CaptureWriter::begin_session() {
   buffer_.resize(header_size - checksum_size);
   wire::store(buffer_.data() + 8, version);
   const auto wall = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
-  store64(buffer_.data() + 12, static_cast<std::uint64_t>(wall.time_since_epoch().count()));
+  // A clock that was never set may be before 1970.
+  const auto start = std::max<std::int64_t>(wall.time_since_epoch().count(), 0);
+  store64(buffer_.data() + start_offset, static_cast<std::uint64_t>(start));
   append_checksum(buffer_);
   put(buffer_);
 }
@@ -110,7 +112,7 @@ const Error& CaptureWriter::write(CaptureKind kind, std::span<const std::uint8_t
     buffer_[0] = record_mark;
     buffer_[1] = static_cast<std::uint8_t>(kind);
     wire::store(buffer_.data() + 2, static_cast<std::uint16_t>(part.size()));
-    store64(buffer_.data() + 4, static_cast<std::uint64_t>(time.count()));
+    store64(buffer_.data() + time_offset, static_cast<std::uint64_t>(time.count()));
     buffer_.insert(buffer_.end(), part.begin(), part.end());
     append_checksum(buffer_);
   } while (put(buffer_) && !bytes.empty());
