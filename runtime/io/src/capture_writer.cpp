@@ -26,6 +26,8 @@ using capture_format::magic;
 using capture_format::max_bytes;
 using capture_format::record_head_size;
 using capture_format::record_mark;
+using capture_format::start_offset;
+using capture_format::time_offset;
 using capture_format::version;
 
 void store64(std::uint8_t* bytes, std::uint64_t value) {
