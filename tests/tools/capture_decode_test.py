@@ -220,13 +220,18 @@ def test_a_damaged_header_costs_no_other_session() -> None:
     )
 
 
-def test_times_out_of_all_bounds() -> None:
-    late = bytearray(session())
-    late[12:20] = b"\xff" * 8
-    late[20:24] = struct.pack("<I", zlib.crc32(late[:20]))
-    capture = bytes(late) + record(FROM_BOARD, 2**62 / 1e6, ANGLES)
-    assert decode(capture)[0]["time"] > 4e12
-    assert "started 294247-01-10 04:00:54 UTC" in run("decode", stdin=capture).text
+def test_longest_times() -> None:
+    def header(start: int) -> bytes:
+        begin = session()[:12] + struct.pack("<Q", start)
+        return begin + struct.pack("<I", zlib.crc32(begin))
+
+    late = record(FROM_BOARD, (2**62 - 2**10) / 1e6, ANGLES)
+    # The two highest bits do not belong to the time.
+    capture = header(0) + header(2**64 - 1) + late + late
+    frames = decode(capture)
+    assert [frame["time"] for frame in frames] == [pytest.approx(2**62 / 1e6)] * 2
+    assert "started 148108-07-06 14:00:27 UTC" in run("decode", stdin=capture).text
+    assert len(decode(capture, "--from", "9000000000000")) == 2
 
 
 def test_notes_can_not_talk_to_the_terminal() -> None:

@@ -28,11 +28,10 @@ std::uint64_t load64(const std::uint8_t* bytes) {
                                                 << 32;
 }
 
-/// Loads a time; nullopt if it is 2^62 us or later. The sum of two times therefore cannot overflow.
-std::optional<std::chrono::microseconds> load_time(const std::uint8_t* bytes) {
-  const std::uint64_t time = load64(bytes);
-  if (time >= std::uint64_t{1} << 62) return std::nullopt;
-  return std::chrono::microseconds(static_cast<std::int64_t>(time));
+/// Loads a time of 62 bits: it is not negative, and the sum of two does not overflow.
+std::chrono::microseconds load_time(const std::uint8_t* bytes) {
+  constexpr std::uint64_t mask = (std::uint64_t{1} << 62) - 1;
+  return std::chrono::microseconds(static_cast<std::int64_t>(load64(bytes) & mask));
 }
 
 /// Returns true if the checksum at the end of these bytes is correct.
@@ -125,12 +124,9 @@ std::optional<CaptureItem> CaptureParser::session() {
     begin_damage(Reason::newer_version);
     return std::nullopt;
   }
-  const auto start = load_time(header.data() + start_offset);
-  if (!start) {
-    begin_damage(Reason::damaged);
-    return std::nullopt;
-  }
-  const CaptureSession result{std::chrono::sys_time<std::chrono::microseconds>(*start), offset_};
+  const CaptureSession result{
+      std::chrono::sys_time<std::chrono::microseconds>(load_time(header.data() + start_offset)),
+      offset_};
   advance(header_size);
   has_session_ = true;
   time_ = {};
@@ -145,13 +141,13 @@ std::optional<CaptureItem> CaptureParser::record() {
   }
   const auto size = size_of_item(bytes);
   if (!size || bytes.size() < *size) return incomplete();
-  const auto time = load_time(bytes.data() + time_offset);
-  if (!time || !is_sound(bytes.first(*size))) {
+  if (!is_sound(bytes.first(*size))) {
     begin_damage(Reason::damaged);
     return std::nullopt;
   }
   const std::size_t content = *size - record_head_size - checksum_size;
-  const CaptureRecord result{static_cast<CaptureKind>(bytes[1]), *time,
+  const CaptureRecord result{static_cast<CaptureKind>(bytes[1]),
+                             load_time(bytes.data() + time_offset),
                              bytes.subspan(record_head_size, content), offset_};
   time_ = result.time;
   advance(*size);
@@ -193,8 +189,7 @@ bool CaptureParser::continues(std::span<const std::uint8_t> item) noexcept {
   if (item[0] != record_mark) return true;
   // Threads may write their records slightly out of order.
   constexpr CaptureTime tolerance = std::chrono::seconds(1);
-  const auto time = load_time(item.data() + time_offset);
-  has_session_ = time && *time >= time_ - tolerance;
+  has_session_ = load_time(item.data() + time_offset) >= time_ - tolerance;
   return has_session_;
 }
 

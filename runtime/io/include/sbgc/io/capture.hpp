@@ -22,9 +22,10 @@
 ///       12  n  the bytes of one read or write; UTF-8 in a note
 ///       12+n 4 checksum of bytes 0 to 11+n
 ///
-/// Times are below 2^62. Bytes that are neither are damaged. The reader skips them up to the next sound record or session
-/// header; only up to a header if that of the session is damaged, too, which shows at the latest in
-/// a time that is before that of the last record.
+/// Times have 62 bits; a reader ignores the other two. Bytes that are neither are damaged. The
+/// reader skips them up to the next sound record or session header; only up to a header if that of
+/// the session is damaged, too, which shows at the latest in a time that is before that of the last
+/// record.
 #pragma once
 
 #include <chrono>
