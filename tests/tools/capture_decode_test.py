@@ -231,7 +231,7 @@ def test_longest_times() -> None:
     frames = decode(capture)
     assert [frame["time"] for frame in frames] == [pytest.approx(2**62 / 1e6)] * 2
     assert "started 148108-07-06 14:00:27 UTC" in run("decode", stdin=capture).text
-    assert len(decode(capture, "--from", "9000000000000")) == 2
+    assert len(decode(capture, "--from", "1000000000")) == 2
 
 
 def test_notes_can_not_talk_to_the_terminal() -> None:
