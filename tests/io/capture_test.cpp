@@ -181,6 +181,8 @@ TEST(Capture, ZerosAtTheEndAreDamage) {
   EXPECT_EQ(log_of(whole.file), whole.log);
 }
 
+constexpr std::uint64_t longest_time = (std::uint64_t{1} << 62) - 1;
+
 /// Sets the time of a record of `file`, and its checksum.
 void set_time(Bytes& file, std::size_t begin, std::size_t end, std::uint64_t time) {
   for (std::size_t i = 0; i < 8; ++i)
@@ -190,25 +192,23 @@ void set_time(Bytes& file, std::size_t begin, std::size_t end, std::uint64_t tim
 }
 
 TEST(Capture, TimesHave62Bits) {
-  constexpr std::uint64_t longest = (std::uint64_t{1} << 62) - 1;
   const Example whole = example();
   for (const std::uint64_t highest_bits : {0U, 1U, 2U, 3U}) {
     Bytes file = whole.file;
-    set_time(file, whole.ends[0], whole.ends[1], highest_bits << 62 | longest);
+    set_time(file, whole.ends[0], whole.ends[1], highest_bits << 62 | longest_time);
     Log expected = whole.log;
-    expected[1].replace(2, 2, "@" + std::to_string(longest));
+    expected[1].replace(2, 2, "@" + std::to_string(longest_time));
     EXPECT_EQ(log_of(file), expected) << highest_bits;
   }
 }
 
 TEST(Capture, TheLongestTimeIsFollowedByDamageAndASession) {
-  constexpr std::uint64_t longest = (std::uint64_t{1} << 62) - 1;
   const Example whole = example();
   Bytes file = whole.file;
   set_time(file, whole.ends[0], whole.ends[1], ~std::uint64_t{0});
   file[whole.ends[1]] ^= 0x10;
   Log expected(whole.log.begin(), whole.log.begin() + 2);
-  expected[1].replace(2, 2, "@" + std::to_string(longest));
+  expected[1].replace(2, 2, "@" + std::to_string(longest_time));
   expected.push_back("damaged: " + std::to_string(whole.ends[3] - whole.ends[1]) + " from " +
                      std::to_string(whole.ends[1]));
   expected.insert(expected.end(), whole.log.begin() + 4, whole.log.end());

@@ -189,7 +189,7 @@ bool CaptureParser::continues(std::span<const std::uint8_t> item) noexcept {
   if (item[0] != record_mark) return true;
   // Threads may write their records slightly out of order.
   constexpr CaptureTime tolerance = std::chrono::seconds(1);
-  has_session_ = load_time(item.data() + time_offset) >= time_ - tolerance;
+  has_session_ = load_time(item.data() + time_offset) + tolerance >= time_;
   return has_session_;
 }
 

@@ -97,9 +97,8 @@ void CaptureWriter::begin_session() {
   buffer_.resize(header_size - checksum_size);
   wire::store(buffer_.data() + 8, version);
   const auto wall = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
-  // A clock that was never set may be before 1970.
-  const auto start = std::max<std::int64_t>(wall.time_since_epoch().count(), 0);
-  store64(buffer_.data() + start_offset, static_cast<std::uint64_t>(start));
+  store64(buffer_.data() + start_offset,
+          static_cast<std::uint64_t>(wall.time_since_epoch().count()));
   append_checksum(buffer_);
   put(buffer_);
 }
