@@ -1,0 +1,195 @@
+"""Breaks the sources in small ways, one at a time, and lists those that no test notices.
+
+    mutate.py              a sample of all files in AREAS, always the same
+    mutate.py --all FILE   all mutants of some files
+
+Fails if a mutant survives that unkillable.yaml does not explain, or if that list is out of date.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import time
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import yaml
+
+from instrument import write_copy
+from mutants import Mutant, mutants_of
+from suites import Suite, Tests
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = ROOT / "build" / "mutate"
+TARGETS = ["sbgc", "example_tour"] + [
+    f"tests_{folder}" for folder in ("core", "session", "io", "client", "emulator", "tools")
+]
+# The folders of the sbgc command; tools/web is no part of it.
+TOOLS = "board care command frames line memory monitor motion parameters share shell values".split()
+# Of other builds, or not to be included together with the rest of its folder.
+SEPARATE = ("offline_commands", "system_windows", "web_socket_server")
+# Tests beyond these seconds are left out for a mutant: one that only they notice deserves a quicker test.
+SECONDS = 15.0
+
+
+def areas() -> list[tuple[list[str], float]]:
+    """Returns files that one translation unit can include, and the share of their mutants to try."""
+    core = "runtime/core/include/sbgc/**/*.hpp"
+    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp", "leaves.cpp", "tasks/*param*.cpp")
+    parameters += ("tasks/restore.cpp", "tasks/profiles.cpp", "tasks/variables.cpp")
+    return [
+        (_files(core), 0.1),
+        (_files("runtime/session/include/sbgc/**/*.hpp"), 0.2),
+        (_files(*(f"runtime/client/src/{name}" for name in parameters)), 0.2),
+        (_files("runtime/io/src/capture*.cpp"), 0.4),
+        *((_files(f"tools/{folder}/*.cpp"), 0.06) for folder in TOOLS),
+        # Its libraries conflict with those of the others.
+        (_files("tools/share/web_socket_server.cpp"), 0.06),
+    ]
+
+
+def _files(*patterns: str) -> list[str]:
+    return [
+        path.relative_to(ROOT).as_posix()
+        for pattern in patterns
+        for path in sorted(ROOT.glob(pattern))
+        if "*" not in pattern or path.stem not in SEPARATE
+    ]
+
+
+def candidates(only: list[str]) -> list[Mutant]:
+    """Returns all mutants of some files, or the sample of all."""
+    flags = compile_flags()
+    found = []
+    for files, share in areas():
+        if only and not set(files) & set(only):
+            continue
+        for mutant in mutants_of(ROOT, files, flags):
+            if mutant.file in only if only else int(mutant.rank, 16) < share * 16**64:
+                found.append(mutant)
+    return found
+
+
+def compile_flags() -> list[str]:
+    """Returns the include folders and definitions of all targets."""
+    folders = ["generated/include", "emulator/include", "emulator", "tools"]
+    folders += [f"runtime/{layer}/include" for layer in ("core", "session", "io", "client")]
+    folders += ["runtime/client/src", "runtime/io/src"]
+    definitions = ["ASIO_STANDALONE", "ASIO_NO_DEPRECATED", "FMT_HEADER_ONLY"]
+    return [f"-I{ROOT / folder}" for folder in folders] + [f"-D{name}" for name in definitions]
+
+
+def build(mutants: list[Mutant]) -> Tests:
+    """Builds the tests with all mutants as switches."""
+    copy = BUILD / "source"
+    copy.mkdir(parents=True, exist_ok=True)
+    write_copy(ROOT, copy, mutants)
+    switch = BUILD / "switch.o"
+    _do(["clang++", "-O1", "-c", str(HERE / "switch.cpp"), "-o", str(switch)])
+    folder = BUILD / "build"
+    # -Wno-c++11-narrowing: a switched number is no constant.
+    flags = f"-include {HERE / 'switch.hpp'} -w -Wno-c++11-narrowing"
+    _do(
+        ["cmake", "--preset", "debug", "-S", str(copy), "-B", str(folder), "-DSBGC_TEST_SITE=OFF"]
+        + ["-DSBGC_WERROR=OFF", "-DSBGC_REGENERATE=OFF", f"-DCMAKE_CXX_FLAGS={flags}"]
+        + [f"-DCMAKE_CXX_STANDARD_LIBRARIES={switch}"],
+        cwd=copy,
+    )
+    _do(["cmake", "--build", str(folder), "--target", *TARGETS, "--", "-k", "0"])
+    return Tests(copy, folder)
+
+
+def _do(command: list[str], cwd: Path = ROOT) -> None:
+    done = subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        errors = [line for line in (done.stdout + done.stderr).splitlines() if "error" in line]
+        sys.exit("\n".join([*errors, f"mutate: failed: {' '.join(command)}"]))
+
+
+def measured(tests: Tests, pool: ThreadPoolExecutor) -> list[Suite]:
+    """Runs all suites; returns those that pass, which all should."""
+    suites = tests.suites()
+    passed = list(pool.map(tests.measure, suites))
+    for suite, good in zip(suites, passed):
+        if not good:
+            print(f"mutate: {suite.name} fails without a mutant and is not used")
+    return [suite for suite, good in zip(suites, passed) if good]
+
+
+def chosen(number: int, suites: list[Suite]) -> list[Suite]:
+    """Returns the suites to run for a mutant: quick ones, and those that reach few others, first."""
+    reaching = [suite for suite in suites if number in suite.reached]
+    reaching.sort(key=lambda suite: suite.seconds * len(suite.reached))
+    result, seconds = [], 0.0
+    for suite in reaching:
+        if not result or seconds + suite.seconds <= SECONDS:
+            result.append(suite)
+            seconds += suite.seconds
+    return result
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--list", action="store_true", help="only list the mutants")
+    parser.add_argument("--all", action="store_true", help="all mutants of the files")
+    parser.add_argument("file", nargs="*")
+    arguments = parser.parse_args()
+    start = time.monotonic()
+    mutants = candidates(arguments.file)
+    if arguments.list:
+        for mutant in mutants:
+            print(f"{mutant.file}:{mutant.line}: {mutant.change}")
+        return
+    print(f"mutate: {len(mutants)} mutants; building", flush=True)
+    tests = build(mutants)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        print(f"mutate: running the tests without mutants (after {time.monotonic() - start:.0f} s)", flush=True)
+        suites = measured(tests, pool)
+        print(f"mutate: {len(suites)} suites; running them with mutants (after {time.monotonic() - start:.0f} s)", flush=True)
+
+        def tried(number: int) -> str:
+            reaching = chosen(number, suites)
+            if not reaching:
+                return "not reached"
+            return "survived" if tests.survives(number, reaching) else "killed"
+
+        outcomes = list(pool.map(tried, range(len(mutants))))
+    (BUILD / "outcomes.json").write_text(
+        json.dumps([[m.file, m.line, m.kind, m.change, o] for m, o in zip(mutants, outcomes)], indent=0)
+    )
+    sys.exit(report(mutants, outcomes, bool(arguments.file)))
+
+
+def report(mutants: list[Mutant], outcomes: list[str], partial: bool) -> int:
+    """Prints the outcomes; returns the exit status."""
+    text = (HERE / "unkillable.yaml").read_text(encoding="utf-8")
+    reasons = {f"{e['file']}: {e['in']}: {e['change']}": e["reason"] for e in yaml.safe_load(text)}
+    problems = []
+    seen = set()
+    for mutant, outcome in zip(mutants, outcomes):
+        if outcome == "killed":
+            if mutant.key in reasons:
+                problems.append(f"{mutant.file}:{mutant.line}: killed, but listed: {mutant.change}")
+        elif mutant.key not in reasons:
+            problems.append(f"{mutant.file}:{mutant.line}: {outcome}: {mutant.change}")
+        seen.add(mutant.key)
+    if not partial:
+        problems += [f"listed, but no mutant: {key}" for key in reasons if key not in seen]
+    for problem in problems:
+        print(problem)
+    counts = Counter(outcomes)
+    print(
+        f"mutate: {len(mutants)} mutants: {counts['killed']} killed, {counts['survived']} survived, "
+        f"{counts['not reached']} not reached; {len(problems)} to look at"
+    )
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    main()

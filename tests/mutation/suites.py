@@ -1,0 +1,126 @@
+"""The tests that mutants must fail: suites of GoogleTest programs and pytest functions."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+MOST_MUTANTS = 65536  # as in switch.cpp
+PROGRAMS = (
+    "core",
+    "session",
+    "io",
+    "client",
+    "client_lines",
+    "emulator",
+    "tools_parts",
+)
+PYTEST_FOLDERS = ("tests/tools", "tests/emulator/serving")
+PYTEST = ["generator/python", "--with", "pytest", "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
+# A process namespace of its own: when its first process ends, the kernel kills all others, and a mutant
+# that signals wrong processes finds none.
+ALONE = ["unshare", "--fork", "--kill-child", "--pid", "--mount-proc"] + (
+    [] if os.geteuid() == 0 else ["--map-root-user"]
+)
+
+
+@dataclass
+class Suite:
+    """A suite or function, its seconds and the mutants that it reaches."""
+
+    program: str  # a path in the build folder, or "pytest"
+    name: str
+    seconds: float = 0
+    reached: frozenset[int] = frozenset()
+
+
+class Tests:
+    """Runs suites in a copy of the sources with switches, built in `build`."""
+
+    def __init__(self, copy: Path, build: Path) -> None:
+        self.copy = copy
+        self.build = build
+
+    def suites(self) -> list[Suite]:
+        """Returns all suites, without seconds and mutants."""
+        found = []
+        for program in PROGRAMS:
+            (path,) = (self.build / "tests").glob(f"*/{program}_tests")
+            listed = self._run([str(path), "--gtest_list_tests"], 60, {}).stdout
+            names = re.findall(r"^(\S+)\.(?:$|\s)", listed, re.M)
+            found += [Suite(str(path), name) for name in names]
+        collected = self._run([*PYTEST, "--collect-only", *PYTEST_FOLDERS], 120, {}).stdout
+        # The parameters of a function are run together.
+        names = re.findall(r"^(tests/[^\[\s]+::[^\[\s]+)", collected, re.M)
+        return found + [Suite("pytest", name) for name in dict.fromkeys(names)]
+
+    def measure(self, suite: Suite) -> bool:
+        """Runs a suite without a mutant; returns whether it passes."""
+        with tempfile.NamedTemporaryFile() as reached:
+            reached.truncate(MOST_MUTANTS)
+            start = time.monotonic()
+            passed = self._passes(suite.program, [suite.name], 600, {"SBGC_REACHED": reached.name})
+            suite.seconds = time.monotonic() - start
+            content = Path(reached.name).read_bytes()
+        suite.reached = frozenset(number for number, byte in enumerate(content) if byte)
+        return passed
+
+    def survives(self, mutant: int, suites: list[Suite]) -> bool:
+        """Runs suites with a mutant until one fails."""
+        groups: dict[str, list[Suite]] = {}
+        for suite in suites:
+            groups.setdefault(suite.program, []).append(suite)
+        return all(
+            self._passes(
+                program,
+                [suite.name for suite in group],
+                5 + 5 * sum(suite.seconds for suite in group),
+                {"SBGC_MUTANT": str(mutant)},
+            )
+            for program, group in groups.items()
+        )
+
+    def _passes(self, program: str, names: list[str], seconds: float, variables: dict[str, str]) -> bool:
+        if program == "pytest":
+            command = [*PYTEST, *names]
+        else:
+            command = [program, "--gtest_fail_fast", f"--gtest_filter={':'.join(f'{n}.*' for n in names)}"]
+        try:
+            return self._run(command, seconds, variables).returncode == 0
+        except subprocess.TimeoutExpired:
+            return False
+
+    def _run(
+        self, command: list[str], seconds: float, variables: dict[str, str]
+    ) -> subprocess.CompletedProcess[str]:
+        tour = self.build / "examples" / "example_tour"
+        folder = tempfile.mkdtemp(prefix="sbgc-mutant-")
+        environment = {
+            **os.environ,
+            "SBGC": str(self.build / "tools" / "sbgc"),
+            "SBGC_TOUR": str(tour),
+            "PYTHONPATH": str(self.copy / "tests" / "tools"),
+            "TMPDIR": folder,
+            **variables,
+        }
+        try:
+            return subprocess.run(
+                [*ALONE, *command],
+                cwd=self.copy,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=seconds,
+                check=False,
+            )
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
