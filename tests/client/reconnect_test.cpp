@@ -155,6 +155,24 @@ TEST_F(Reconnecting, CallsCanWaitForTheConnection) {
   plugging.join();
 }
 
+TEST_F(Reconnecting, AStreamThatWaitsForTheConnectionHasOneDeadline) {
+  board.on_lost([](const Packet& request) { return is<msg::DataStreamInterval>(request); });
+  ReconnectOptions options = quick_reconnect();
+  options.calls = OutagePolicy::wait;
+  ReconnectingClient client = connect(options);
+  pull();
+  ASSERT_TRUE(wait_for(LinkState::searching));
+  std::thread plugging([this] {
+    while (attempts < 10) std::this_thread::sleep_for(Ms(1));
+    is_plugged = true;
+  });
+  const auto stream = client.stream<msg::RealtimeData4>(Ms(100), [](const msg::RealtimeData4&) {},
+                                                        {.timeout = Ms(3000), .retries = 0});
+  plugging.join();
+  ASSERT_FALSE(stream);
+  EXPECT_THAT(stream.error().message, Not(HasSubstr("within 3000 ms")));
+}
+
 TEST_F(Reconnecting, StreamsAndSubscriptionsGoOn) {
   ReconnectingClient client = connect();
   Collector<msg::RealtimeData4> fast;

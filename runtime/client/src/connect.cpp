@@ -66,18 +66,24 @@ std::string tried(std::span<const Trial> trials) {
   return text + (heard.empty() ? "; received nothing" : "; received at " + heard);
 }
 
+/// The part of the time for connecting that is kept for closing the line again: the thread of the
+/// line closes it, and both threads may have to wait for a processor.
+constexpr std::chrono::milliseconds closing_time(std::chrono::milliseconds timeout) {
+  return std::min(timeout / 10, std::chrono::milliseconds(200));
+}
+
 /// The steps of connecting.
 class Connector {
  public:
   Connector(const asio::any_io_executor& executor, const ConnectOptions& options)
       : options_(options),
         strand_(asio::make_strand(executor)),
-        deadline_(io::now() + io::from_chrono(options.timeout)),
+        deadline_(io::now() + io::from_chrono(options.timeout - closing_time(options.timeout))),
         state_(std::make_shared<Conversation::State>(strand_, options)) {}
   Connector(const Connector&) = delete;
   Connector& operator=(const Connector&) = delete;
   ~Connector() {
-    if (!is_done_) state_->close();
+    if (!is_done_) state_->abandon();
   }
 
   Conversation conversation() const { return Conversation(state_); }
@@ -100,16 +106,13 @@ class Connector {
     if (!has_line_to_find_) return {};
     const auto waiter = std::make_shared<Waiter<LineSearch::Outcome>>();
     state_->detect_line([waiter](const LineSearch::Outcome& outcome) { waiter->put(outcome); });
-    auto search = waiter->wait_until(io::to_chrono(deadline_));
-    if (!search) {
-      state_->stop_finding_line();
-      search = waiter->wait_until(io::to_chrono(io::now() + milliseconds(200)));
-    }
-    if (search && search->found) return {};
+    const auto ended = waiter->wait_until(io::to_chrono(deadline_));
+    if (ended && ended->found) return {};
     const std::string description = state_->description();
     if (auto reason = state_->end_reason()) return *std::move(reason);
-    return ClientError{ErrorCode::not_found, "no board found on " + description + ": " +
-                                                 (search ? tried(search->trials) : "out of time")};
+    const LineSearch::Outcome search = ended ? *ended : state_->line_search();
+    return ClientError{ErrorCode::not_found,
+                       "no board found on " + description + ": " + tried(search.trials)};
   }
 
   Result<void> introduce() {
@@ -151,12 +154,17 @@ class Connector {
   Result<CallResponse<M>> ask(const M& request, std::optional<Framing> tried_framing = {}) {
     Result<Request> prepared = conversation().prepare(request, {});
     if (!prepared) return std::move(prepared).error();
+    if (io::now() >= deadline_) return out_of_time(*prepared);
     prepared->tried_framing = tried_framing;
     const auto usual =
         std::max(std::chrono::milliseconds(prepared->policy.timeout_ms), options_.attempt_timeout);
     const auto all = usual * (options_.retries + 1);
     return read_response<M>(
         conversation().call(std::move(prepared), {.timeout = std::min(left(), all)}));
+  }
+
+  static ClientError out_of_time(const Request& request) {
+    return {ErrorCode::timeout, std::string("no time left for ") + request.command};
   }
 
   ClientError no_introduction(ClientError error) const {

@@ -1,8 +1,10 @@
 /// A call of a conversation.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/session.hpp>
@@ -18,6 +20,7 @@ struct Call {
   std::function<void(unsigned)> on_confirmation{};
   Conversation::ReplyHandler handler{};
   Handle handle{};  ///< in the session, once sent; only Dialogue uses it
+  std::atomic<bool> was_sent = false;
 };
 
 using CallPointer = std::shared_ptr<Call>;
@@ -25,5 +28,9 @@ using CallPointer = std::shared_ptr<Call>;
 /// Creates a call that starts at `now`. `options` override `defaults`.
 CallPointer make_call(Request request, const CallOptions& options, const ConnectOptions& defaults,
                       Instant now, Conversation::ReplyHandler handler);
+/// Returns whole milliseconds, rounded up: "150 ms".
+std::string milliseconds_text(Duration duration);
+/// The error of a call whose deadline has passed.
+ClientError overdue_error(const Call& call);
 
 }  // namespace sbgc::detail

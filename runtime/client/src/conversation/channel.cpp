@@ -87,8 +87,9 @@ void Channel::close(std::vector<Frame> last_frames) {
 }
 
 void Channel::write_last_frames() {
-  if (is_writing_ || is_hung_up_) return release();
+  if (is_hung_up_) return release();
   if (last_frames_.empty()) return close_now();
+  if (is_writing_) return;
   const Frame frame = std::move(last_frames_.back());
   last_frames_.pop_back();
   write(frame);

@@ -12,8 +12,6 @@ ClientError handler_waits_error() {
   return {ErrorCode::invalid, "a handler must not wait for its own client"};
 }
 
-ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the client"}; }
-
 namespace {
 
 constexpr const char* raw_name = "the request";
@@ -27,8 +25,8 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
   const auto waiter = std::make_shared<Waiter<Result<T>>>();
   const auto [ticket, deadline] =
       begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
-  if (auto result = waiter->wait_until(io::to_chrono(deadline + grace))) return *std::move(result);
-  state.end(ticket, stuck_error());
+  if (auto result = waiter->wait_until(io::to_chrono(deadline))) return *std::move(result);
+  state.end_overdue(ticket);
   // A result is on its way from some thread: this one, or another that came first.
   return waiter->wait();
 }

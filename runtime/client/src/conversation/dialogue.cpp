@@ -15,24 +15,12 @@ namespace {
 
 constexpr const char* refused_words = ": the board refused: ";
 
-/// Returns whole milliseconds, rounded up.
-std::string milliseconds_text(Duration duration) {
-  return std::to_string((duration.us + 999) / 1000) + " ms";
-}
-
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
   if (!options.pacing) result.pacing = {.shortest = {}, .longest = {}};
   result.duplicate_window = milliseconds(options.duplicate_window.count());
   result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share_percent, 100U));
   return result;
-}
-
-ClientError overdue(const Call& call, bool was_sent) {
-  const std::string within = " within " + milliseconds_text(call.allowed);
-  const std::string command = call.request.command;
-  return {ErrorCode::timeout, was_sent ? "no response to " + command + within
-                                       : command + " could not be sent" + within};
 }
 
 ClientError no_answer(const Call& call) {
@@ -89,6 +77,7 @@ void Dialogue::send_waiting() {
                                 : session_.send(request.id, body, request.policy, call->send);
     if (sent) {
       call->handle = sent.handle;
+      call->was_sent = true;
       in_session_.emplace(sent.handle.number, call);
       const bool starts_stream = request.policy.stream.command != 0;
       if (starts_stream && request.teach) request.teach(delivery_.contexts());
@@ -125,9 +114,8 @@ void Dialogue::forget(const Call& call) {
 
 void Dialogue::end_overdue(Instant now) {
   while (const CallPointer call = calls_.take_overdue(now)) {
-    const bool was_sent = static_cast<bool>(call->handle);
     forget(*call);
-    calls_.complete(*call, overdue(*call, was_sent));
+    calls_.complete(*call, overdue_error(*call));
   }
 }
 

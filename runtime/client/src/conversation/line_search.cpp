@@ -19,9 +19,21 @@ void LineSearch::report(const Outcome& outcome) {
   if (done) done(outcome);
 }
 
+LineSearch::Outcome LineSearch::so_far() const {
+  const std::lock_guard lock(mutex_);
+  return so_far_;
+}
+
+DetectorStep LineSearch::next_step(Instant now) {
+  const DetectorStep step = detector_->next(now);
+  const std::lock_guard lock(mutex_);
+  std::ranges::copy(detector_->trials(), so_far_.trials.begin());
+  return step;
+}
+
 bool LineSearch::advance(Channel& channel, Instant now) {
   while (channel.can_write()) {
-    const DetectorStep step = detector_->next(now);
+    const DetectorStep step = next_step(now);
     switch (step.kind) {
       case DetectorStep::Kind::set_line:
         if (channel.transport().line()->set(step.line)) detector_->refuse();

@@ -21,10 +21,12 @@ class LineSearch {
   };
   using Done = std::function<void(const Outcome&)>;
 
-  /// Sets the receiver of the outcome. Thread-safe, like report().
+  /// Sets the receiver of the outcome. Thread-safe, like report() and so_far().
   void on_done(Done done);
   /// Reports the outcome, once.
   void report(const Outcome& outcome);
+  /// The trials so far.
+  Outcome so_far() const;
 
   // Only on the strand.
 
@@ -39,8 +41,11 @@ class LineSearch {
   const LineSettings& line() const noexcept { return line_; }
 
  private:
-  std::mutex mutex_;
+  DetectorStep next_step(Instant now);
+
+  mutable std::mutex mutex_;
   Done done_;
+  Outcome so_far_{};
   std::optional<Detector> detector_;
   bool found_ = false;
   LineSettings line_{};

@@ -7,6 +7,10 @@
 
 namespace sbgc::detail {
 
+std::string milliseconds_text(Duration duration) {
+  return std::to_string((duration.us + 999) / 1000) + " ms";
+}
+
 CallPointer make_call(Request request, const CallOptions& options, const ConnectOptions& defaults,
                       Instant now, Conversation::ReplyHandler handler) {
   const ResponsePolicy& policy = request.policy;
@@ -32,6 +36,13 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
   call->on_confirmation = options.on_confirmation;
   call->handler = std::move(handler);
   return call;
+}
+
+ClientError overdue_error(const Call& call) {
+  const std::string within = " within " + milliseconds_text(call.allowed);
+  const std::string command = call.request.command;
+  return {ErrorCode::timeout, call.was_sent ? "no response to " + command + within
+                                            : command + " could not be sent" + within};
 }
 
 std::optional<ClientError> PendingCalls::add(const CallPointer& call) {

@@ -11,6 +11,10 @@ namespace sbgc::detail {
 
 namespace {
 
+/// The strand is busy for longer only if a handler blocks it.
+constexpr Duration longest_handler = milliseconds(100);
+
+ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the client"}; }
 ClientError closed_error() { return {ErrorCode::cancelled, "the client was closed"}; }
 
 std::vector<std::uint8_t> frame_of(const Request& request, Framing framing) {
@@ -21,6 +25,17 @@ std::vector<std::uint8_t> frame_of(const Request& request, Framing framing) {
 }
 
 }  // namespace
+
+class Conversation::State::Busy {
+ public:
+  explicit Busy(State& state) : since_(state.busy_since_us_) { since_ = io::now().us; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+  ~Busy() { since_ = Instant::never.us; }
+
+ private:
+  std::atomic<std::int64_t>& since_;
+};
 
 Conversation::State::State(Strand strand, const ConnectOptions& options)
     : options_(options),
@@ -86,13 +101,26 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
 }
 
 void Conversation::State::end(Ticket ticket, ClientError error) {
+  if (const CallPointer call = calls_.take(ticket)) complete(call, std::move(error));
+}
+
+void Conversation::State::end_overdue(Ticket ticket) {
   const CallPointer call = calls_.take(ticket);
-  if (!call) return;
+  if (call) complete(call, is_stuck() ? stuck_error() : overdue_error(*call));
+}
+
+/// Completes a call that was taken out.
+void Conversation::State::complete(const CallPointer& call, ClientError error) {
   post([this, call] {
     dialogue_.forget(*call);
     advance();
   });
   calls_.complete(*call, std::move(error));
+}
+
+bool Conversation::State::is_stuck() const {
+  const Instant since{busy_since_us_.load()};
+  return since != Instant::never && io::now() - since > longest_handler;
 }
 
 Subscription Conversation::State::subscribe(MessageKey key, MessageHandler handler) {
@@ -177,6 +205,7 @@ void Conversation::State::advance() {
     if (search_.advance(channel_, io::now())) end_search();
     return;
   }
+  const Busy busy(*this);
   const Output output = dialogue_.advance(io::now(), channel_.can_write());
   if (!output.bytes.empty()) channel_.write(output.bytes);
   {
@@ -189,6 +218,7 @@ void Conversation::State::advance() {
 
 void Conversation::State::received(std::span<const std::uint8_t> bytes) {
   if (search_.is_active()) return search_.feed(bytes);
+  const Busy busy(*this);
   dialogue_.feed(bytes, io::now());
 }
 
@@ -204,12 +234,6 @@ void Conversation::State::detect_line(LineSearch::Done done) {
     if (!channel_.is_open() || channel_.transport().line() == nullptr) return search_.report({});
     search_.begin();
     advance();
-  });
-}
-
-void Conversation::State::stop_finding_line() {
-  post([this] {
-    if (search_.is_active()) end_search();
   });
 }
 
@@ -264,16 +288,28 @@ void Conversation::State::close() {
   post([this] { begin_close(); });
 }
 
+void Conversation::State::abandon() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_abandoned_ = true;
+  }
+  close();
+}
+
 /// Starts to end all operations of Asio for this conversation.
 void Conversation::State::begin_close() {
   if (search_.is_active()) end_search();
   dialogue_.forget_all();
-  const bool is_closed = [&] {
+  const auto [is_closed, is_abandoned] = [&] {
     const std::lock_guard lock(mutex_);
-    return phase_ == Phase::closed;
+    return std::pair(phase_ == Phase::closed, is_abandoned_);
   }();
+  if (is_abandoned && channel_.is_open()) {
+    // The system waits for what is still to be sent when a serial port is closed, up to 30 s.
+    if (io::LineControl* const line = channel_.transport().line()) line->flush();
+  }
   std::vector<Channel::Frame> last_frames;
-  if (is_closed) {
+  if (is_closed && !is_abandoned) {
     for (const Request& end : streams_.take_running()) {
       last_frames.push_back(frame_of(end, dialogue_.framing()));
     }

@@ -1,6 +1,8 @@
 /// The implementation of Conversation: a dialogue over a channel, and its participants.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -23,11 +25,6 @@
 
 namespace sbgc::detail {
 
-/// How long after its deadline a call ends with stuck_error() if a handler blocks the client's
-/// thread, which should end it.
-inline constexpr Duration grace = milliseconds(200);
-/// The error of such a call.
-ClientError stuck_error();
 /// The error of a handler that waits for a call.
 ClientError handler_waits_error();
 
@@ -44,8 +41,8 @@ class Conversation::State : public Channel::User,
   /// Searches for the line settings at which a board responds, and keeps them. Requires attach()
   /// and a transport with a LineControl; must precede all calls. close() ends the search.
   void detect_line(LineSearch::Done done);
-  /// Ends a running search without success.
-  void stop_finding_line();
+  /// The outcome of the search so far.
+  LineSearch::Outcome line_search() const { return search_.so_far(); }
 
   /// Sets the identity of the board; must precede the use of the conversation by others.
   void set_identity(const BoardIdentity& board) { board_ = board; }
@@ -58,6 +55,10 @@ class Conversation::State : public Channel::User,
   StartedCall start(Result<Request> request, const CallOptions& options, ReplyHandler handler);
   /// Ends a call with this error, unless it has already ended.
   void end(Ticket ticket, ClientError error);
+  /// Ends a call whose deadline has passed, unless it has already ended. The thread that waits for
+  /// a call does this itself: to wait for the strand would cost another delay of the scheduler, and
+  /// a handler may block the strand.
+  void end_overdue(Ticket ticket);
 
   Subscription subscribe(MessageKey key, MessageHandler handler);
   Subscription on_notice(std::function<void(const Notice&)> handler);
@@ -68,6 +69,9 @@ class Conversation::State : public Channel::User,
   std::string description() const;
   ClientStatistics statistics() const;
   void close();
+  /// Like close(), but also discards what the port has not sent yet, so that closing it does not
+  /// wait.
+  void abandon();
 
   bool runs_in_this_thread() const { return channel_.runs_in_this_thread(); }
   /// Why the conversation ended; nothing while it is running.
@@ -77,7 +81,13 @@ class Conversation::State : public Channel::User,
   class StreamHold;
   enum class Phase : std::uint8_t { open, lost, closed };
 
+  /// Marks the strand as busy as long as it lives.
+  class Busy;
+
   StartedCall begin(Request request, const CallOptions& options, ReplyHandler handler);
+  void complete(const CallPointer& call, ClientError error);
+  /// True if the strand has been busy for so long that a handler must be blocking it.
+  bool is_stuck() const;
   void wake();
   void post(std::function<void()> function);
   void leave_stream(const StreamListeners::Key& key);
@@ -106,7 +116,10 @@ class Conversation::State : public Channel::User,
   std::string description_;
   std::string loss_;  // why the line was lost
   bool is_woken_ = false;
+  bool is_abandoned_ = false;
   ClientStatistics statistics_;  // of the session and its streams
+
+  std::atomic<std::int64_t> busy_since_us_{Instant::never.us};
 };
 
 }  // namespace sbgc::detail

@@ -60,9 +60,8 @@ void BlockingDriver::cancel_call(std::uint32_t number) {
 
 void BlockingDriver::wait(const TaskStep& step) {
   if (calls_.empty() && !step.can_be_woken) return clock_.sleep_until(io::to_chrono(step.until));
-  // A call ends by itself unless a handler blocks the client's thread.
   Instant last = Instant::never;
-  for (const auto& [number, begun] : calls_) last = earlier(last, begun.deadline + grace);
+  for (const auto& [number, begun] : calls_) last = earlier(last, begun.deadline);
   inbox_->wait([&](auto& lock, auto& changed) {
     if (step.until == Instant::never) {
       changed.wait_until(lock, io::to_chrono(last));
@@ -72,14 +71,12 @@ void BlockingDriver::wait(const TaskStep& step) {
       clock_.wait_until(lock, changed, io::to_chrono(earlier(step.until, now + left)));
     }
   });
-  end_stuck_calls();
+  end_overdue_calls();
 }
 
-void BlockingDriver::end_stuck_calls() {
+void BlockingDriver::end_overdue_calls() {
   for (const auto& [number, begun] : calls_) {
-    if (begun.deadline + grace < io::now()) {
-      conversation_.state()->end(begun.ticket, stuck_error());
-    }
+    if (begun.deadline <= io::now()) conversation_.state()->end_overdue(begun.ticket);
   }
 }
 

@@ -32,7 +32,7 @@ class BlockingDriver {
   void begin_call(TaskMachine& task, TaskStep step);
   void cancel_call(std::uint32_t number);
   void wait(const TaskStep& step);
-  void end_stuck_calls();
+  void end_overdue_calls();
 
   Conversation conversation_;
   Clock& clock_;

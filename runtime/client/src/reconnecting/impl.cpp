@@ -101,6 +101,14 @@ ReconnectingClient::Impl::Time ReconnectingClient::Impl::call_deadline(
          options.timeout.value_or(options_.connection.queue_timeout);
 }
 
+CallOptions ReconnectingClient::Impl::with_time_left(CallOptions options, Time deadline) {
+  if (options.timeout) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Time::clock::now());
+    options.timeout = std::clamp(left, std::chrono::milliseconds(0), *options.timeout);
+  }
+  return options;
+}
+
 ClientError ReconnectingClient::Impl::no_connection() const {
   if (state_ == LinkState::closed) return {ErrorCode::not_connected, "the client is closed"};
   std::string text = "no connection to the board";
@@ -132,14 +140,7 @@ Result<Reply> ReconnectingClient::Impl::use(
   while (true) {
     const Result<ClientPointer> client = wait_for_client(deadline);
     if (!client) return client.error();
-    CallOptions left = options;
-    if (left.timeout) {
-      left.timeout =
-          std::max(std::chrono::milliseconds(1),
-                   std::chrono::ceil<std::chrono::milliseconds>(deadline - Time::clock::now()));
-      left.timeout = std::min(*left.timeout, *options.timeout);
-    }
-    Result<Reply> reply = call(**client, left);
+    Result<Reply> reply = call(**client, with_time_left(options, deadline));
     // The line was lost before the request could be sent.
     const bool is_too_late = !reply && reply.error().code == ErrorCode::not_connected;
     if (!is_too_late || options_.calls == OutagePolicy::fail || Time::clock::now() >= deadline) {
@@ -193,7 +194,7 @@ void ReconnectingClient::Impl::drop(const Kept& kept) noexcept {
 
 /// Registers a handler that needs no request with the current connection.
 void ReconnectingClient::Impl::subscribe(const Kept& kept) {
-  if (auto begun = kept->begin(*client_, passer_to(kept))) kept->current = *std::move(begun);
+  if (auto begun = kept->begin(*client_, passer_to(kept), {})) kept->current = *std::move(begun);
   kept->connection = connections_;
 }
 
@@ -214,9 +215,11 @@ Result<Subscription> ReconnectingClient::Impl::keep_stream(Begin begin, MessageH
   kept->begin = std::move(begin);
   kept->interval = interval;
   auto membership = kept->handlers->add({}, std::move(handler));
-  const Result<ClientPointer> client = current(options);
+  kept->options = options;
+  const Time deadline = call_deadline(options);
+  const Result<ClientPointer> client = wait_for_client(deadline);
   if (!client) return client.error();
-  auto begun = kept->begin(**client, passer_to(kept));
+  auto begun = kept->begin(**client, passer_to(kept), with_time_left(options, deadline));
   if (!begun) return std::move(begun).error();
   const std::lock_guard lock(mutex_);
   kept->current = *std::move(begun);
@@ -345,7 +348,7 @@ void ReconnectingClient::Impl::begin_again(Lock& lock, const Kept& kept, bool is
   const ClientPointer client = client_;
   const std::uint64_t connection = connections_;
   lock.unlock();
-  Result<Subscription> begun = kept->begin(*client, passer_to(kept));
+  Result<Subscription> begun = kept->begin(*client, passer_to(kept), kept->options);
   if (!begun && !is_running) {
     const ErrorCode code = begun.error().code;
     const bool is_refused = code != ErrorCode::timeout && code != ErrorCode::link_lost &&

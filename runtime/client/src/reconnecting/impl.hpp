@@ -64,6 +64,7 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
 
   // On any thread.
   Time call_deadline(const CallOptions& options) const;
+  static CallOptions with_time_left(CallOptions options, Time deadline);
   ClientError no_connection() const;
   Result<ClientPointer> wait_for_client(Time deadline);
   MessageHandler passer_to(const Kept& kept);

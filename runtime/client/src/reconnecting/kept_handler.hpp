@@ -52,11 +52,12 @@ using KeptHandlers = Handlers<int, void(const void*)>;
 
 /// One handler: how to register it with a connection, and its registration with the current one.
 struct KeptHandler {
-  using Begin =
-      std::function<Result<Subscription>(Client&, const std::function<void(const void*)>&)>;
+  using Begin = std::function<Result<Subscription>(Client&, const std::function<void(const void*)>&,
+                                                   const CallOptions&)>;
   using Time = std::chrono::steady_clock::time_point;
 
   Begin begin{};
+  CallOptions options{};                                                      // of `begin`
   std::shared_ptr<KeptHandlers> handlers = std::make_shared<KeptHandlers>();  // with one handler
   std::chrono::microseconds interval{};  // of a data stream, else 0
   std::atomic<std::int64_t> messages{};  // received

@@ -67,7 +67,8 @@ Task<Result<CalibrationEnd>> run_calibration(StartCalibration start_call, bool r
   TaskMachine& task = co_await tasks::this_task();
   const CalibrationCall call(task, start_call);
   const Instant start = task.now();
-  const Instant end = options.timeout ? start + duration_of(*options.timeout) : Instant::never;
+  const Deadline deadline(task, options.timeout.value_or(std::chrono::hours(24)));
+  const Instant end = options.timeout ? deadline.end() : Instant::never;
   const bool can_look =
       options.progress && is_supported<msg::CalibInfoRequest>(task.identity().versions());
   Result<void> waited = co_await call.wait_for_start(end);
@@ -86,7 +87,7 @@ Task<Result<CalibrationEnd>> run_calibration(StartCalibration start_call, bool r
       msg::CalibInfoRequest look;
       look.imu_type = selected(options.imu);
       // A calibrating board may be too busy to respond; only the result of the call matters.
-      const Result<msg::CalibInfo> state = co_await tasks::call(look);
+      const Result<msg::CalibInfo> state = co_await tasks::call(look, options_within(deadline));
       if (state) seen.state = *state;
       if (!state && state.error().code == ErrorCode::cancelled) break;
     }

@@ -47,22 +47,19 @@ class Move {
     while (true) {
       const Result<msg::GetAngles> state =
           co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
+      if (!state && is_cut_short(state.error()))
+        co_return late("begin to turn", "; are the motors on? ");
       if (!state) co_return detail::during(where(), state.error());
       if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
       see(*state, task_.now());
       if (sent_ && (seen_->is_close || turns(*state))) co_return *seen_;
-      if (deadline_.is_over()) {
-        co_return ClientError{
-            ErrorCode::timeout,
-            fmt::format("the camera did not begin to turn within {} ms; are the motors on? {}",
-                        options_.timeout.count(), where())};
-      }
       const Result<void> sent = co_await send(*state);
       if (!sent) co_return detail::during("sending the target", sent.error());
       sent_ = true;
       const Instant next = task_.now() + detail::duration_of(options_.interval);
       const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
       if (!waited) co_return cancelled();
+      if (deadline_.is_over()) co_return late("begin to turn", "; are the motors on? ");
     }
   }
 
@@ -74,6 +71,7 @@ class Move {
       // current targets of axes that are left alone.
       const Result<msg::GetAngles> state =
           co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
+      if (!state && is_cut_short(state.error())) co_return late("arrive", ": ");
       if (!state) co_return detail::during(where(), state.error());
       if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
       const Instant now = task_.now();
@@ -90,18 +88,22 @@ class Move {
       if (seen_->is_close && now - close_since >= detail::duration_of(options_.settle)) {
         co_return *seen_;
       }
-      if (deadline_.is_over()) {
-        co_return ClientError{ErrorCode::timeout,
-                              fmt::format("the camera did not arrive within {} ms: {}",
-                                          options_.timeout.count(), where())};
-      }
       const Instant next = now + detail::duration_of(options_.interval);
       const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
       if (!waited) co_return cancelled();
+      if (deadline_.is_over()) co_return late("arrive", ": ");
     }
   }
 
  private:
+  /// True if a call failed because there was no time left for it.
+  bool is_cut_short(const ClientError& error) const {
+    return error.code == ErrorCode::timeout && seen_ && deadline_.is_over();
+  }
+  ClientError late(const char* what, const char* separator) const {
+    return {ErrorCode::timeout, fmt::format("the camera did not {} within {} ms{}{}", what,
+                                            options_.timeout.count(), separator, where())};
+  }
   ClientError cancelled() const { return detail::cancelled_error("the move (" + where() + ")"); }
 
   void see(const msg::GetAngles& state, Instant now) {
@@ -239,22 +241,22 @@ Task<Result<void>> stop(StopOptions options) {
     if (!sent) co_return sent;
     const Result<msg::GetAngles> state =
         co_await call(msg::GetAnglesRequest{}, detail::options_within(deadline));
-    const bool is_silent = !state && state.error().code == ErrorCode::timeout;
-    if ((!state && !is_silent) || (is_silent && deadline.is_over())) {
-      co_return detail::during("checking whether the camera has stopped", state.error());
-    }
+    const auto unknown = [&] {
+      return detail::during("checking whether the camera has stopped", state.error());
+    };
+    if (!state && state.error().code != ErrorCode::timeout) co_return unknown();
     const std::string still = state ? turning(*state) : "";
     if (state && still.empty()) co_return Result<void>();
     if (auto refused = refusals.take()) {
       refused->message += "; the camera still turns: " + still;
       co_return *std::move(refused);
     }
-    if (deadline.is_over()) {
-      co_return ClientError{ErrorCode::timeout, "the camera still turns: " + still};
-    }
     const Instant next = task.now() + detail::duration_of(options.interval);
     const Result<void> waited = co_await wait_until(earlier(next, deadline.end()));
     if (!waited) co_return detail::cancelled_error("stopping the camera");
+    if (!deadline.is_over()) continue;
+    co_return state ? ClientError{ErrorCode::timeout, "the camera still turns: " + still}
+                    : unknown();
   }
 }
 

@@ -25,18 +25,18 @@ constexpr std::chrono::milliseconds whole_milliseconds(Duration duration) noexce
   return std::chrono::milliseconds(duration.us / 1000);
 }
 
-/// The deadline of a task.
+/// The deadline of a task, to the millisecond, as the timeouts of its calls.
 class Deadline {
  public:
   Deadline(const TaskMachine& task, std::chrono::milliseconds timeout) noexcept
       : task_(task), end_(task.now() + duration_of(timeout)) {}
 
-  bool is_over() const noexcept { return task_.now() >= end_; }
+  /// True if nothing can be done any more.
+  bool is_over() const noexcept { return left().count() == 0; }
   Instant end() const noexcept { return end_; }
-  /// The remaining time, rounded up; 0 after the deadline.
+  /// The remaining time, rounded down, so that a call with this timeout ends in time.
   std::chrono::milliseconds left() const noexcept {
-    const std::int64_t left = std::max<std::int64_t>((end_ - task_.now()).us, 0);
-    return std::chrono::milliseconds(left / 1000 + (left % 1000 != 0 ? 1 : 0));
+    return whole_milliseconds({std::max<std::int64_t>((end_ - task_.now()).us, 0)});
   }
 
  private:
@@ -45,13 +45,11 @@ class Deadline {
 };
 
 /// Returns the options of a call inside a task. By default a call ends long before the task, so it
-/// can be repeated. Only near the end of a task is its timeout limited to the remaining time, but
-/// the last call always gets enough time for a response.
+/// can be repeated. Only near the end of a task is its timeout limited to the remaining time.
 inline CallOptions options_within(const Deadline& deadline) {
   constexpr std::chrono::seconds enough{10};
-  constexpr std::chrono::milliseconds least{250};
   CallOptions options;
-  if (deadline.left() < enough) options.timeout = std::max(deadline.left(), least);
+  if (deadline.left() < enough) options.timeout = deadline.left();
   return options;
 }
 

@@ -12,6 +12,10 @@ using detail::ParametersKind;
 
 namespace {
 
+/// What a write and its confirmation may take. With less time left, it is not begun: "unwritten" is
+/// better than "unknown".
+constexpr std::chrono::milliseconds writing_time{250};
+
 /// A block to be written.
 struct Step {
   const ParametersKind* kind{};
@@ -119,6 +123,9 @@ class Writing {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (report_.parameters[i].state == ParametersState::equal) continue;
       auto going = tell(steps_.size() + i, to_text(report_.parameters[i].id));
+      if (going && deadline_.left() < writing_time) {
+        going = detail::late_error("writing the parameters");
+      }
       if (!going) co_return co_await stop(i, std::move(going));
       if (auto done = co_await write(i); !done) co_return co_await stop(i + 1, std::move(done));
     }

@@ -43,7 +43,9 @@ void drive(const Conversation& conversation, TaskMachine& task, Clock& clock);
 }  // namespace detail
 
 /// A connected board. Every function may be called from any thread, also concurrently. No function
-/// throws or waits longer than its timeout.
+/// throws or waits longer than its timeout: the thread that waits ends the wait itself, so it
+/// returns as soon as the system lets it run again, also if the client's own thread gets no time.
+/// Only a move that fails may take longer, to stop the camera; see MoveOptions::stop_on_failure.
 ///
 /// Besides call(), each command has a function of its own, named without CMD_:
 /// `client.read_params_3({.profile_id = profile})`; see <sbgc/client/calls.hpp>.

@@ -25,7 +25,7 @@ struct MoveProgress {
 struct MoveOptions {
   /// The speed, without a sign; 0 selects the speed in the board's parameters.
   msg::ControlSpeed speed{};
-  /// For the whole move.
+  /// For the whole move. Stopping a camera that has not arrived by then takes longer.
   std::chrono::milliseconds timeout{30'000};
   /// The largest deviation from the target at which an axis counts as arrived, in degrees.
   double tolerance = 0.5;
@@ -33,7 +33,8 @@ struct MoveOptions {
   std::chrono::milliseconds settle{300};
   /// How often to poll the angles.
   std::chrono::milliseconds interval{50};
-  /// Stop the camera if it does not arrive: on a timeout, cancellation or error.
+  /// Stop the camera if it does not arrive: on a timeout, cancellation or error. This takes up to
+  /// StopOptions::timeout more.
   bool stop_on_failure = true;
   /// Called after each poll. Returning false cancels the move.
   std::function<bool(const MoveProgress&)> progress{};

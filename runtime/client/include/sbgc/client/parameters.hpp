@@ -139,7 +139,8 @@ struct ReadOptions {
 
 /// Options of write_parameters().
 struct WriteOptions {
-  /// For the whole operation.
+  /// For the whole operation. No block is sent in the last 250 ms, because its confirmation might
+  /// not arrive in time.
   std::chrono::milliseconds timeout{120'000};
   /// Only report what would be written.
   bool dry_run = false;

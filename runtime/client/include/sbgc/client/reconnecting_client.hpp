@@ -70,7 +70,8 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   template <Message M>
   Subscription subscribe(std::function<void(const M&)> handler) {
     return keep(
-        [](Client& client, const MessageHandler& pass_on) -> Result<Subscription> {
+        [](Client& client, const MessageHandler& pass_on,
+           const CallOptions&) -> Result<Subscription> {
           return client.subscribe<M>([pass_on](const M& message) { pass_on(&message); });
         },
         detail::typed_handler<M>(std::move(handler)));
@@ -78,7 +79,8 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   /// Like Client::on_frame(), also during an outage.
   Subscription on_frame(std::function<void(const BoardFrame&)> handler) {
     return keep(
-        [](Client& client, const MessageHandler& pass_on) -> Result<Subscription> {
+        [](Client& client, const MessageHandler& pass_on,
+           const CallOptions&) -> Result<Subscription> {
           return client.on_frame([pass_on](const BoardFrame& frame) { pass_on(&frame); });
         },
         detail::typed_handler<BoardFrame>(std::move(handler)));
@@ -105,9 +107,9 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
     const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
                                                     roles::stream_interval(request).raw());
     return keep_stream(
-        [request, options](Client& client, const MessageHandler& pass_on) {
+        [request](Client& client, const MessageHandler& pass_on, const CallOptions& left) {
           return client.stream<M, Request>(
-              request, [pass_on](const M& message) { pass_on(&message); }, options);
+              request, [pass_on](const M& message) { pass_on(&message); }, left);
         },
         detail::typed_handler<M>(std::move(handler)), interval, options);
   }
@@ -144,7 +146,8 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   friend struct detail::ReconnectingOver;
   using MessageHandler = detail::Conversation::MessageHandler;
   /// Registers a handler, which takes a pointer to its message, with a new connection.
-  using Begin = std::function<Result<Subscription>(Client&, const MessageHandler&)>;
+  using Begin =
+      std::function<Result<Subscription>(Client&, const MessageHandler&, const CallOptions&)>;
 
   explicit ReconnectingClient(std::shared_ptr<Impl> impl) noexcept;
 
