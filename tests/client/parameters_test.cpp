@@ -145,7 +145,7 @@ TEST_F(ParametersTest, ReadsOnlyWhatIsWanted) {
   ASSERT_TRUE(set) << set.error().message;
   ASSERT_THAT(set->all(), SizeIs(1));
   EXPECT_EQ(set->all()[0].id, (ParametersId{"ReadParams3", 2}));
-  EXPECT_EQ(count<msg::ReadParams3Request>(), 1U);
+  EXPECT_EQ(count<msg::ReadParams3Request>(), 2U);
   EXPECT_EQ(total, 1U);
 }
 

@@ -53,7 +53,7 @@ TEST_F(VariablesTest, AreSetInTheirUnitsAndRounded) {
   ASSERT_TRUE(client().set_variables(values));
   EXPECT_EQ(get(msg::VariableId::frame_heading_angle), -1800);
   EXPECT_EQ(get(msg::VariableId::i_roll), 13);
-  EXPECT_EQ(board.log().size(), 1U);
+  EXPECT_EQ(count<msg::SetAdjVarsVal>(), 1U);
 }
 
 TEST_F(VariablesTest, UnknownNamesAreRefusedWithAHint) {

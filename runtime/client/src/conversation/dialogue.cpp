@@ -174,7 +174,7 @@ void Dialogue::handle_completion(const Event& event) {
 }
 
 Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
-  Reply reply{kind, frame.id, {}, nullptr};
+  Reply reply{kind, frame.id, {}, nullptr, frame.framing};
   static_cast<void>(reply.body.resize(frame.body.size()));  // the body of a frame always fits
   std::ranges::copy(frame.body, reply.body.begin());
   if (needs_context(frame)) {

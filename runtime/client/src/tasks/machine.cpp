@@ -28,6 +28,7 @@ bool TaskMachine::is_ready() {
 }
 
 void TaskMachine::replied(std::uint32_t number, Result<Reply> reply) {
+  if (reply && reply->id != 0) framing_ = reply->framing;
   const auto call = calls_.find(number);
   if (call != calls_.end()) call->second.reply = std::move(reply);
 }

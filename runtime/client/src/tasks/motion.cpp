@@ -13,6 +13,7 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/parameters.hpp>
 
+#include "tasks/agreement.hpp"
 #include "tasks/control_timeout.hpp"
 #include "tasks/tools.hpp"
 
@@ -281,8 +282,9 @@ Task<Result<msg::ControlConfig>> detail::control_timeout_request(
   // The rate has no value that keeps it: repeat the one of the parameters.
   msg::ReadParams3Request active;
   active.profile_id = msg::ReadParams3Request::active_profile;
-  const Result<msg::ReadParams3> parameters = co_await tasks::call(active);
-  if (!parameters) co_return during("reading the expo rate", parameters.error());
+  const std::string what = "reading the expo rate";
+  const Result<msg::ReadParams3> parameters = co_await call_surely(active, what);
+  if (!parameters) co_return during(what, parameters.error());
   msg::ControlConfig config;
   config.timeout_ms = msg::Milliseconds(static_cast<std::uint16_t>(timeout.count()));
   config.rc_expo_rate = parameters->rc_expo_rate;

@@ -6,6 +6,7 @@
 #include <sbgc/text/status.hpp>
 
 #include "parameters_kind.hpp"
+#include "tasks/agreement.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
@@ -33,10 +34,15 @@ Result<void> check_profile_name(std::string_view name) {
 namespace tasks {
 namespace {
 
+Task<Result<msg::ReadProfileNames>> read_names() {
+  co_return co_await detail::call_surely(msg::ReadProfileNamesRequest{},
+                                         "reading the profile names");
+}
+
 /// Changes the names on the board with `change(message)`.
 template <class Change>
 Task<Result<void>> change_names(Change change) {
-  Result<msg::ReadProfileNames> names = co_await call(msg::ReadProfileNamesRequest{});
+  Result<msg::ReadProfileNames> names = co_await read_names();
   if (!names) co_return names.error();
   change(*names);
   ParameterSet wanted;
@@ -68,7 +74,7 @@ Task<Result<std::size_t>> active_profile() {
 }
 
 Task<Result<ProfileNames>> profile_names() {
-  const Result<msg::ReadProfileNames> names = co_await call(msg::ReadProfileNamesRequest{});
+  const Result<msg::ReadProfileNames> names = co_await read_names();
   if (!names) co_return names.error();
   ProfileNames result;
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -7,10 +7,19 @@
 #include <sbgc/client/memory.hpp>
 #include <sbgc/client/parameters.hpp>
 
+#include "tasks/agreement.hpp"
+
 namespace sbgc::tasks {
+namespace {
+
+Task<Result<msg::ReadExternalData>> read_user_data() {
+  co_return co_await detail::call_surely(msg::ReadExternalDataRequest{}, "reading the user data");
+}
+
+}  // namespace
 
 Task<Result<Bytes>> download_user_data() {
-  const Result<msg::ReadExternalData> answer = co_await call(msg::ReadExternalDataRequest{});
+  const Result<msg::ReadExternalData> answer = co_await read_user_data();
   if (!answer) co_return answer.error();
   co_return Bytes(answer->data.begin(), answer->data.end());
 }
@@ -21,7 +30,7 @@ Task<Result<void>> upload_user_data(std::size_t offset, Bytes data) {
                           fmt::format("{} bytes at {} do not fit into the {} bytes of user data",
                                       data.size(), offset, user_data_size)};
   }
-  Result<msg::ReadExternalData> present = co_await call(msg::ReadExternalDataRequest{});
+  Result<msg::ReadExternalData> present = co_await read_user_data();
   if (!present) co_return present.error();
   std::ranges::copy(data, present->data.begin() + static_cast<std::ptrdiff_t>(offset));
   ParameterSet wanted;

@@ -11,6 +11,7 @@
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/text.hpp>
 
+#include "tasks/agreement.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
@@ -41,6 +42,11 @@ std::string similar_names(std::string_view name) {
       result += fmt::format("{}{}", result.empty() ? "; similar names: " : ", ", known);
   }
   return result;
+}
+
+const char* name_of(msg::VariableId id) {
+  const auto* const found = std::ranges::find(variables, id, &VariableInfo::id);
+  return found == std::end(variables) ? "a variable" : found->name;
 }
 
 }  // namespace
@@ -75,6 +81,64 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
 }
 
 namespace tasks {
+namespace {
+
+/// Returns the raw values of variables that fit into one message.
+Task<Result<std::vector<std::int32_t>>> get_raw(std::vector<msg::VariableId> ids) {
+  msg::GetAdjVarsVal request;
+  for (const msg::VariableId id : ids) request.param_id.push_back(id);
+  const Result<msg::SetAdjVarsVal> answer = co_await call(request);
+  if (!answer) co_return answer.error();
+  if (answer->params.size() != ids.size()) {
+    co_return ClientError{
+        ErrorCode::mismatch,
+        fmt::format("requested {} variables, but received {}", ids.size(), answer->params.size())};
+  }
+  std::vector<std::int32_t> values;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const msg::AdjVarValue& value = answer->params[i];
+    if (value.param_id != ids[i]) {
+      co_return ClientError{ErrorCode::mismatch,
+                            fmt::format("requested {}, but received variable {}", name_of(ids[i]),
+                                        static_cast<unsigned>(value.param_id))};
+    }
+    values.push_back(value.param_value);
+  }
+  co_return values;
+}
+
+/// True if the board holds these values, as far as two answers can tell.
+Task<Result<bool>> holds(msg::SetAdjVarsVal wanted) {
+  std::vector<msg::VariableId> ids;
+  std::vector<std::int32_t> values;
+  for (const msg::AdjVarValue& value : wanted.params) {
+    ids.push_back(value.param_id);
+    values.push_back(value.param_value);
+  }
+  const Result<std::vector<std::int32_t>> present = co_await get_raw(ids);
+  if (!present && present.error().code != ErrorCode::mismatch) co_return present.error();
+  if (present && *present == values) co_return true;
+  const Result<std::vector<std::int32_t>> again = co_await get_raw(ids);
+  if (!again) co_return again.error();
+  co_return *again == values;
+}
+
+/// Sets variables that fit into one message. If an undetected error of the line may have changed
+/// them on the way, reads them back, and sets them once more if they differ.
+Task<Result<void>> set_part(msg::SetAdjVarsVal request) {
+  const TaskMachine& task = co_await this_task();
+  for (unsigned attempts = 2;; --attempts) {
+    Result<void> sent = co_await call(request);
+    if (!sent || !has_only_sums(task.framing())) co_return sent;
+    const Result<bool> is_set = co_await holds(request);
+    if (!is_set) co_return detail::during("reading back", is_set.error());
+    if (*is_set) co_return Result<void>();
+    if (attempts == 1) break;
+  }
+  co_return ClientError{ErrorCode::mismatch, "the variables read back differently"};
+}
+
+}  // namespace
 
 Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) {
   std::vector<const VariableInfo*> wanted;
@@ -88,23 +152,12 @@ Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) 
     const std::span<const VariableInfo* const> rest(
         wanted.begin() + static_cast<std::ptrdiff_t>(result.size()), wanted.end());
     const auto part = rest.first(std::min(most_asked, rest.size()));
-    msg::GetAdjVarsVal request;
-    for (const VariableInfo* const variable : part) request.param_id.push_back(variable->id);
-    const Result<msg::SetAdjVarsVal> answer = co_await call(request);
-    if (!answer) co_return answer.error();
-    if (answer->params.size() != part.size()) {
-      co_return ClientError{ErrorCode::mismatch,
-                            fmt::format("requested {} variables, but received {}", part.size(),
-                                        answer->params.size())};
-    }
+    std::vector<msg::VariableId> ids;
+    for (const VariableInfo* const variable : part) ids.push_back(variable->id);
+    const Result<std::vector<std::int32_t>> values = co_await get_raw(std::move(ids));
+    if (!values) co_return values.error();
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const msg::AdjVarValue& value = answer->params[i];
-      if (value.param_id != part[i]->id) {
-        co_return ClientError{ErrorCode::mismatch,
-                              fmt::format("requested {}, but received variable {}", part[i]->name,
-                                          static_cast<unsigned>(value.param_id))};
-      }
-      result.push_back(variable_value(*part[i], value.param_value));
+      result.push_back(variable_value(*part[i], (*values)[i]));
     }
   }
   co_return result;
@@ -132,9 +185,10 @@ Task<Result<void>> set_variables(std::vector<VariableValue> values) {
     for (; sent < wanted.size() && request.params.size() < most_set; ++sent) {
       request.params.push_back(wanted[sent]);
     }
-    Result<void> done = co_await call(request);
+    const std::size_t size = request.params.size();
+    Result<void> done = co_await set_part(std::move(request));
     if (done) continue;
-    const std::size_t before = sent - request.params.size();
+    const std::size_t before = sent - size;
     if (wanted.size() <= most_set) co_return done;
     co_return detail::during(fmt::format("after {} of {} variables", before, wanted.size()),
                              done.error());

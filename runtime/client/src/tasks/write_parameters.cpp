@@ -51,7 +51,7 @@ class Writing {
                               fmt::format("this board does not have {}", to_text(block.id))};
       }
       if (auto going = tell(i, to_text(block.id)); !going) co_return going;
-      Result<Parameters> present = co_await detail::read_one(*step.kind, block.id.copy, deadline_);
+      const Result<Parameters> present = co_await read(i, block.body);
       if (!present) co_return present.error();
       auto body = detail::merged(*step.kind, block.body, present->body);
       if (!body) {
@@ -61,7 +61,7 @@ class Writing {
                 "{} has {} bytes on this board, but {} in the set, which is of another firmware",
                 to_text(block.id), present->body.size(), block.body.size())};
       }
-      step.before = std::move(present->body);
+      step.before = present->body;
       step.wanted = *std::move(body);
       if (detail::are_equal(*step.kind, step.before, step.wanted)) {
         report_.parameters[i].state = ParametersState::equal;
@@ -69,6 +69,20 @@ class Writing {
       report_.parameters[i].wanted = detail::field_changes(*step.kind, step.before, step.wanted);
     }
     co_return options_.validate ? validate(versions) : Result<void>();
+  }
+
+  /// Reads a block of the board. What differs from the expected body is read once more if the line
+  /// may have changed it: it decides what is written and reported.
+  Task<Result<Parameters>> read(std::size_t index, detail::Body expected) {
+    const detail::ParametersKind& kind = *steps_[index].kind;
+    const std::uint8_t copy = report_.parameters[index].id.copy;
+    Result<Parameters> present = co_await detail::read_one(kind, copy, deadline_);
+    if (present && detail::are_equal(kind, present->body, expected)) co_return present;
+    std::vector<Parameters> seen;
+    if (present) seen.push_back(*std::move(present));
+    if (!present && present.error().code != ErrorCode::mismatch) co_return present;
+    if (!seen.empty() && !has_only_sums(task_.framing())) co_return std::move(seen.front());
+    co_return co_await detail::read_one_surely(kind, copy, deadline_, std::move(seen));
   }
 
   /// Validates the fields that change.
@@ -150,6 +164,16 @@ class Writing {
   }
 
   Task<Result<void>> write(std::size_t index) {
+    const ParametersState& state = report_.parameters[index].state;
+    Result<void> done = co_await write_once(index);
+    // The line may have changed the request: do not leave the board with such values.
+    const bool may_be_damaged =
+        !done && state == ParametersState::different && has_only_sums(task_.framing());
+    if (may_be_damaged && deadline_.left() >= writing_time) done = co_await write_once(index);
+    co_return done;
+  }
+
+  Task<Result<void>> write_once(std::size_t index) {
     const Step& step = steps_[index];
     ParametersReport& block = report_.parameters[index];
     const Result<void> sent =
@@ -170,7 +194,7 @@ class Writing {
   Task<Result<void>> look(std::size_t index) {
     const Step& step = steps_[index];
     ParametersReport& block = report_.parameters[index];
-    Result<Parameters> present = co_await detail::read_one(*step.kind, block.id.copy, deadline_);
+    const Result<Parameters> present = co_await read(index, step.wanted);
     if (!present) co_return present.error();
     const bool was_equal = detail::are_equal(*step.kind, step.before, step.wanted);
     block.deviation.clear();

@@ -58,6 +58,13 @@ constexpr decltype(auto) with_framing(Framing framing, Function&& function) {
   return detail::with_framing<0>(framing, function);
 }
 
+/// True if damage is detected only by sums of bytes. Damage that does not change the sums passes:
+/// two opposite bits of the same place, for example, or a byte lost and an equal one doubled.
+constexpr bool has_only_sums(Framing framing) noexcept {
+  return with_framing(
+      framing, [](auto f) { return FramingFacts<f()>::trailer_checksum == ChecksumKind::sum8; });
+}
+
 /// Returns the size of a frame with a body of `body_size` bytes.
 constexpr std::size_t frame_size(Framing framing, std::size_t body_size) noexcept {
   return with_framing(framing, [body_size](auto f) { return frame_size<f()>(body_size); });

@@ -28,6 +28,7 @@ struct Reply {
   BoundedBytes<max_body_size> body{};  ///< the body of that message
   /// The context from earlier messages that decoding needs, if any.
   std::shared_ptr<const Contexts> contexts{};
+  Framing framing = basic_framing;  ///< of that message
 };
 
 namespace detail {

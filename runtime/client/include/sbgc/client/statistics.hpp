@@ -7,6 +7,16 @@
 
 namespace sbgc {
 
+/// What the counters say about the line from the board: shares of its frames, 0 to 1.
+struct LineQuality {
+  double damaged{};  ///< frames whose damage was noticed; they are missing
+  /// An estimate of the frames whose damage no check notices, so that their values are wrong. It
+  /// assumes single wrong bits; lost and repeated bytes pass the checks more often.
+  double undetected{};
+};
+
+LineQuality line_quality(const SessionStatistics& statistics) noexcept;
+
 struct ClientStatistics {
   std::uint64_t calls{};        ///< started
   std::uint64_t failures{};     ///< ended with an error

@@ -82,6 +82,8 @@ class TaskMachine {
 
   Instant now() const noexcept { return now_; }
   const BoardIdentity& identity() const noexcept { return board_; }
+  /// The framing of the board's last answer.
+  Framing framing() const noexcept { return framing_; }
 
   /// Starts a call that runs concurrently with the task; returns its number.
   template <Message M>
@@ -126,6 +128,7 @@ class TaskMachine {
 
   BoardIdentity board_;
   Instant now_{};
+  Framing framing_ = basic_framing;
   std::coroutine_handle<> coroutine_{};  // the coroutine to resume next
   Wait wait_{.until = Instant{std::numeric_limits<std::int64_t>::min()}};
   std::deque<TaskStep> steps_{};

@@ -37,7 +37,8 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value);
 
 namespace tasks {
 
-/// Returns the values of these variables, in the given order. Uses as few messages as possible.
+/// Returns the values of these variables, in the given order. Uses as few messages as possible. A
+/// value is only as certain as one answer; if much depends on it, read it twice.
 Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names);
 /// Returns the value of one variable.
 Task<Result<double>> get_variable(std::string name);
@@ -45,6 +46,10 @@ Task<Result<double>> get_variable(std::string name);
 /// Sets variables until the board restarts, or until they are saved. Validates all values before
 /// sending any. Variables that fit into one message change at the same moment. If the operation
 /// fails, the error reports how many were set, in the given order.
+///
+/// While the board answers in the first framing, whose sums let some damage pass, the variables are
+/// read back. If they differ, they are set once more; then the operation fails with
+/// ErrorCode::mismatch.
 Task<Result<void>> set_variables(std::vector<VariableValue> values);
 /// Sets one variable.
 Task<Result<void>> set_variable(std::string name, double value);
