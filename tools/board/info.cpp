@@ -103,6 +103,11 @@ Info collect(const CommandContext& context) {
   return info;
 }
 
+std::string quality_text(const LineQuality& quality) {
+  return fmt::format("{:.2g} % of frames damaged; about {:.2g} % are wrong without notice",
+                     100 * quality.damaged, 100 * quality.undetected);
+}
+
 Json names(const std::vector<Feature>& features, bool present) {
   Json result = Json::array();
   for (const Feature& feature : features) {
@@ -112,12 +117,15 @@ Json names(const std::vector<Feature>& features, bool present) {
 }
 
 Json to_json(const Info& info) {
+  const LineQuality quality = line_quality(info.statistics.session);
   Json line{{"description", info.line},
             {"framing", to_string(info.statistics.session.framing)},
             {"open_s", info.open_s},
             {"requests", info.test.sent},
             {"responses", info.test.times_ms.size()},
-            {"skipped_bytes", info.statistics.session.parser.skipped_bytes}};
+            {"skipped_bytes", info.statistics.session.parser.skipped_bytes},
+            {"damaged_share", quality.damaged},
+            {"undetected_share", quality.undetected}};
   if (!info.test.times_ms.empty()) {
     line["round_trip_ms"] = {{"min", info.test.times_ms.front()},
                              {"median", info.test.median()},
@@ -166,6 +174,8 @@ void print_text(const Info& info) {
   out.print("", fmt::format("framing {}, open for {:.1f} s, {} bytes skipped",
                             to_string(info.statistics.session.framing), info.open_s,
                             info.statistics.session.parser.skipped_bytes));
+  const LineQuality quality = line_quality(info.statistics.session);
+  if (quality.damaged > 0) out.print("", quality_text(quality));
   std::string test =
       fmt::format("{} of {} requests answered", info.test.times_ms.size(), info.test.sent);
   if (!info.test.times_ms.empty()) {

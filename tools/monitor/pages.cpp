@@ -233,6 +233,9 @@ void draw_line(Screen& screen, View& view, const GimbalSnapshot& gimbal, const L
   put("noise",
       fmt::format("{} bytes skipped, {} bad headers, {} bad bodies", session.parser.skipped_bytes,
                   session.parser.header_errors, session.parser.body_errors));
+  const LineQuality quality = line_quality(session);
+  put("damaged", fmt::format("{:.2g} % of frames; about {:.2g} % are wrong without notice",
+                             100 * quality.damaged, 100 * quality.undetected));
   put("sent", fmt::format("{} frames, {} bytes", session.sent_frames, session.sent_bytes));
   put("without response", fmt::format("{} attempts, {} repeated, {} late responses",
                                       session.timeouts, session.retries, session.late_replies));
