@@ -16,11 +16,11 @@
 /// have more, or keep some per profile. That is why write_parameters() reads all parameters again
 /// at the end.
 ///
-/// Damaged answers: the sums of the first framing let some damage pass (docs/3-connecting.md). While
-/// a board answers in it, a block counts as read only once two answers agree, so that no wrong value
-/// gets into a backup, or from there or from a read-modify-write back to the board; a reading that
-/// six answers cannot settle fails with ErrorCode::mismatch. A block that reads back differently
-/// from what was written is read again, and then written once more.
+/// Damaged answers: the sums of the first framing let some damage pass (docs/3-connecting.md).
+/// While a board answers in it, a block counts as read only once two answers agree, so that no
+/// wrong value gets into a backup, or from there or from a read-modify-write back to the board; a
+/// reading that six answers cannot settle fails with ErrorCode::mismatch. A block that reads back
+/// differently from what was written is read again, and then written once more.
 ///
 /// Parameters take effect at once; wrong ones make a gimbal shake or spin. See docs/2-safety.md.
 #pragma once
