@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include <sbgc/detail/compiler.hpp>
 
@@ -41,7 +40,7 @@ inline std::uint8_t byte_sum_sse2(const std::uint8_t* bytes, std::size_t size) n
 /// Returns the sum of `size` bytes modulo 256.
 constexpr std::uint8_t byte_sum(const std::uint8_t* bytes, std::size_t size) noexcept {
 #if SBGC_HAS_SSE2
-  if (!std::is_constant_evaluated() && size >= 16) return detail::byte_sum_sse2(bytes, size);
+  if (!detail::is_constant_evaluated() && size >= 16) return detail::byte_sum_sse2(bytes, size);
 #endif
   return detail::byte_sum_plain(bytes, size);
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/crc_fold.hpp>
@@ -74,7 +73,7 @@ class Crc16 {
 #if SBGC_HAS_CARRYLESS_MULTIPLICATION
     if constexpr (table == CrcTable::slices) {
       constexpr std::size_t worthwhile = 32;
-      if (!std::is_constant_evaluated() && size >= worthwhile &&
+      if (!detail::is_constant_evaluated() && size >= worthwhile &&
           detail::has_carryless_multiplication()) {
         register_ = detail::crc_by_folding<polynomial>(register_, bytes, size);
         return *this;

@@ -102,7 +102,7 @@ constexpr WriteResult write_frame(std::uint8_t id, std::span<const std::uint8_t>
     return {0, status};
   }
   std::uint8_t* const place = frame_body(out.data());
-  if (std::is_constant_evaluated()) {
+  if (detail::is_constant_evaluated()) {
     for (std::size_t i = 0; i < body.size(); ++i) place[i] = body[i];
   } else if (!body.empty()) {
     detail::move_memory(place, body.data(), body.size());

@@ -217,7 +217,7 @@ SBGC_ALWAYS_INLINE constexpr const std::uint8_t* find_header(const std::uint8_t*
                                                              const Starts& starts) noexcept {
   for (;; ++begin) {
 #if SBGC_HAS_SSE2
-    if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers, starts);
+    if (!detail::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers, starts);
 #endif
     if (begin == end) return end;
     bool is_start = false;

@@ -65,7 +65,7 @@ SBGC_ALWAYS_INLINE constexpr std::size_t finish_frame_of(const M& message, std::
     if constexpr (is_small) {
       return Format::finish(frame, id, body_size, static_cast<std::uint8_t>(sum_of_value(message)));
     } else if constexpr (is_same_in_memory<M>) {
-      if (!std::is_constant_evaluated()) {
+      if (!detail::is_constant_evaluated()) {
         return Format::finish(frame, id, body_size, sum_in_memory(message));
       }
     }

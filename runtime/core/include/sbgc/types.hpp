@@ -108,8 +108,8 @@ class BoundedArray {
   using value_type = T;
 
   constexpr BoundedArray() noexcept
-      : room_(std::is_constant_evaluated() ? Room(typename Room::Zeroed{})
-                                           : Room(typename Room::Uninitialized{})) {}
+      : room_(detail::is_constant_evaluated() ? Room(typename Room::Zeroed{})
+                                              : Room(typename Room::Uninitialized{})) {}
 
   static constexpr std::size_t capacity() noexcept { return n; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }

@@ -29,7 +29,7 @@ constexpr Status decode_and_call(const std::uint8_t* SBGC_RESTRICT data, std::si
   }
   if (status) {
     // The visitor may overwrite the body: the compiler must not read it later than here.
-    if (!std::is_constant_evaluated()) __atomic_signal_fence(__ATOMIC_SEQ_CST);
+    if (!detail::is_constant_evaluated()) __atomic_signal_fence(__ATOMIC_SEQ_CST);
     visitor(std::as_const(message));
   }
   return status;

@@ -44,7 +44,7 @@ inline constexpr bool same_order = host == std::endian::little;
 /// `host` is a parameter so that tests can run the code for big-endian hosts on any machine.
 template <Number T, std::endian host = std::endian::native>
 constexpr T load(const std::uint8_t* bytes) noexcept {
-  if (detail::same_order<host> && !std::is_constant_evaluated()) {
+  if (detail::same_order<host> && !sbgc::detail::is_constant_evaluated()) {
     T value;
     sbgc::detail::copy_memory(&value, bytes, sizeof value);
     return value;
@@ -59,7 +59,7 @@ constexpr T load(const std::uint8_t* bytes) noexcept {
 /// Writes `value` to the sizeof(T) bytes at `bytes`, which may be unaligned.
 template <Number T, std::endian host = std::endian::native>
 constexpr void store(std::uint8_t* bytes, T value) noexcept {
-  if (detail::same_order<host> && !std::is_constant_evaluated()) {
+  if (detail::same_order<host> && !sbgc::detail::is_constant_evaluated()) {
     sbgc::detail::copy_memory(bytes, &value, sizeof value);
     return;
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #if !defined(__GNUC__)
 #error "sbgc needs g++ 11, clang++ 14 or a later version of them"
@@ -33,6 +34,16 @@ SBGC_ALWAYS_INLINE inline void move_memory(void* to, const void* from, std::size
 SBGC_ALWAYS_INLINE inline bool is_same_memory(const void* a, const void* b,
                                               std::size_t size) noexcept {
   return __builtin_memcmp(a, b, size) == 0;
+}
+
+/// True in a constant expression, which must not copy memory or use vectors. SBGC_AS_CONSTANT makes
+/// a program run the code of constant expressions, so that a fuzzer can test it.
+SBGC_ALWAYS_INLINE constexpr bool is_constant_evaluated() noexcept {
+#if defined(SBGC_AS_CONSTANT)
+  return true;
+#else
+  return std::is_constant_evaluated();
+#endif
 }
 
 /// Ends the program. A constant expression that gets here does not compile.

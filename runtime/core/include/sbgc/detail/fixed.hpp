@@ -16,7 +16,7 @@
 namespace sbgc::detail {
 
 constexpr void copy(const std::uint8_t* from, std::uint8_t* to, std::size_t size) noexcept {
-  if (std::is_constant_evaluated()) {
+  if (detail::is_constant_evaluated()) {
     for (std::size_t i = 0; i < size; ++i) to[i] = from[i];
   } else if (size != 0) {
     copy_memory(to, from, size);
@@ -159,7 +159,7 @@ struct Fixed {
 
   template <bool in_blocks, Place place, class M, class T>
   static constexpr void get_member(const std::uint8_t* from, M& out, T& member) noexcept {
-    if (in_blocks && place.same && !std::is_constant_evaluated()) {
+    if (in_blocks && place.same && !detail::is_constant_evaluated()) {
       if constexpr (place.block != 0) {
         static_assert(std::is_standard_layout_v<M> && std::is_trivially_copyable_v<M>);
         auto* const bytes = reinterpret_cast<unsigned char*>(&out);
@@ -171,7 +171,7 @@ struct Fixed {
   }
   template <bool in_blocks, Place place, class M, class T>
   static constexpr void put_member(std::uint8_t* to, const M& in, const T& member) noexcept {
-    if (in_blocks && place.same && !std::is_constant_evaluated()) {
+    if (in_blocks && place.same && !detail::is_constant_evaluated()) {
       if constexpr (place.block != 0) {
         static_assert(std::is_standard_layout_v<M> && std::is_trivially_copyable_v<M>);
         const auto* const bytes = reinterpret_cast<const unsigned char*>(&in);
