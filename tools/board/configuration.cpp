@@ -17,8 +17,29 @@ namespace sbgc::tools {
 
 namespace {
 
+// The parser's time grows with the square of the levels of a section or key.
+constexpr std::size_t longest_configuration = std::size_t{1} << 16U;
+constexpr std::ptrdiff_t most_levels = 64;
+
 [[noreturn]] void reject(const std::string& reason) {
   throw CommandError(configuration_file().string() + ": " + reason);
+}
+
+void check_limits(const std::string& text) {
+  if (text.size() > longest_configuration) {
+    reject(fmt::format("longer than {} bytes", longest_configuration));
+  }
+  std::istringstream lines(text);
+  std::size_t number = 1;
+  for (std::string line; std::getline(lines, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#' || line[first] == ';') continue;
+    const auto name_end =
+        line.begin() + static_cast<std::ptrdiff_t>(std::min(line.find('='), line.size()));
+    if (std::count(line.begin(), name_end, '.') >= most_levels) {
+      reject(fmt::format("line {}: nested deeper than {} levels", number, most_levels));
+    }
+  }
 }
 
 double number(const CLI::ConfigItem& item, double least, double most) {
@@ -86,9 +107,16 @@ std::vector<NamedGimbal> named_gimbals() {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return {};
   std::ifstream file(path);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()) || !file) reject("cannot be read");
-  std::istringstream input(text.str());
+  std::string text(longest_configuration + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad()) reject("cannot be read");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return gimbals_in(text);
+}
+
+std::vector<NamedGimbal> gimbals_in(const std::string& text) {
+  check_limits(text);
+  std::istringstream input(text);
   std::vector<NamedGimbal> gimbals;
   try {
     for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(input)) {

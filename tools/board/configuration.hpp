@@ -32,6 +32,9 @@ std::filesystem::path configuration_file();
 /// the file cannot be read or is invalid.
 std::vector<NamedGimbal> named_gimbals();
 
+/// Returns the gimbals in the text of a configuration file. Throws CommandError if it is invalid.
+std::vector<NamedGimbal> gimbals_in(const std::string& text);
+
 /// Returns the gimbal with this name. Throws CommandError, with suggestions, if there is none.
 NamedGimbal find_gimbal(const std::string& name);
 
