@@ -72,7 +72,7 @@ def typical_vector(message: Message) -> Vector:
 @remember
 def _typical_body(message: Message) -> tuple[bytes, Fields] | None:
     """A body of typical values that satisfies the first condition on a field, and its context."""
-    forced: Fields = next((case["forced"] for case in _cases(message) if "forced" in case), {})
+    forced: Fields = next((case["forced"] for case in cases_of(message) if "forced" in case), {})
     context = typical_context(message)
     for short in (False, True):
         choice = Choice(
@@ -92,7 +92,7 @@ def _typical_body(message: Message) -> tuple[bytes, Fields] | None:
     return None
 
 
-def _cases(message: Message) -> Iterator[dict[str, Any]]:
+def cases_of(message: Message) -> Iterator[dict[str, Any]]:
     """For each condition, the options of a choice that satisfies it."""
     seen = []
     for when in conditions(message):
@@ -273,7 +273,7 @@ class _Maker:
 
     def cases(self) -> Iterator[dict[str, Any]]:
         """For each condition, the options of a choice that satisfies it."""
-        return _cases(self.message)
+        return cases_of(self.message)
 
     # Results
 

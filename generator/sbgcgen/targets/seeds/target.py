@@ -1,7 +1,8 @@
 """Seeds and a dictionary for the fuzzers, so that they start with valid input.
 
-fuzz/core/*_fuzz.cpp define the input formats: for `messages`, a byte for the direction (0 is to the
-board), the id, and the body; for `framing`, steps of an opcode and the bytes that it feeds.
+fuzz/ defines the input formats: for `messages`, a byte for the direction (0 is to the board), the id,
+and the body; for `framing`, `session` and `board`, steps of an opcode and its operands; for `json`,
+lines as `sbgc encode` reads them.
 """
 
 from __future__ import annotations
@@ -10,10 +11,14 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sbgcgen.model import Field, Layout, Message, Struct
-from sbgcgen.oracle.codec import scalar_of
-from sbgcgen.oracle.compose import Choice, Places, first_that_fits, full_context
+from sbgcgen.oracle.codec import CodecError, scalar_of
+from sbgcgen.oracle.compose import Choice, Places, compose, first_that_fits, full_context
+from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.edges import counting
+from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import header_of, write_frame
+from sbgcgen.oracle.json_values import plain, to_json
+from sbgcgen.oracle.vectors import cases_of
 from sbgcgen.targets import Target
 
 _WRITE_FRAME = 240
@@ -46,18 +51,133 @@ class Seeds(Target):
                 yield f"{name}_whole", bytes((_FEED_ALL,)) + stream
                 yield f"{name}_cut", b"".join(_cut(stream))
                 yield f"{name}_noise", b"".join(_cut(_noisy(layout, frames)))
+            if family.messages:
+                requests = [
+                    (message.id, body)
+                    for message in family.messages
+                    if message.direction != "from_board"
+                    for body in dict.fromkeys([*bodies[id(message)], *_various(message)])
+                ]
+                yield f"fuzz/session/{family.name}", b"".join(_session(requests))
+                for name, options in _BOARDS.items():
+                    yield f"fuzz/board/{family.name}_{name}", b"".join(_board(options, requests))
+                lines = [_line(m, body) for m in family.messages for body in bodies[id(m)][:2]]
+                yield f"fuzz/json/{family.name}", "".join(lines).encode()
+        yield "fuzz/eeprom/variables", b"".join(_variables(layout))
+        for name, text in _hostile_json().items():
+            yield f"fuzz/json/{name}", text.encode()
         yield "fuzz/framing/written", b"".join(_written(layout))
         yield "fuzz/framing/no_frames", b"".join(_no_frames(layout))
 
 
 def _bodies(message: Message) -> list[bytes]:
-    """A body with all optional parts, and a minimal one."""
+    """A body with all optional parts, a minimal one, and one for each condition on a field."""
     places = Places()
     short = Choice(places, short=True)
     full = Choice(places, round=1, context=full_context(message))
     bodies = [first_that_fits(message, full, short)]
     bodies.append(first_that_fits(message, short))
+    for case in cases_of(message):
+        if "forced" in case:
+            try:
+                bodies.append(encode(message, compose(message, Choice(places, round=1, **case))))
+            except CodecError:
+                pass
     return list(dict.fromkeys(bodies))
+
+
+_MOST_ROUNDS = 4
+_SMALL = 12  # bytes, which may be the values of a few enums
+
+
+def _various(message: Message) -> Iterator[bytes]:
+    """Bodies with edge values: of a small message, with each value of its enums."""
+    if not message.max_size:
+        return
+    yield b"\xff" * message.min_size
+    last = Choice(Places(), short=True, context=full_context(message))
+    while True:
+        try:
+            yield encode(message, compose(message, last))
+        except CodecError:
+            pass
+        most = last.rounds_of_free if message.max_size <= _SMALL else _MOST_ROUNDS
+        if last.round + 1 >= min(most, last.rounds_of_free):
+            return
+        last = Choice(last.places, round=last.round + 1, short=True, context=last.context)
+
+
+# Conversations
+
+
+_Requests = Iterable[tuple[int, bytes]]
+
+# The options of a session: without pacing.
+_UNPACED = 8
+# Steps of a session; those from 64 on poll.
+_REQUEST, _FIRST_RESPONSE, _LAST_RESPONSE, _CONFIRMATION, _WAIT = 120, 76, 136, 66, 68
+_EXPECT_CONFIRMATION = 1
+# The options of boards: an old one, and the newest.
+_BOARDS = {"old": 1, "new": 3}
+# Steps of a board, which sends what it has; in a frame of the first or the last framing.
+_FRAMES, _MILLISECONDS, _NEXT = (135, 195), 128, 130
+
+
+def _session(requests: _Requests) -> Iterator[bytes]:
+    """Each request with its first response, its last one, or a confirmation."""
+    yield bytes((_UNPACED,))
+    for id, body in requests:
+        for flags, answer in (
+            (0, (_FIRST_RESPONSE,)),
+            (_EXPECT_CONFIRMATION, (_LAST_RESPONSE,)),
+            (_EXPECT_CONFIRMATION, (_CONFIRMATION, id)),
+        ):
+            yield bytes((_REQUEST, id, flags, len(body))) + body
+            yield bytes(answer)
+        yield bytes((_WAIT, 22))  # 2^22 us
+
+
+def _board(options: int, requests: _Requests) -> Iterator[bytes]:
+    """Each request, and time to handle it."""
+    yield bytes((options,))
+    for number, (id, body) in enumerate(requests):
+        yield bytes((_FRAMES[number % len(_FRAMES)], id, len(body))) + body
+        yield bytes((_MILLISECONDS, 10, _NEXT))
+
+
+_SET_VARIABLE = 6
+
+
+def _variables(layout: Layout) -> Iterator[bytes]:
+    """Steps that set each adjustable variable to its limits."""
+    for variable in layout.variables:
+        for value in (variable.minimum, variable.maximum):
+            yield bytes((_SET_VARIABLE, variable.id)) + (value % (1 << 32)).to_bytes(4, "big")
+
+
+# JSON
+
+
+def _line(message: Message, body: bytes) -> str:
+    """The line of a body, with names of our own."""
+    try:
+        fields = decode(message, body, full_context(message))
+    except CodecError:
+        fields = decode(message, body)  # a minimal one
+    return to_json({"message": message.name, "fields": plain(fields)})
+
+
+def _hostile_json() -> dict[str, str]:
+    """Lines that are deeper or wider than any message."""
+    deep = 70
+    wide = ",".join(f'"k{number}":{number}' for number in range(300))
+    return {
+        "deep_lists": "[" * deep + "]" * deep,
+        "deep_objects": '{"a":' * deep + "1" + "}" * deep,
+        "wide_list": "[" + ",".join(["0"] * 1000) + "]",
+        "wide_object": "{" + wide + "}",
+        "repeated_key": "{" + wide + ',"k7":0}',
+    }
 
 
 # Streams
