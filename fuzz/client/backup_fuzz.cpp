@@ -1,13 +1,16 @@
-// Fuzzes the reader of backup files. Every text is a backup or an error with a message; a backup
-// survives being written and read again.
+// Fuzzes the reader of backup files, with bombs (see hostile_text.hpp). Every text is a backup or
+// an error with a message, in time in proportion to its size; a backup survives being written and
+// read again.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 
 #include <sbgc/client/backup.hpp>
+
+#include "hostile_text.hpp"
 
 namespace {
 
@@ -15,15 +18,9 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(data, data + size);
+void check(const std::string& text) {
   const sbgc::Result<sbgc::Backup> backup = sbgc::parse_backup(text);
-  if (!backup) {
-    require(!backup.error().message.empty());
-    return 0;
-  }
+  if (!backup) return require(!backup.error().message.empty());
   const std::string written = to_json_text(*backup);
   const sbgc::Result<sbgc::Backup> again = sbgc::parse_backup(written);
   require(static_cast<bool>(again));
@@ -32,5 +29,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(again->board.details == backup->board.details);
   require(to_json_text(*again) == written);
   require(diff(backup->parameters, again->parameters).empty());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = sbgc::fuzz::text_with_bombs({data, size});
+  sbgc::fuzz::require_linear_time(text.size(), std::chrono::microseconds(20), [&] { check(text); });
   return 0;
 }

@@ -1,4 +1,4 @@
-// Fuzzes the streaming parser, with each combination of framings, against the reference parser. The
+// Checks the streaming parser, with each combination of framings, against the reference parser. The
 // input is a sequence of steps, each an opcode byte and its operands, so a mutation moves chunk
 // boundaries and flushes as easily as bytes:
 //   0..239:   feed as many bytes as the opcode specifies
@@ -13,12 +13,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <sbgc/frame.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/small_parser.hpp>
 
+#include "core/both_paths.hpp"
 #include "core/reference_parser.hpp"
 
 namespace {
@@ -62,8 +64,16 @@ class Checker {
     settled_ = parser_.counters();
   }
 
+  /// Returns the frames since the last call: the offset, the id and the body of each.
+  Bytes take_results() { return std::exchange(results_, {}); }
+
  private:
   void keep(const sbgc::Frame& frame) {
+    for (int shift = 0; shift < 64; shift += 8) {
+      results_.push_back(static_cast<std::uint8_t>(frame.offset >> shift));
+    }
+    results_.push_back(frame.id);
+    results_.insert(results_.end(), frame.body.begin(), frame.body.end());
     frames_.push_back({frame.id,
                        {frame.body.begin(), frame.body.end()},
                        frame.offset,
@@ -88,6 +98,7 @@ class Checker {
   Bytes segment_;                 // fed since the last flush
   std::uint64_t segment_offset_{};
   std::vector<ReferenceFrame> frames_;
+  Bytes results_;
 };
 
 /// Parsers of both kinds and all combinations of framings.
@@ -98,6 +109,14 @@ class Checkers {
     v2_.feed(bytes);
     both_.feed(bytes);
     small_.feed(bytes);
+  }
+  /// Returns all frames since the last call, and where they were.
+  Bytes take_results() {
+    Bytes results = v1_.take_results();
+    for (const Bytes& others : {v2_.take_results(), both_.take_results(), small_.take_results()}) {
+      results.insert(results.end(), others.begin(), others.end());
+    }
+    return results;
   }
   void flush() {
     v1_.flush();
@@ -135,16 +154,16 @@ Bytes framed(Framing framing, std::uint8_t id, std::span<const std::uint8_t> bod
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+Bytes SBGC_FUZZ_RESULTS(std::span<const std::uint8_t> input) {
   // The reference parser runs after every step, so longer inputs are slow and find nothing new.
-  if (size > 4096) return 0;
-  std::span<const std::uint8_t> input(data, size);
+  if (input.size() > 4096) return {};
   const auto take = [&input](std::size_t count) {
     const auto taken = input.first(std::min(count, input.size()));
     input = input.subspan(taken.size());
     return taken;
   };
   Checkers checkers;
+  Bytes results;
   while (!input.empty()) {
     const std::uint8_t step = take(1)[0];
     if (step < 240) {
@@ -153,7 +172,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const auto head = take(3);
       if (head.size() < 3) break;
       const Framing framing = step % 2 == 0 ? Framing::v1 : Framing::v2;
-      checkers.feed(framed(framing, head[0], take(head[1]), head[2] + std::size_t{step} - 240));
+      const Bytes frame =
+          framed(framing, head[0], take(head[1]), head[2] + std::size_t{step} - 240);
+      results.insert(results.end(), frame.begin(), frame.end());
+      checkers.feed(frame);
     } else if (step < 255) {
       checkers.flush();
     } else {
@@ -161,5 +183,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   checkers.flush();
-  return 0;
+  const Bytes frames = checkers.take_results();
+  results.insert(results.end(), frames.begin(), frames.end());
+  return results;
 }

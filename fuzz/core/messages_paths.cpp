@@ -1,7 +1,8 @@
-// Fuzzes the bodies of messages. The input is a direction byte (lowest bit; 1: from the board), a
+// Checks the bodies of messages. The input is a direction byte (lowest bit; 1: from the board), a
 // command id and the body. A decoded body is validated and must encode to the same bytes, which
 // must decode again. The other bits of the first byte count the bytes at the end that are a request
-// instead, which may provide the context for decoding.
+// instead, which may provide the context for decoding. The results are the status, the values and
+// their texts, the violations and the frames.
 
 #include <algorithm>
 #include <array>
@@ -9,26 +10,52 @@
 #include <cstdint>
 #include <cstdlib>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/text/leaves.hpp>
+#include <sbgc/text/status.hpp>
 #include <sbgc/validate.hpp>
 #include <sbgc/visit.hpp>
+
+#include "core/both_paths.hpp"
 
 namespace {
 
 using Body = std::span<const std::uint8_t>;
+using Results = std::vector<std::uint8_t>;
+
+void add(Results& results, std::string_view text) {
+  results.insert(results.end(), text.begin(), text.end());
+  results.push_back('\n');
+}
+
+/// One type for all messages: each would be compiled for each of them.
+struct LeafText {
+  Results& results;
+
+  void operator()(const sbgc::Leaf& leaf) const {
+    add(results, sbgc::raw_text(leaf));
+    add(results, sbgc::meaning_text(leaf));
+  }
+};
 
 void require(bool condition) {
   if (!condition) std::abort();
 }
 
 template <class M>
-void check(const M& message, Body body, const sbgc::Contexts& contexts) {
+void check(const M& message, Body body, const sbgc::Contexts& contexts, Results& results) {
+  LeafText add_leaf{results};
+  sbgc::for_each_leaf(message, add_leaf);
   // Every path is formatted, as a program that reports violations does.
-  sbgc::validate(message, [](const sbgc::Violation& violation) {
+  sbgc::validate(message, [&](const sbgc::Violation& violation) {
     std::array<char, 32> path{};
-    require(violation.path.write(path.data(), path.size()) < path.size());
+    const std::size_t size = violation.path.write(path.data(), path.size());
+    require(size < path.size());
+    add(results, {path.data(), size});
   });
 
   std::array<std::uint8_t, sbgc::max_body_size> out{};
@@ -43,18 +70,25 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts) {
   } else {
     require(static_cast<bool>(sbgc::decode(body, again)));
   }
-  std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-  const sbgc::WriteResult framed = sbgc::encode_frame(again, frame);
-  require(framed.size == sbgc::frame_size(body.size()));
-  require(std::ranges::equal(std::span(frame).subspan(sbgc::frame_header_size, body.size()), body));
+  for (const sbgc::Framing framing : sbgc::framings) {
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    const sbgc::WriteResult framed = sbgc::encode_frame(framing, again, frame);
+    require(framed.size == sbgc::frame_size(framing, body.size()));
+    const auto bytes = std::span(frame).first(framed.size);
+    require(std::ranges::equal(bytes.subspan(sbgc::frame_header_size, body.size()), body));
+    results.insert(results.end(), bytes.begin(), bytes.end());
+    require(!sbgc::encode_frame(framing, again, bytes.first(bytes.size() - 1)));
+  }
 }
 
 void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
-                const sbgc::Contexts& contexts) {
-  const auto visitor = [&](const auto& message) { check(message, body, contexts); };
+                const sbgc::Contexts& contexts, Results& results) {
+  const auto visitor = [&](const auto& message) { check(message, body, contexts, results); };
   const sbgc::Status status = sbgc::visit(id, body, direction, visitor, contexts);
   require(status.field != nullptr);
   require(status.offset <= body.size());
+  add(results, to_string(status));
+  add(results, name(status.code));
 }
 
 /// Returns the contexts learned from `request`, decoded as every message type in turn.
@@ -69,17 +103,18 @@ sbgc::Contexts learn_from(Body request) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size < 2 || size > 2 + 2 * sbgc::max_body_size) return 0;
-  const bool from_board = data[0] % 2 != 0;
+Results SBGC_FUZZ_RESULTS(std::span<const std::uint8_t> input) {
+  Results results;
+  if (input.size() < 2 || input.size() > 2 + 2 * sbgc::max_body_size) return results;
+  const bool from_board = input[0] % 2 != 0;
   const auto direction = from_board ? sbgc::Direction::from_board : sbgc::Direction::to_board;
-  const std::uint8_t id = data[1];
-  const Body body(data + 2, std::min(size - 2, sbgc::max_body_size));
-  check_body(id, body, direction, {});
+  const std::uint8_t id = input[1];
+  const Body body = input.subspan(2, std::min(input.size() - 2, sbgc::max_body_size));
+  check_body(id, body, direction, {}, results);
 
-  const std::size_t request_size = std::min<std::size_t>(data[0] / 2, body.size());
-  if (request_size == 0) return 0;
+  const std::size_t request_size = std::min<std::size_t>(input[0] / 2, body.size());
+  if (request_size == 0) return results;
   check_body(id, body.first(body.size() - request_size), direction,
-             learn_from(body.last(request_size)));
-  return 0;
+             learn_from(body.last(request_size)), results);
+  return results;
 }

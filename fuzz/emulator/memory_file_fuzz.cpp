@@ -1,10 +1,12 @@
 // Fuzzes files that hold the memory of a board. Every text is a memory or an error with a message;
 // a memory survives being written and read again, and a board can use it.
 //
-// The input is the text. If it starts with the byte 0, the text is instead a valid file changed by
-// the remaining bytes, each three of which are an offset (2 bytes) and a new byte. This way,
-// mutations reach the verification of the checksum.
+// The input is the text, with bombs (see hostile_text.hpp). If it starts with the byte 0, the text
+// is instead a valid file changed by the remaining bytes, each three of which are an offset (2
+// bytes) and a new byte. This way, mutations reach the verification of the checksum. The time is in
+// proportion to the size.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -13,6 +15,7 @@
 
 #include "device/parts/file_system.hpp"
 #include "device/parts/parameters.hpp"
+#include "hostile_text.hpp"
 #include "serving/memory_file.hpp"
 
 namespace {
@@ -22,7 +25,7 @@ void require(bool condition) {
 }
 
 std::string text_of(std::span<const std::uint8_t> input) {
-  if (input.empty() || input.front() != 0) return {input.begin(), input.end()};
+  if (input.empty() || input.front() != 0) return sbgc::fuzz::text_with_bombs(input);
   static const std::string written =
       to_json_text(sbgc::serving::SavedMemory{sbgc::serving::owner_of({}), {}});
   std::string text = written;
@@ -32,14 +35,9 @@ std::string text_of(std::span<const std::uint8_t> input) {
   return text;
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto saved = sbgc::serving::parse_memory(text_of({data, size}));
-  if (!saved) {
-    require(!saved.error().message.empty());
-    return 0;
-  }
+void check(const std::string& text) {
+  const auto saved = sbgc::serving::parse_memory(text);
+  if (!saved) return require(!saved.error().message.empty());
   const std::string written = to_json_text(*saved);
   auto again = sbgc::serving::parse_memory(written);
   require(static_cast<bool>(again));
@@ -50,5 +48,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const sbgc::emulator::FileSystem files(again->memory);
   require(parameters.profile() == again->memory.profile);
   require(files.read(0, 0, 64).data.size() <= 64);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = text_of({data, size});
+  sbgc::fuzz::require_linear_time(text.size(), std::chrono::microseconds(20), [&] { check(text); });
   return 0;
 }

@@ -9,18 +9,37 @@
 //             is the size of its data
 //   250..254: remove the last bytes; the opcode minus 249 is their number
 //   255:      append the remaining bytes
+//
+// What reads captures has the same content: a replay delivers the bytes from the board, and `sbgc
+// decode` finds the same frames, gaps and notes for every chunk size. A file that is no capture is
+// read as raw bytes, and as hex text.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <variant>
 #include <vector>
 
+#include <asio/io_context.hpp>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/replay.hpp>
+#include <sbgc/parser.hpp>
+
+#include "frames/capture_frames.hpp"
+#include "frames/hex_text.hpp"
+#include "frames/input_guess.hpp"
+#include "frames/rejected_candidates.hpp"
 
 namespace {
 
@@ -121,6 +140,126 @@ Bytes make_file(std::span<const std::uint8_t> steps) {
   return file;
 }
 
+using ByteSpan = std::span<const std::uint8_t>;
+
+/// Calls `use` with the pieces of a file.
+template <class Use>
+void in_pieces(ByteSpan file, std::size_t piece, const Use& use) {
+  for (; !file.empty(); file = file.subspan(std::min(piece, file.size()))) {
+    use(file.first(std::min(piece, file.size())));
+  }
+}
+
+/// Writes down what `sbgc decode` shows of a capture.
+class Notes final : public sbgc::tools::CaptureListener {
+ public:
+  void on_session(const io::CaptureSession& session) override {
+    text += fmt::format("session {}\n", session.offset);
+  }
+  void on_frame(sbgc::Direction, io::CaptureTime time, const sbgc::Frame& frame) override {
+    text +=
+        fmt::format("{} frame {} {} {}\n", time.count(), frame.offset, frame.id, frame.body.size());
+  }
+  void on_skipped(sbgc::Direction, io::CaptureTime, std::uint64_t size,
+                  std::span<const sbgc::tools::RejectedCandidate> rejected) override {
+    text += fmt::format("skipped {}\n", size);
+    for (const auto& candidate : rejected) {
+      require(!candidate.text.empty());
+      text += fmt::format("{}: {}\n", candidate.offset, candidate.text);
+    }
+  }
+  void on_note(io::CaptureTime, std::string_view note) override { text += note; }
+  void on_damage(const io::CaptureDamage& damage) override { text += io::to_string(damage) + "\n"; }
+
+  std::string text{};
+};
+
+std::string frames_of(ByteSpan file, std::size_t piece) {
+  Notes notes;
+  sbgc::tools::CaptureFrames frames(notes);
+  in_pieces(file, piece, [&](ByteSpan bytes) { frames.feed(bytes); });
+  frames.finish();
+  return notes.text;
+}
+
+/// The frames and gaps of raw bytes.
+std::string raw_frames_of(ByteSpan file, std::size_t piece) {
+  std::string text;
+  std::uint64_t fed = 0;
+  sbgc::ParserOfAll parser;
+  sbgc::tools::GapExplainer explainer;
+  const auto end_gap = [&](std::uint64_t until, std::uint64_t next) {
+    for (const auto& candidate : explainer.end_gap(until, next)) {
+      text += fmt::format("{}: {}\n", candidate.offset, candidate.text);
+    }
+  };
+  const auto take = [&](const sbgc::Frame& frame) {
+    end_gap(frame.offset, frame.offset + sbgc::frame_size(frame.framing, frame.body.size()));
+    text += fmt::format("frame {} {}\n", frame.offset, frame.id);
+  };
+  in_pieces(file, piece, [&](ByteSpan bytes) {
+    fed += bytes.size();
+    explainer.add(bytes);
+    parser.feed(bytes, take);
+    explainer.advance(fed - parser.waiting_bytes());
+  });
+  parser.flush(take);
+  end_gap(file.size(), file.size());
+  return text;
+}
+
+std::optional<Bytes> hex_of(ByteSpan file, std::size_t piece) {
+  sbgc::tools::HexDecoder decoder;
+  Bytes bytes;
+  std::optional<sbgc::tools::HexError> error;
+  in_pieces(file, piece, [&](ByteSpan part) {
+    if (!error) error = decoder.feed(part, bytes);
+  });
+  if (!error) error = decoder.finish();
+  if (!error) return bytes;
+  require(!to_text(*error).empty());
+  return std::nullopt;
+}
+
+/// The bytes that a replay delivers.
+Bytes replayed(ByteSpan file) {
+  static const int descriptor = ::memfd_create("capture", 0);
+  require(descriptor >= 0 && ::ftruncate(descriptor, 0) == 0);
+  require(::pwrite(descriptor, file.data(), file.size(), 0) == static_cast<ssize_t>(file.size()));
+  asio::io_context context;
+  const auto opened = io::open_replay(
+      context.get_executor(), fmt::format("/proc/self/fd/{}", descriptor), io::ReplayTiming::fast);
+  require(opened.transport != nullptr);
+  Bytes result;
+  Bytes part(100);
+  bool is_over = false;
+  while (!is_over) {
+    opened.transport->async_read(part, [&](std::error_code error, std::size_t size) {
+      is_over = static_cast<bool>(error);
+      result.insert(result.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(size));
+    });
+    context.restart();
+    context.run();
+  }
+  return result;
+}
+
+void check_readers(const Bytes& file, const std::vector<Item>& items, std::size_t piece) {
+  require(frames_of(file, piece) == frames_of(file, file.size() + 1));
+  require(raw_frames_of(file, piece) == raw_frames_of(file, file.size() + 1));
+  const std::optional<Bytes> hex = hex_of(file, piece);
+  require(hex == hex_of(file, file.size() + 1));
+  require(sbgc::tools::is_hex_text(file) == (hex && !hex->empty()) || !hex);
+  static_cast<void>(sbgc::tools::guess_input(file, false));
+
+  Bytes from_board;
+  for (const Item& item : items) {
+    if (item.type != 1 || item.detail != static_cast<int>(io::CaptureKind::from_board)) continue;
+    from_board.insert(from_board.end(), item.bytes.begin(), item.bytes.end());
+  }
+  require(replayed(file) == (io::is_capture(file) ? from_board : file));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -135,5 +274,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     end += item.size;
   }
   require(end == file.size());
+  check_readers(file, items, std::size_t{data[0]} + 1);
   return 0;
 }

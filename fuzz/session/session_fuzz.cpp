@@ -187,7 +187,7 @@ class Player {
       require(output.deadline > now_);
       return output.deadline == Instant::never ? now_ : output.deadline;
     }
-    ++written_;
+    if (++written_ % 2 == 0) session_.written(now_);
     std::size_t frames = 0;
     sbgc::ParserOfAll parser;
     parser.feed(output.bytes, [&](const sbgc::Frame& frame) {

@@ -1,12 +1,16 @@
-// Fuzzes the JSON readers. The input is a line as `sbgc encode` reads it. parse_json() returns a
-// problem with its position, or the same value that nlohmann_json reads. from_json() accepts the
-// text of the fields if parse_json() and from_dom() do, and reads the same message. It survives the
-// round trip through JSON and bytes.
+// Fuzzes the JSON readers. The input is lines as `sbgc encode` reads them, with bombs (see
+// hostile_text.hpp); the time is in proportion to their size. parse_json() returns a problem with
+// its position, or the same value that nlohmann_json reads. from_json() accepts the text of the
+// fields if parse_json() and from_dom() do, and reads the same message. It survives the round trip
+// through JSON and bytes. encode_line() returns a frame or throws an error with a message.
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +21,10 @@
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parse_json.hpp>
+#include <sbgc/parser.hpp>
+
+#include "frames/encode_line.hpp"
+#include "hostile_text.hpp"
 
 namespace {
 
@@ -78,26 +86,57 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
 
 void check_line(std::string_view text) {
   const sbgc::ParsedJson parsed = sbgc::parse_json(text);
-  if (parsed.problem) {
-    require(parsed.problem->line > 0 && parsed.problem->column > 0);
-    require(parsed.problem->column <= text.size() + 1 && !parsed.problem->reason.empty());
-    return;
+  if (!parsed.problem) return;
+  require(parsed.problem->line > 0 && parsed.problem->column > 0);
+  require(parsed.problem->column <= text.size() + 1 && !parsed.problem->reason.empty());
+}
+
+/// Compares the value with that of nlohmann_json, whose time grows with the square of the keys.
+void compare_values(std::string_view text) {
+  constexpr std::size_t longest = 8192;
+  if (text.size() > longest) return;
+  const sbgc::ParsedJson parsed = sbgc::parse_json(text);
+  if (parsed) require(parsed.value.dump() == sbgc::Json::parse(text).dump());
+}
+
+void check_fields_of(std::string_view line) {
+  // Found without a parser, so that they may be anything.
+  const auto message = between(line, R"("message":")", '"');
+  const auto fields = between(line, R"("fields":)", '}');
+  if (!message || !fields) return;
+  const std::string_view name = message->substr(0, message->find('"'));
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    if (name == sbgc::Meta<M>::info.name) check<M>(*fields);
+  });
+}
+
+void check_encoding(const std::string& line, const sbgc::tools::EncodeRules& rules) {
+  try {
+    const std::vector<std::uint8_t> bytes = sbgc::tools::encode_line(line, rules);
+    std::size_t frames = 0;
+    sbgc::ParserOfAll parser;
+    parser.feed(bytes, [&](const sbgc::Frame&) { ++frames; });
+    require(frames == 1 && parser.counters().skipped_bytes == 0);
+  } catch (const std::runtime_error& error) {
+    require(*error.what() != '\0');
   }
-  require(parsed.value.dump() == sbgc::Json::parse(text).dump());
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(data, data + size);
-  check_line(text);
-  // Found without a parser, so that they may be anything.
-  const auto message = between(text, R"("message":")", '"');
-  const auto fields = between(text, R"("fields":)", '}');
-  if (!message || !fields) return 0;
-  const std::string_view name = message->substr(0, message->find('"'));
-  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
-    if (name == sbgc::Meta<M>::info.name) check<M>(*fields);
-  });
+  const std::string text = sbgc::fuzz::text_with_bombs({data, size});
+  std::string_view rest = text;
+  do {
+    const std::string line(rest.substr(0, rest.find('\n')));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    sbgc::fuzz::require_linear_time(line.size(), std::chrono::microseconds(20), [&] {
+      check_line(line);
+      check_fields_of(line);
+      check_encoding(line, {});
+      check_encoding(line, {.no_validate = true, .defaults = true});
+    });
+    compare_values(line);
+  } while (!rest.empty());
   return 0;
 }
