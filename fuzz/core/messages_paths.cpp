@@ -58,11 +58,22 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts, Results&
     add(results, {path.data(), size});
   });
 
+  // For an old board, most of whose values do not exist yet.
+  sbgc::validate(message, {1, 1},
+                 [&](const sbgc::Violation& violation) { add(results, name(violation.rule)); });
+  const M copy = message;
+  static_cast<void>(copy == message);  // not so with a NaN
+
   std::array<std::uint8_t, sbgc::max_body_size> out{};
   const sbgc::WriteResult written = sbgc::encode(message, out);
   require(static_cast<bool>(written));
   require(std::ranges::equal(std::span(out).first(written.size), body));
   if (!body.empty()) require(!sbgc::encode(message, std::span(out).first(body.size() - 1)));
+
+  if constexpr (requires { later_form(message); }) {
+    const sbgc::WriteResult later = sbgc::encode(later_form(message), out);
+    results.insert(results.end(), out.begin(), out.begin() + later.size);
+  }
 
   M again{};
   if constexpr (requires { contexts.of(again); }) {
@@ -89,6 +100,7 @@ void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
   require(status.offset <= body.size());
   add(results, to_string(status));
   add(results, name(status.code));
+  add(results, text(status.code));
 }
 
 /// Returns the contexts learned from `request`, decoded as every message type in turn.

@@ -67,7 +67,10 @@ class Player {
     const std::uint8_t choice = byte();
     switch (choice & 3) {
       case 1: result.firmware = sbgc::msg::FirmwareVersion(2439); break;
-      case 2: result.board = sbgc::msg::BoardVersion(10); break;
+      case 2:
+        result.board = sbgc::msg::BoardVersion(10);
+        result.waits_for_saving = true;
+        break;
       case 3:
         result.firmware = sbgc::msg::FirmwareVersion(sbgc::newest_firmware);
         result.board = sbgc::msg::BoardVersion(36);
@@ -131,7 +134,16 @@ class Player {
       for (Port& port : ports_) port.is_torn = true;
     } else if (code < 120) {
       board_.gimbal().set_battery(byte() / 10.0, now_);
+    } else if (code < 150) {
+      board_.memory_saved(board_.memory().revision, now_);
+    } else if (code < 170) {
+      board_.memory_not_saved(board_.memory().revision, now_);
+    } else if (code < 190) {
+      board_ = Board(board_.options(), board_.memory(), now_);  // another start with this memory
+      for (Port& port : ports_) port = {};
+      open();
     } else if (ports_[port_].is_open) {
+      if (code < 210) return board_.end_input(port_);
       board_.close_port(port_);
       ports_[port_].is_open = false;
     }
@@ -169,6 +181,7 @@ class Player {
     Port& port = ports_[index];
     if (!port.is_open) return;
     const auto output = board_.output(index);
+    require(!board_.is_quiet(index) || (output.empty() && board_.queued_bytes(index) == 0));
     const auto taken = output.first(std::min(output.size(), most));
     port.parser.feed(taken, [&](const sbgc::Frame& frame) {
       const auto code =

@@ -6,6 +6,7 @@
 // bytes) and a new byte. This way, mutations reach the verification of the checksum. The time is in
 // proportion to the size.
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -20,15 +21,30 @@
 
 namespace {
 
+using sbgc::emulator::Memory;
+
 void require(bool condition) {
   if (!condition) std::abort();
 }
 
+/// A memory that differs from that of a new board.
+Memory memory_with_sets() {
+  Memory memory;
+  memory.profile_set = 2;
+  memory.profile_sets[0].assign(100, 0xA5);
+  return memory;
+}
+
+std::string text_of(const Memory& memory) {
+  return to_json_text(sbgc::serving::SavedMemory{sbgc::serving::owner_of({}), memory});
+}
+
 std::string text_of(std::span<const std::uint8_t> input) {
-  if (input.empty() || input.front() != 0) return sbgc::fuzz::text_with_bombs(input);
-  static const std::string written =
-      to_json_text(sbgc::serving::SavedMemory{sbgc::serving::owner_of({}), {}});
-  std::string text = written;
+  if (input.empty() || (input.front() != 0 && input.front() != 2)) {
+    return sbgc::fuzz::text_with_bombs(input);
+  }
+  static const std::array written{text_of(Memory{}), text_of(memory_with_sets())};
+  std::string text = written[input.front() / 2];
   for (input = input.subspan(1); input.size() >= 3; input = input.subspan(3)) {
     text[(input[0] * 256U + input[1]) % text.size()] = static_cast<char>(input[2]);
   }

@@ -18,7 +18,7 @@ from sbgcgen.oracle.edges import counting
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import header_of, write_frame
 from sbgcgen.oracle.json_values import plain, to_json
-from sbgcgen.oracle.vectors import cases_of
+from sbgcgen.oracle.vectors import cases_of, typical_vector
 from sbgcgen.targets import Target
 
 _WRITE_FRAME = 240
@@ -91,9 +91,12 @@ _SMALL = 12  # bytes, which may be the values of a few enums
 
 
 def _various(message: Message) -> Iterator[bytes]:
-    """Bodies with edge values: of a small message, with each value of its enums."""
+    """A typical body, and those with edge values: of a small message, with each value of its enums."""
     if not message.max_size:
         return
+    typical = typical_vector(message).body
+    if typical is not None:
+        yield typical
     yield b"\xff" * message.min_size
     last = Choice(Places(), short=True, context=full_context(message))
     while True:
@@ -117,8 +120,8 @@ _UNPACED = 8
 # Steps of a session; those from 64 on poll.
 _REQUEST, _FIRST_RESPONSE, _LAST_RESPONSE, _CONFIRMATION, _WAIT = 120, 76, 136, 66, 68
 _EXPECT_CONFIRMATION = 1
-# The options of boards: an old one, and the newest.
-_BOARDS = {"old": 1, "new": 3}
+# The options of boards: an old one, and the newest, with calibrations that take no time.
+_BOARDS = {"old": 1 + 64, "new": 3 + 64}
 # Steps of a board, which sends what it has; in a frame of the first or the last framing.
 _FRAMES, _MILLISECONDS, _NEXT = (135, 195), 128, 130
 
