@@ -10,6 +10,19 @@ from dataclasses import dataclass, field
 from sbgcgen.model import Position
 
 
+# Longer messages and hints quote a value that nobody reads to its end.
+_LONGEST = 1000
+
+
+def _printable(text: str) -> str:
+    """The text as one line of limited length: what it quotes from a file may be anything."""
+    if len(text) > _LONGEST:
+        text = f"{text[:_LONGEST]} ..."
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
 @dataclass(frozen=True, order=True)
 class Diagnostic:
     """One finding: position, rule, problem, and hint."""
@@ -29,11 +42,13 @@ class Diagnostics:
     """Collects findings, so that one run reports them all."""
 
     found: list[Diagnostic] = field(default_factory=list)
+    _known: set[Diagnostic] = field(default_factory=set)
 
     def add(self, position: Position, code: str, message: str, hint: str = "") -> None:
         """Record a finding unless the same one has been recorded before."""
-        diagnostic = Diagnostic(position, code, message, hint)
-        if diagnostic not in self.found:
+        diagnostic = Diagnostic(position, code, _printable(message), _printable(hint))
+        if diagnostic not in self._known:
+            self._known.add(diagnostic)
             self.found.append(diagnostic)
 
     def any_of(self, codes: Iterable[str]) -> bool:

@@ -193,7 +193,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         problem = getattr(error, "problem", None) or str(error)
         found.add(at, "SBGC001", f"not valid YAML: {problem}", "check indentation and quotes")
         return _empty(at)
-    if not isinstance(root, yaml.MappingNode):
+    if not isinstance(root, yaml.MappingNode) or not root.value:
         found.add(at, "SBGC001", "a spec file is a mapping", "start with 'family:' or 'protocol:'")
         return _empty(at)
     try:

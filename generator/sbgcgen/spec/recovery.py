@@ -164,6 +164,8 @@ def _mend(recovery: Recovery, node: Any, places: set[Position]) -> None:
 def _mend_items(recovery: Recovery, key: str, items: List, places: set[Position]) -> None:
     for index in reversed(range(len(items))):
         item = items[index]
+        if not isinstance(item, Map):
+            continue  # the key is the name of an entry
         here = places & {item.position, *item.keys_at.values()}
         if not here:
             continue
