@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -17,12 +18,45 @@
 
 namespace sbgc::test {
 
+/// The line between a virtual client and its board. Bytes arrive at once, unless a derived class
+/// knows better.
+class VirtualLine {
+ public:
+  using Way = emulator::Line::Way;
+  using Bytes = std::vector<std::uint8_t>;
+
+  VirtualLine() = default;
+  VirtualLine(const VirtualLine&) = delete;
+  VirtualLine& operator=(const VirtualLine&) = delete;
+  virtual ~VirtualLine() = default;
+
+  /// Takes bytes from one end.
+  virtual void send(Way way, std::span<const std::uint8_t> bytes, Instant) {
+    Bytes& under_way = way == Way::to_board ? to_board_ : to_host_;
+    under_way.insert(under_way.end(), bytes.begin(), bytes.end());
+  }
+  /// Returns the bytes that have arrived at the other end.
+  virtual Bytes receive(Way way, Instant) {
+    return std::exchange(way == Way::to_board ? to_board_ : to_host_, {});
+  }
+  /// When further bytes arrive.
+  virtual Instant next() const { return Instant::never; }
+
+ private:
+  Bytes to_board_{};
+  Bytes to_host_{};
+};
+
 /// A client as in a browser: everything is a function of the time passed in.
 class VirtualClient {
  public:
   explicit VirtualClient(const emulator::EmulatorOptions& options = {},
-                         emulator::Memory memory = {})
-      : emulator_(options, std::move(memory), now_), port_(emulator_.connect(true, now_).value()) {
+                         emulator::Memory memory = {}, VirtualLine* line = nullptr,
+                         const ConnectOptions& client = {})
+      : line_(line != nullptr ? *line : perfect_line_),
+        emulator_(options, std::move(memory), now_),
+        port_(emulator_.connect(true, now_).value()),
+        client_(client) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);
     identity_.info = *info;
@@ -54,10 +88,16 @@ class VirtualClient {
   /// Cuts the line from the host to the board.
   void cut_the_line() { is_cut_ = true; }
   std::size_t pending() const { return tickets_.size(); }
+  detail::Delivery& delivery() { return delivery_; }
+  const BoardIdentity& identity() const { return identity_; }
 
  private:
+  using Way = VirtualLine::Way;
+  using Bytes = VirtualLine::Bytes;
+
   static Task<Result<msg::BoardInfo>> introduction() {
-    co_return co_await tasks::call(msg::BoardInfoRequest{});
+    // The board is starting.
+    co_return co_await tasks::call(msg::BoardInfoRequest{}, {.retries = 2});
   }
 
   /// Runs until the task waits, then advances to the next event.
@@ -86,7 +126,7 @@ class VirtualClient {
       task.confirmed(number);
     };
     const detail::CallPointer call =
-        detail::make_call(*std::move(step.request), step.options, ConnectOptions{}, now_,
+        detail::make_call(*std::move(step.request), step.options, client_, now_,
                           [&task, this, number](Result<Reply> reply) {
                             has_news_ = true;
                             tickets_.erase(number);
@@ -107,30 +147,38 @@ class VirtualClient {
   Instant exchange_bytes() {
     const Output output = dialogue_.advance(now_, true);
     if (!output.bytes.empty()) {
-      if (!is_cut_) emulator_.from_host(port_, output.bytes, now_);
+      if (!is_cut_) line_.send(Way::to_board, output.bytes, now_);
       dialogue_.written(now_);
       has_news_ = true;
     }
+    const Bytes requests = line_.receive(Way::to_board, now_);
+    if (!requests.empty()) emulator_.from_host(port_, requests, now_);
     emulator_.advance(now_);
-    const auto arrived = emulator_.to_host(port_);
-    const std::vector<std::uint8_t> bytes(arrived.begin(), arrived.end());
-    if (!bytes.empty()) {
-      emulator_.take(port_, bytes.size(), now_);
-      dialogue_.feed(bytes, now_);
+    const auto sent = emulator_.to_host(port_);
+    if (!sent.empty()) {
+      line_.send(Way::to_host, sent, now_);
+      emulator_.take(port_, sent.size(), now_);
+    }
+    const Bytes answers = line_.receive(Way::to_host, now_);
+    if (!answers.empty()) {
+      dialogue_.feed(answers, now_);
       has_news_ = true;
     }
-    return earlier(output.deadline, emulator_.next());
+    return earlier(output.deadline, earlier(emulator_.next(), line_.next()));
   }
 
   Instant now_{1'000'000};
   bool is_cut_ = false;
   bool has_news_ = false;
+  VirtualLine perfect_line_{};
+  VirtualLine& line_;
   emulator::Emulator emulator_;
   std::size_t port_;
+  ConnectOptions client_;
   BoardIdentity identity_{};
   detail::PendingCalls calls_{64};
   detail::Delivery delivery_{};
-  detail::Dialogue dialogue_{ConnectOptions{}, calls_, delivery_};
+  detail::Dialogue dialogue_{client_, calls_, delivery_};
   std::map<std::uint32_t, detail::Conversation::Ticket> tickets_{};
 };
 

@@ -1,0 +1,374 @@
+// Fuzzes the client against the emulated board over a hostile line, in virtual time. The input
+// starts with the options, followed by the tasks of the client; while one runs, the input says what
+// happens to each frame. See Player::step() and HostileLine.
+//
+// Invariants: everything ends in time. On a fair line no request gets the response to another one,
+// each frame of the board is delivered once, reports about written parameters are true, and every
+// block of parameters is the old or the new one, also after a power cycle. After any line, a good
+// one works again, and delivers each sample of a data stream once.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sbgc/client/tasks.hpp>
+
+#include "client/virtual_client.hpp"
+#include "hostile_line.hpp"
+#include "input.hpp"
+
+namespace {
+
+using sbgc::Duration;
+using sbgc::Instant;
+using sbgc::ParameterSet;
+using sbgc::ParametersId;
+using sbgc::ParametersState;
+using sbgc::Result;
+using sbgc::Task;
+using sbgc::WriteReport;
+using sbgc::fuzz::HostileLine;
+using sbgc::fuzz::Input;
+using sbgc::fuzz::require;
+using sbgc::test::VirtualClient;
+
+using namespace sbgc::literals;
+namespace msg = sbgc::msg;
+namespace tasks = sbgc::tasks;
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The longest time that a task may need, unless it has a timeout of its own.
+constexpr Duration longest_task = sbgc::seconds(400);
+/// The last call of a task may take this long after the timeout; see options_within().
+constexpr Duration last_call = sbgc::milliseconds(250);
+/// The time after which a good line must work: the bootloader of a board waits for 5 seconds, and a
+/// client expects late responses for as long as their requests may take.
+constexpr Duration recovery_time = sbgc::seconds(60);
+
+/// Three registers whose values differ, in responses that do not say which one they are.
+constexpr std::uint8_t magnetometer = 0x1E;
+constexpr std::uint8_t first_register = 10;
+constexpr std::array<std::uint8_t, 3> register_values{'H', '4', '3'};
+
+/// The end of several calls.
+struct Readings {
+  bool all_answered = true;
+  bool all_right = true;
+  bool in_time = true;
+};
+
+/// Reads registers with calls that run concurrently. Each has a longer timeout than the one before,
+/// so that it may be waiting when that one ends.
+Task<Readings> read_registers(Bytes choices, std::chrono::milliseconds timeout, unsigned retries) {
+  struct Reading {
+    std::uint32_t call{};
+    std::uint8_t value{};
+  };
+  sbgc::TaskMachine& task = co_await tasks::this_task();
+  const Instant start = task.now();
+  std::chrono::milliseconds longest{};
+  std::vector<Reading> readings;
+  for (const std::uint8_t choice : choices) {
+    const std::size_t index = choice % register_values.size();
+    msg::I2cReadRegBufRequest request;
+    static_cast<void>(request.device_addr.set_address(magnetometer));
+    request.reg_addr = static_cast<std::uint8_t>(first_register + index);
+    request.data_len = msg::SmallByteCount(1);
+    longest += timeout;
+    readings.push_back(
+        {task.begin(request, {.timeout = longest, .retries = retries}), register_values[index]});
+  }
+  Readings result;
+  for (const Reading& one : readings) {
+    if (!co_await tasks::wait_for_call(one.call, Instant::never)) break;  // cancelled
+    const Result<sbgc::Reply>* const reply = task.reply(one.call);
+    if (reply == nullptr) continue;
+    const auto answer = sbgc::detail::read_response<msg::I2cReadRegBufRequest>(*reply);
+    result.all_answered = result.all_answered && answer;
+    if (answer) {
+      const bool is_right = answer->data.size() == 1 && answer->data[0] == one.value;
+      result.all_right = result.all_right && is_right;
+    }
+  }
+  result.in_time = task.now() - start <= sbgc::milliseconds(longest.count());
+  for (const Reading& one : readings) task.end(one.call);
+  co_return result;
+}
+
+Task<Result<void>> wait_for(Duration time) {
+  const sbgc::TaskMachine& task = co_await tasks::this_task();
+  co_return co_await tasks::wait_until(task.now() + time);
+}
+
+template <class M>
+Task<bool> is_answered(M request) {
+  co_return static_cast<bool>(co_await tasks::call(request));
+}
+
+sbgc::emulator::EmulatorOptions board_options(std::uint8_t choice) {
+  sbgc::emulator::EmulatorOptions options;
+  options.board.gimbal.noise = 0;
+  if ((choice & 1) != 0) {
+    options.board.firmware = msg::FirmwareVersion(sbgc::newest_firmware);
+    options.board.board = msg::BoardVersion(36);
+  }
+  return options;
+}
+
+sbgc::ConnectOptions client_options(std::uint8_t choice) {
+  sbgc::ConnectOptions options;
+  options.pacing = (choice & 2) != 0;
+  if ((choice & 4) != 0) options.duplicate_window = std::chrono::milliseconds(200);
+  options.retries = (choice >> 3) % 4;
+  return options;
+}
+
+class Player {
+ public:
+  explicit Player(std::span<const std::uint8_t> input)
+      : input_(input),
+        choice_(input_.byte()),
+        is_foul_(choice_ >= 128),
+        client_(board_options(choice_), {}, &line_, client_options(choice_)) {
+    frames_ = client_.delivery().on_frame([this](const sbgc::BoardFrame& shown) {
+      if (is_foul_) return;
+      shown_.push_back({shown.frame.id, {shown.frame.body.begin(), shown.frame.body.end()}});
+    });
+    original_ = *client_.run(tasks::read_parameters(reading()));
+    for (const sbgc::Parameters& block : original_.all()) possible_[key(block.id)] = {block.body};
+    shown_.clear();
+    line_.take_delivered();
+    line_.on_power_cut = [this] { is_power_cut_ = true; };
+  }
+
+  void play() {
+    for (int steps = 0; !input_.empty() && steps < 6; ++steps) {
+      line_.follow(&input_, is_foul_);
+      step();
+      line_.follow(nullptr, is_foul_);
+      if (!is_foul_) require(shown_ == line_.take_delivered());
+      shown_.clear();
+    }
+    recover();
+    check_streams();
+    check_parameters();
+  }
+
+ private:
+  static std::string key(const ParametersId& id) { return to_text(id); }
+
+  /// Reads the parameters that this fuzzer writes.
+  static sbgc::ReadOptions reading(std::chrono::milliseconds timeout = std::chrono::seconds(60)) {
+    sbgc::ReadOptions options{.timeout = timeout};
+    options.wanted = [](const ParametersId& id) { return id.message == "ReadParams3"; };
+    return options;
+  }
+
+  /// Runs a task that ends in time; the input may cancel it.
+  template <class R>
+  R run(Task<R> task, Duration most = longest_task) {
+    const Instant start = client_.now();
+    unsigned until_cancelled = cancel_after_;
+    R result = client_.run(std::move(task), [&](sbgc::TaskMachine& machine) {
+      require(client_.now() - start <= most);
+      if (std::exchange(is_power_cut_, false)) client_.emulator().restart(client_.now());
+      if (until_cancelled != 0 && --until_cancelled == 0) machine.cancel();
+    });
+    require(client_.now() - start <= most);
+    require(client_.pending() == 0);
+    cancel_after_ = 0;
+    return result;
+  }
+
+  void step() {
+    const std::uint8_t code = input_.byte();
+    if (code >= 128) cancel_after_ = input_.byte() * 2U + 1;
+    switch (code % 12) {
+      case 0:
+      case 1: write(false); break;
+      case 2: write(true); break;
+      case 3: registers(); break;
+      case 4: file(); break;
+      case 5: read(); break;
+      case 6: static_cast<void>(run(tasks::get_variables({"P_ROLL", "P_PITCH"}))); break;
+      case 7:
+        has_variables_ = true;
+        static_cast<void>(run(tasks::set_variable("P_ROLL", input_.byte())));
+        break;
+      case 8: static_cast<void>(run(tasks::move_to({.yaw = 20_deg}))); break;
+      case 9: static_cast<void>(run(tasks::calibrate(sbgc::Sensor::gyroscope))); break;
+      case 10: static_cast<void>(run(wait_for(sbgc::milliseconds(20) * input_.byte()))); break;
+      default: static_cast<void>(run(tasks::active_profile())); break;
+    }
+  }
+
+  void registers() {
+    const Bytes choices = some_bytes(input_.byte() % 8);
+    const std::chrono::milliseconds timeout(20 + 10 * input_.byte());
+    const Readings done = run(read_registers(choices, timeout, input_.byte() % 3));
+    require(done.in_time);
+    if (!is_foul_) require(done.all_right);
+  }
+
+  void file() {
+    Bytes data = some_bytes(1 + input_.byte() % 32);
+    data.resize(1 + data.size() * 9);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      data[i] = static_cast<std::uint8_t>(data[i] + i / 7);
+    }
+    const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
+    const Duration most = sbgc::milliseconds(timeout.count()) + last_call;
+    const Result<void> sent = run(tasks::upload_file(1, data, {.timeout = timeout}), most);
+    if (!sent || is_foul_) return;
+    const Result<Bytes> read = run(tasks::download_file(1, {.timeout = timeout}), most);
+    if (read) require(*read == data);
+  }
+
+  void read() {
+    const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
+    const Result<ParameterSet> set = run(tasks::read_parameters(reading(timeout)),
+                                         sbgc::milliseconds(timeout.count()) + last_call);
+    if (!set || is_foul_ || has_variables_) return;
+    for (const sbgc::Parameters& block : set->all()) require(is_possible(block));
+  }
+
+  /// Writes parameters in which every byte that changes depends on the input.
+  void write(bool as_backup) {
+    ParameterSet wanted = as_backup ? original_ : ParameterSet();
+    for (int profiles = 1 + input_.byte() % 3; profiles > 0; --profiles) {
+      const std::uint8_t value = input_.byte();
+      auto block = *original_.get<msg::ReadParams3>(value % 5);
+      block.axes.roll.p = block.axes.pitch.p = block.axes.yaw.p = value;
+      block.gyro_trust = value;
+      require(static_cast<bool>(wanted.set(block)));
+    }
+    const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
+    const Duration most = sbgc::milliseconds(timeout.count()) + last_call;
+    const WriteReport report = [&] {
+      if (!as_backup) {
+        return run(tasks::write_parameters(wanted, {.timeout = timeout, .validate = false}), most);
+      }
+      sbgc::Backup backup{client_.identity(), wanted, ""};
+      sbgc::RestoreOptions options;
+      options.save_current = [](const sbgc::Backup&) { return Result<void>(); };
+      options.timeout = timeout;
+      return run(tasks::restore(std::move(backup), std::move(options)), most);
+    }();
+    if (!is_foul_ && !has_variables_) learn(wanted, report);
+  }
+
+  /// Narrows or widens what the board may hold.
+  void learn(const ParameterSet& wanted, const WriteReport& report) {
+    for (const sbgc::ParametersReport& one : report.parameters) {
+      const Bytes& written = wanted.find(one.id)->body;
+      std::vector<Bytes>& bodies = possible_[key(one.id)];
+      switch (one.state) {
+        case ParametersState::equal:
+        case ParametersState::written: bodies = {written}; break;
+        case ParametersState::unwritten: break;
+        case ParametersState::different: require(false); break;
+        case ParametersState::unknown: bodies.push_back(written); break;
+      }
+      require(!report || one.state == ParametersState::equal ||
+              one.state == ParametersState::written);
+    }
+  }
+
+  bool is_possible(const sbgc::Parameters& block) const {
+    const auto& bodies = possible_.at(key(block.id));
+    return std::ranges::any_of(bodies, [&](const Bytes& body) {
+      if (body == block.body) return true;
+      ParameterSet one;
+      ParameterSet other;
+      require(one.put(block) && other.put({block.id, body}));
+      return diff(one, other).empty();
+    });
+  }
+
+  /// After a bounded time on a good line, requests are answered at the first attempt.
+  void recover() {
+    static_cast<void>(run(wait_for(recovery_time)));
+    const Instant start = client_.now();
+    require(run(is_answered(msg::BoardInfoRequest{})));
+    require(run(is_answered(msg::GetAnglesRequest{})));
+    const Readings done = run(read_registers({0, 1, 2, 1}, std::chrono::seconds(10), 0));
+    require(done.all_answered && done.all_right);
+    require(client_.now() - start < sbgc::seconds(12));
+  }
+
+  /// Each sample that the board sends is delivered once, beside the responses to requests.
+  void check_streams() {
+    std::size_t sent = 0;
+    std::size_t received = 0;
+    client_.emulator().board().on_traffic = [&](const sbgc::emulator::Board::Traffic& traffic) {
+      const auto id = static_cast<std::uint8_t>(msg::RealtimeData3::command);
+      if (!traffic.outcome && traffic.frame.id == id) ++sent;
+    };
+    const auto samples = client_.delivery().subscribe(sbgc::detail::key_of<msg::RealtimeData3>,
+                                                      [&](const void*) { ++received; });
+    msg::DataStreamInterval request;
+    request.cmd_id = msg::RealtimeData3::command;
+    request.interval_ms = msg::Milliseconds(20);
+    require(run(is_answered(request)));
+    for (int i = 0; i < 3; ++i) {
+      static_cast<void>(run(wait_for(sbgc::milliseconds(200))));
+      require(run(is_answered(msg::GetAnglesRequest{})));
+    }
+    require(received == sent);
+    require(sent >= 28);
+    request.interval_ms = msg::Milliseconds(0);
+    require(run(is_answered(request)));
+    static_cast<void>(run(wait_for(sbgc::seconds(1))));
+    const std::size_t end = sent;
+    static_cast<void>(run(wait_for(sbgc::seconds(1))));
+    require(sent == end && received == sent);
+    client_.emulator().board().on_traffic = {};
+  }
+
+  /// The board holds what it may hold, also after a power cycle.
+  void check_parameters() {
+    const Result<ParameterSet> present = client_.run(tasks::read_parameters(reading()));
+    require(static_cast<bool>(present));
+    VirtualClient later(board_options(choice_), client_.emulator().board().memory());
+    const Result<ParameterSet> stored = later.run(tasks::read_parameters(reading()));
+    require(static_cast<bool>(stored));
+    if (is_foul_ || has_variables_) return;
+    require(*present == *stored || diff(*present, *stored).empty());
+    for (const sbgc::Parameters& block : stored->all()) require(is_possible(block));
+  }
+
+  Bytes some_bytes(std::size_t count) {
+    const auto bytes = input_.bytes(count);
+    return {bytes.begin(), bytes.end()};
+  }
+
+  Input input_;
+  std::uint8_t choice_;
+  bool is_foul_;
+  HostileLine line_;
+  VirtualClient client_;
+  std::unique_ptr<sbgc::Subscription::Registration> frames_;
+  std::vector<HostileLine::Delivered> shown_{};
+  ParameterSet original_{};
+  std::map<std::string, std::vector<Bytes>> possible_{};  // the bodies that the board may hold
+  bool is_power_cut_ = false;
+  bool has_variables_ = false;  // volatile values differ from the stored ones
+  unsigned cancel_after_ = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Player({data, size}).play();
+  return 0;
+}

@@ -1,0 +1,41 @@
+/// The input of a fuzzer as a script.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+namespace sbgc::fuzz {
+
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+/// Bytes that are read one after the other; behind the end, all are 0.
+class Input {
+ public:
+  explicit Input(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  bool empty() const { return bytes_.empty(); }
+
+  std::uint8_t byte() {
+    if (bytes_.empty()) return 0;
+    const std::uint8_t result = bytes_.front();
+    bytes_ = bytes_.subspan(1);
+    return result;
+  }
+
+  /// Returns at most `most` bytes.
+  std::span<const std::uint8_t> bytes(std::size_t most) {
+    const auto result = bytes_.first(std::min(most, bytes_.size()));
+    bytes_ = bytes_.subspan(result.size());
+    return result;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+}  // namespace sbgc::fuzz
