@@ -401,6 +401,13 @@ def test_what_is_no_web_socket_is_refused(web: Bridge) -> None:
         assert b"426" in connection.recv(1000).splitlines()[0]
 
 
+def test_a_web_socket_waits_for_the_response(web: Bridge) -> None:
+    """A frame behind the request would be read as bytes of the protocol."""
+    page = WebSocket(web_address(web), f"?token={TOKEN}", behind=frame(GET_ANGLES))
+    assert page.status == 400
+    page.close()
+
+
 def test_idle_connections_keep_no_web_socket_out(web: Bridge) -> None:
     host, port = web_address(web).removeprefix("ws://").split("/")[0].rsplit(":", 1)
     idle = [socket.create_connection((host, int(port)), timeout=20) for _ in range(100)]

@@ -21,6 +21,7 @@ class WebSocket:
         query: str = "",
         origin: Optional[str] = None,
         protocols: Optional[str] = None,
+        behind: bytes = b"",
     ) -> None:
         place = address.removeprefix("ws://").split("/")[0]
         host, port = place.rsplit(":", 1)
@@ -39,7 +40,7 @@ class WebSocket:
             lines.append(f"Origin: {origin}")
         if protocols is not None:
             lines.append(f"Sec-WebSocket-Protocol: {protocols}")
-        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
+        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode() + behind)
         self.status = int(self.stream.readline().split()[1])
         self.headers = {}
         while line := self.stream.readline().strip():

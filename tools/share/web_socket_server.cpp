@@ -167,6 +167,8 @@ class Session : public std::enable_shared_from_this<Session> {
   void decide() {
     const auto& request = parser_.get();
     if (!websocket::is_upgrade(request)) return refuse(http::status::upgrade_required);
+    // A client has to wait for the response; what it sent before would be read without its frame.
+    if (buffer_.size() != 0) return refuse(http::status::bad_request);
     const auto origin = request.find(http::field::origin);
     if (origin != request.end() && !access_.allows_origin(view(origin->value()))) {
       events_.refused(name_ + " refused: pages of '" + printable(view(origin->value())) +
