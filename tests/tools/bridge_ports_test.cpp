@@ -438,6 +438,16 @@ TEST_F(Bridge, AHostThatRestartsTheBoardHasTheLineForItself) {
   EXPECT_NE(ports.room(other), 0U);
 }
 
+TEST_F(Bridge, WhatArrivesTogetherWithARestartIsNotLost) {
+  const std::size_t host = join();
+  Bytes bytes = frame_of(msg::BootMode3{});
+  const Bytes more = frame_of(msg::BoardInfoRequest{});
+  bytes.insert(bytes.end(), more.begin(), more.end());
+  ports.receive(host, bytes);
+  EXPECT_EQ(ports.exclusive_host(), host);
+  EXPECT_EQ(line.raw, bytes);
+}
+
 TEST_F(Bridge, AfterAPlainRestartTheLineIsGivenBackSoon) {
   const std::size_t host = join();
   ask(host, msg::ResetRequest{});

@@ -232,8 +232,9 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
     if (!exclusive_) exclusive_ = Exclusive{.port = port};
     std::array<std::uint8_t, max_frame_size> bytes{};
     const std::size_t size = write_frame(host.framing, frame.id, frame.body, bytes).size;
-    exclusive_->first.insert(exclusive_->first.end(), bytes.begin(),
-                             bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    const auto whole = std::span(bytes).first(size);
+    if (exclusive_->is_active) return line_.write_raw({whole.begin(), whole.end()});
+    exclusive_->first.insert(exclusive_->first.end(), whole.begin(), whole.end());
     return begin_exclusive();
   }
   last_sender_[frame.id] = port;
