@@ -6,15 +6,20 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "serving/limited_text.hpp"
+
 namespace sbgc::serving {
 
 namespace {
 
+/// A day at ten lines per second.
+constexpr std::size_t largest_motion = std::size_t{64} << 20U;
 constexpr double latest_second = 1e6;
 constexpr double most_degrees = 1e5;
 
@@ -82,7 +87,14 @@ std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file
     throw std::runtime_error(
         fmt::format("cannot read {}: {}", file.string(), std::strerror(errno)));
   }
-  return read_motion(text, file.string());
+  const auto content = read_text(text, largest_motion);
+  if (!content) {
+    throw std::runtime_error(
+        fmt::format("{} has more than {} bytes", file.string(), largest_motion));
+  }
+  if (!text.eof() || text.bad()) throw std::runtime_error(file.string() + " cannot be read");
+  std::istringstream whole(*content);
+  return read_motion(whole, file.string());
 }
 
 }  // namespace sbgc::serving

@@ -57,7 +57,6 @@ StateFile::StateFile(const std::string& name)
     }
     if (is_at(opened, lock_path_)) {
       lock_ = opened;
-      sbgc::detail::remove_leftovers(path_);
       return;
     }
     ::close(opened);  // its emulator has just removed it

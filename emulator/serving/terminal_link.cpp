@@ -42,9 +42,16 @@ TerminalLink::TerminalLink(std::string path, std::string terminal)
   if (symlink(terminal_.c_str(), path_.c_str()) == 0) return;
   if (errno != EEXIST) fail(reason(errno));
   if (const std::string why = objection(path_, terminal_); !why.empty()) fail(why);
-  // Atomic, so that the name always exists.
-  const std::string fresh = fmt::format("{}.{}", path_, getpid());
-  if (symlink(terminal_.c_str(), fresh.c_str()) != 0) fail(reason(errno));
+  // Atomic, so that the name always exists. A killed program may have left the other name.
+  const std::string fresh = path_ + ".sbgc-new";
+  if (symlink(terminal_.c_str(), fresh.c_str()) != 0) {
+    if (errno != EEXIST) fail(reason(errno));
+    if (const std::string why = objection(fresh, terminal_); !why.empty()) {
+      fail(fmt::format("{}: {}", fresh, why));
+    }
+    unlink(fresh.c_str());
+    if (symlink(terminal_.c_str(), fresh.c_str()) != 0) fail(reason(errno));
+  }
   std::error_code error;
   fs::rename(fresh, path_, error);
   if (!error) return;

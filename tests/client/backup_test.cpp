@@ -191,8 +191,8 @@ TEST_F(BackupTest, WhatCannotBeWrittenLeavesNothingBehind) {
 
 TEST_F(BackupTest, WhatAKilledProcessLeftBehindIsNoHindrance) {
   for (int i = 0; i < 100; ++i) {  // names that this process would choose
-    std::ofstream(
-        file(("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp").c_str()));
+    std::ofstream(file(
+        ("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".sbgc-tmp").c_str()));
   }
   ASSERT_TRUE(save_backup(make(), file("a.json")));
   EXPECT_TRUE(load_backup(file("a.json")));

@@ -12,23 +12,21 @@
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
 #include "command/suggestions.hpp"
+#include "serving/limited_text.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
 // The parser's time grows with the square of the levels of a section or key.
-constexpr std::size_t longest_configuration = std::size_t{1} << 16U;
+constexpr std::size_t largest_configuration = std::size_t{1} << 16U;
 constexpr std::ptrdiff_t most_levels = 64;
 
 [[noreturn]] void reject(const std::string& reason) {
   throw CommandError(configuration_file().string() + ": " + reason);
 }
 
-void check_limits(const std::string& text) {
-  if (text.size() > longest_configuration) {
-    reject(fmt::format("longer than {} bytes", longest_configuration));
-  }
+void check_levels(const std::string& text) {
   std::istringstream lines(text);
   std::size_t number = 1;
   for (std::string line; std::getline(lines, line); ++number) {
@@ -107,15 +105,14 @@ std::vector<NamedGimbal> named_gimbals() {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return {};
   std::ifstream file(path);
-  std::string text(longest_configuration + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.is_open() || file.bad()) reject("cannot be read");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return gimbals_in(text);
+  const auto text = serving::read_text(file, largest_configuration);
+  if (!text) reject(fmt::format("has more than {} bytes", largest_configuration));
+  if (!file.eof() || file.bad()) reject("cannot be read");
+  return gimbals_in(*text);
 }
 
 std::vector<NamedGimbal> gimbals_in(const std::string& text) {
-  check_limits(text);
+  check_levels(text);
   std::istringstream input(text);
   std::vector<NamedGimbal> gimbals;
   try {

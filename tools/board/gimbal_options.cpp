@@ -3,6 +3,7 @@
 #include "board/configuration.hpp"
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
+#include "command/remark.hpp"
 
 namespace sbgc::tools {
 
@@ -51,6 +52,11 @@ ConnectOptions connect_options(const GimbalOptions& options) {
   if (options.attempts) result.retries = *options.attempts - 1;
   if (options.attempt_timeout) result.attempt_timeout = *options.attempt_timeout;
   result.capture = options.capture;
+  result.on_capture_error = [has_lost_capture =
+                                 options.has_lost_capture](const ClientError& error) {
+    *has_lost_capture = true;
+    remark("sbgc: {}\n", error.message);
+  };
   return result;
 }
 

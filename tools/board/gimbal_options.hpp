@@ -1,7 +1,9 @@
 /// The options of commands that talk to a gimbal.
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,6 +23,8 @@ struct GimbalOptions {
   std::optional<std::chrono::milliseconds> attempt_timeout{};
   std::string capture{};  ///< file to record the traffic in, or ""
   bool verbose = false;
+  /// Set when a part of the traffic could not be recorded; all copies share it.
+  std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);
 };
 
 /// The heading of the options in the help.

@@ -40,7 +40,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report_usage_error(app, error);
   }
-  return context.status;
+  // The user asked for all traffic.
+  const bool is_complete = context.status != success || !*context.gimbal.has_lost_capture;
+  return is_complete ? context.status : failure;
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -61,26 +60,27 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return folder.empty() ? std::filesystem::path(".") : folder;
 }
 
+constexpr std::string_view ending = ".sbgc-tmp";
+
 std::filesystem::path name_beside(const std::filesystem::path& file) {
   static std::atomic<unsigned> number{0};
   std::filesystem::path result = file;
-  result += fmt::format(".{}-{}.tmp", ::getpid(), number++);
+  result += fmt::format(".{}-{}{}", ::getpid(), number++, ending);
   return result;
 }
 
 /// True if name_beside() can have made the name.
-bool is_beside(std::string_view name, std::string_view file) {
-  const auto skip = [&](std::string_view text) {
-    const bool is_present = name.starts_with(text);
-    if (is_present) name.remove_prefix(text.size());
-    return is_present;
+bool is_temporary(std::string_view name) {
+  if (!name.ends_with(ending)) return false;
+  name.remove_suffix(ending.size());
+  const auto drop_number_after = [&](char mark) {
+    const std::size_t end = name.find_last_not_of("0123456789");
+    const bool is_there =
+        end != std::string_view::npos && end + 1 < name.size() && name[end] == mark;
+    if (is_there) name = name.substr(0, end);
+    return is_there;
   };
-  const auto skip_number = [&] {
-    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-    name.remove_prefix(digits);
-    return digits != 0;
-  };
-  return skip(file) && skip(".") && skip_number() && skip("-") && skip_number() && name == ".tmp";
+  return drop_number_after('-') && drop_number_after('.') && !name.empty();
 }
 
 /// True if the open file is regular and still has this path.
@@ -174,6 +174,7 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
     // A device, a named pipe or a folder must not become a file.
     return ClientError{ErrorCode::invalid, fmt::format("{} is not a regular file", file.string())};
   }
+  remove_leftovers(folder_of(file));
   std::filesystem::path path;
   const Descriptor opened(open_beside(file, path));
   if (!opened.is_open()) return io_error("cannot write", file, errno);
@@ -195,13 +196,12 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   return sync_folder(folder_of(file));
 }
 
-void remove_leftovers(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
+void remove_leftovers(const std::filesystem::path& folder) {
   std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder_of(file), error), end;
-       !error && entry != end; entry.increment(error)) {
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
     const std::filesystem::path& path = entry->path();
-    if (!is_beside(path.filename().string(), name)) continue;
+    if (!is_temporary(path.filename().string())) continue;
     const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (!opened.is_open() || !is_at(opened.number(), path)) continue;
     if (::flock(opened.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());

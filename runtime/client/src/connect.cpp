@@ -95,7 +95,11 @@ class Connector {
     if (!options_.capture.empty()) {
       io::CaptureWriter file;
       if (const io::Error error = file.open(options_.capture)) return to_client_error(error);
-      opened.transport = io::record(std::move(opened.transport), std::move(file));
+      const auto on_error = [tell = options_.on_capture_error](const io::Error& error) {
+        if (tell) tell(to_client_error(error));
+      };
+      opened.transport =
+          io::record(std::move(opened.transport), std::move(file), {.on_error = on_error});
     }
     if (options_.wrap) opened.transport = options_.wrap(std::move(opened.transport));
     state_->attach(std::move(opened.transport));

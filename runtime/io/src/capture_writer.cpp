@@ -72,10 +72,16 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   struct stat status {};
   if (fstat(fd_, &status) != 0) return fail(errno);
   std::array<std::uint8_t, capture_magic_size> begin{};
-  if (status.st_size != 0 &&
-      (pread(fd_, begin.data(), begin.size(), 0) < 0 || !is_capture(begin))) {
+  const ssize_t size = status.st_size == 0 ? 0 : pread(fd_, begin.data(), begin.size(), 0);
+  const std::span<const std::uint8_t> present(begin.data(),
+                                              static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  if (size < 0 || !(is_capture(present) || may_become_capture(present))) {
     return error_ = {Errc::not_a_capture,
                      path + " exists and is not a capture; it was not changed."};
+  }
+  // A full disk can leave a part of the first header, without which nothing would be a capture.
+  if (size > 0 && may_become_capture(present) && ftruncate(fd_, 0) != 0) {
+    return fail(errno);
   }
   begin_session();
   return error_;

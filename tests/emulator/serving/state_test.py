@@ -87,26 +87,26 @@ def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
 
 def test_what_a_killed_one_leaves_is_removed(tmp_path: Path) -> None:
     state = tmp_path / "state"
-    left = [tmp_path / "state.17-0.tmp", tmp_path / f"state.{os.getpid()}-23.tmp"]
+    left = [tmp_path / "state.17-0.sbgc-tmp", tmp_path / f"backup.json.{os.getpid()}-23.sbgc-tmp"]
     others = [
         tmp_path / name
         for name in (
-            "state.17-0.tmp.bak",
-            "state.17-x.tmp",
-            "state.17-.tmp",
-            "state.tmp",
-            "state.-3.tmp",
-            "state-2.17-0.tmp",
-            "other.17-0.tmp",
-            "state.18-0.tmp",
+            "state.17-0.sbgc-tmp.bak",
+            "state.17-x.sbgc-tmp",
+            "state.17-.sbgc-tmp",
+            "state.sbgc-tmp",
+            "state.-3.sbgc-tmp",
+            "state-2.sbgc-tmp",
+            "state.17-0.tmp",
+            "state.18-0.sbgc-tmp",
         )
     ]
     for file in left + others:
         file.write_text("half of it")
-    (tmp_path / "state.19-0.tmp").symlink_to("other.17-0.tmp")
-    (tmp_path / "state.20-0.tmp").mkdir()
-    others += [tmp_path / "state.19-0.tmp", tmp_path / "state.20-0.tmp"]
-    with open(tmp_path / "state.18-0.tmp") as at_work:
+    (tmp_path / "state.19-0.sbgc-tmp").symlink_to("state.17-0.tmp")
+    (tmp_path / "state.20-0.sbgc-tmp").mkdir()
+    others += [tmp_path / "state.19-0.sbgc-tmp", tmp_path / "state.20-0.sbgc-tmp"]
+    with open(tmp_path / "state.18-0.sbgc-tmp") as at_work:
         fcntl.flock(at_work, fcntl.LOCK_EX)
         with Emulator("--tcp", "0", "--state", str(state)):
             pass

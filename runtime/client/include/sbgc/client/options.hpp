@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include <sbgc/client/error.hpp>
+
 namespace sbgc {
 
 namespace io {
@@ -44,6 +46,9 @@ struct ConnectOptions {
   std::chrono::milliseconds queue_timeout{10'000};
   /// Records all traffic to this file, unless empty.
   std::string capture{};
+  /// Called once if the capture can no longer be written, for example because the disk is full; the
+  /// connection goes on. On the connecting thread or the client's.
+  std::function<void(const ClientError&)> on_capture_error{};
   /// Returns the transport to use in place of the one that was opened, for example one that
   /// observes it (<sbgc/io/observer.hpp>). Called on the connecting thread.
   std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> wrap{};
