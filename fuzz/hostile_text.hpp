@@ -12,7 +12,7 @@
 
 namespace sbgc::fuzz {
 
-constexpr std::size_t longest_text = std::size_t{1} << 18U;
+constexpr std::size_t longest_text = std::size_t{1} << 16U;
 
 /// Returns the text of an input, in which the byte 1 begins a bomb: the next byte is the exponent
 /// of 2 of its count, the one after it the number of following bytes that are repeated. A mutation

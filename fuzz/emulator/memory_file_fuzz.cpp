@@ -1,10 +1,10 @@
 // Fuzzes files that hold the memory of a board. Every text is a memory or an error with a message;
 // a memory survives being written and read again, and a board can use it.
 //
-// The input is the text, with bombs (see hostile_text.hpp). If it starts with the byte 0, the text
-// is instead a valid file changed by the remaining bytes, each three of which are an offset (2
-// bytes) and a new byte. This way, mutations reach the verification of the checksum. The time is in
-// proportion to the size.
+// The input is the text, with bombs (see hostile_text.hpp). If it starts with the byte 0 or 2, the
+// text is instead a valid file, without or with sets of profiles, changed by the remaining bytes,
+// each three of which are an offset (2 bytes) and a new byte. This way, mutations reach the
+// verification of the checksum. The time is in proportion to the size.
 
 #include <array>
 #include <chrono>
