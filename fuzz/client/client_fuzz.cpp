@@ -41,7 +41,6 @@ using sbgc::fuzz::Input;
 using sbgc::fuzz::require;
 using sbgc::test::VirtualClient;
 
-using namespace sbgc::literals;
 namespace msg = sbgc::msg;
 namespace tasks = sbgc::tasks;
 
@@ -205,7 +204,7 @@ class Player {
         has_variables_ = true;
         static_cast<void>(run(tasks::set_variable("P_ROLL", input_.byte())));
         break;
-      case 8: static_cast<void>(run(tasks::move_to({.yaw = 20_deg}))); break;
+      case 8: static_cast<void>(run(tasks::move_to({.yaw = msg::Angle14(900)}))); break;
       case 9: static_cast<void>(run(tasks::calibrate(sbgc::Sensor::gyroscope))); break;
       case 10: static_cast<void>(run(wait_for(sbgc::milliseconds(20) * input_.byte()))); break;
       default: static_cast<void>(run(tasks::active_profile())); break;

@@ -52,11 +52,11 @@ class VirtualClient {
  public:
   explicit VirtualClient(const emulator::EmulatorOptions& options = {},
                          emulator::Memory memory = {}, VirtualLine* line = nullptr,
-                         const ConnectOptions& client = {})
+                         ConnectOptions client = {})
       : line_(line != nullptr ? *line : perfect_line_),
         emulator_(options, std::move(memory), now_),
         port_(emulator_.connect(true, now_).value()),
-        client_(client) {
+        client_(std::move(client)) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);
     identity_.info = *info;
