@@ -48,8 +48,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// The longest time that a task may need, unless it has a timeout of its own.
 constexpr Duration longest_task = sbgc::seconds(400);
-/// The last call of a task may take this long after the timeout; see options_within().
-constexpr Duration last_call = sbgc::milliseconds(250);
 /// The time after which a good line must work: the bootloader of a board waits for 5 seconds, and a
 /// client expects late responses for as long as their requests may take.
 constexpr Duration recovery_time = sbgc::seconds(60);
@@ -226,7 +224,7 @@ class Player {
       data[i] = static_cast<std::uint8_t>(data[i] + i / 7);
     }
     const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
-    const Duration most = sbgc::milliseconds(timeout.count()) + last_call;
+    const Duration most = sbgc::milliseconds(timeout.count());
     const Result<void> sent = run(tasks::upload_file(1, data, {.timeout = timeout}), most);
     if (!sent || is_foul_) return;
     const Result<Bytes> read = run(tasks::download_file(1, {.timeout = timeout}), most);
@@ -235,8 +233,8 @@ class Player {
 
   void read() {
     const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
-    const Result<ParameterSet> set = run(tasks::read_parameters(reading(timeout)),
-                                         sbgc::milliseconds(timeout.count()) + last_call);
+    const Result<ParameterSet> set =
+        run(tasks::read_parameters(reading(timeout)), sbgc::milliseconds(timeout.count()));
     if (!set || is_foul_ || has_variables_) return;
     for (const sbgc::Parameters& block : set->all()) require(is_possible(block));
   }
@@ -252,7 +250,7 @@ class Player {
       require(static_cast<bool>(wanted.set(block)));
     }
     const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
-    const Duration most = sbgc::milliseconds(timeout.count()) + last_call;
+    const Duration most = sbgc::milliseconds(timeout.count());
     const WriteReport report = [&] {
       if (!as_backup) {
         return run(tasks::write_parameters(wanted, {.timeout = timeout, .validate = false}), most);
