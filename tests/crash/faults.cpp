@@ -96,11 +96,12 @@ bool counts(int fd) {
   return counts(path);
 }
 
+std::atomic<long> calls{0};  // of all kinds
+
 /// Runs one call that counts. `real(share)` makes it: the whole, or only half of a write. A call
 /// that is no write returns 0 for half of it.
 template <class Real>
 long perform(Real real, bool can_fail = true) {
-  static std::atomic<long> calls{0};
   const long call = ++calls;
   const Plan& now = plan();
   if (now.mode == Mode::time) {

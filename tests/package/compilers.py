@@ -15,7 +15,8 @@ PREFIX = Path(os.environ["SBGC_PREFIX"])  # where this build of sbgc is installe
 
 HOSTS = [name for name in ("g++", "clang++") if shutil.which(name)]
 ARM = "arm-none-eabi-g++"
-WARNINGS = ["-Wall", "-Wextra", "-Werror"]
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wold-style-cast",
+            "-Wundef", "-Werror"]  # fmt: skip
 BARE = ["-ffreestanding", "-fno-exceptions", "-fno-rtti"]
 
 GUIDE = (ROOT / "docs/11-library.md").read_text(encoding="utf-8")
