@@ -167,6 +167,13 @@ ssize_t write(int fd, const void* bytes, std::size_t size) {
   return counts(fd) ? perform(real) : real(1);
 }
 
+ssize_t send(int fd, const void* bytes, std::size_t size, int flags) {
+  const auto real = [&](int share) {
+    return ::syscall(SYS_sendto, fd, bytes, part(size, share), flags, nullptr, 0);
+  };
+  return counts(fd) ? perform(real) : real(1);
+}
+
 ssize_t sendmsg(int fd, const msghdr* message, int flags) {
   const auto real = [&](int share) {
     if (share == 1 || message->msg_iovlen == 0) return ::syscall(SYS_sendmsg, fd, message, flags);

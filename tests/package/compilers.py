@@ -15,8 +15,15 @@ PREFIX = Path(os.environ["SBGC_PREFIX"])  # where this build of sbgc is installe
 
 HOSTS = [name for name in ("g++", "clang++") if shutil.which(name)]
 ARM = "arm-none-eabi-g++"
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wold-style-cast",
-            "-Wundef", "-Werror"]  # fmt: skip
+WARNINGS = ["-Wall", "-Wextra", "-Werror"]
+STRICT = [
+    *WARNINGS,
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wsign-conversion",
+    "-Wold-style-cast",
+    "-Wundef",
+]
 BARE = ["-ffreestanding", "-fno-exceptions", "-fno-rtti"]
 
 GUIDE = (ROOT / "docs/11-library.md").read_text(encoding="utf-8")

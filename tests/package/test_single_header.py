@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from compilers import BARE, HERE, HOSTS, WARNINGS, generate, run
+from compilers import BARE, HERE, HOSTS, STRICT, generate, run
 
 SOURCES = [HERE / "single_header" / name for name in ("main.cpp", "ask.cpp")]
 
@@ -18,14 +18,14 @@ def single_header(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("compiler", HOSTS)
 def test_two_files_of_a_program(compiler: str, header: Path, tmp_path: Path) -> None:
-    options = ["-std=c++20", *WARNINGS, f"-I{header.parent}"]
+    options = ["-std=c++20", *STRICT, f"-I{header.parent}"]
     run(compiler, *options, *SOURCES, "-o", tmp_path / "program")
     assert run(tmp_path / "program") == "the board has answered\n"
 
 
 @pytest.mark.parametrize("compiler", HOSTS)
 def test_freestanding(compiler: str, header: Path, tmp_path: Path) -> None:
-    options = ["-std=c++20", *BARE, *WARNINGS, f"-I{header.parent}"]
+    options = ["-std=c++20", *BARE, *STRICT, f"-I{header.parent}"]
     run(compiler, *options, "-c", SOURCES[1], "-o", tmp_path / "ask.o")
 
 

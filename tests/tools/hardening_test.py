@@ -1,4 +1,4 @@
-"""The command is built with the options of Hardening.cmake."""
+"""The command is built with the options of sbgcHardening.cmake."""
 
 from __future__ import annotations
 
