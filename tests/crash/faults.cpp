@@ -86,23 +86,27 @@ bool counts(const char* path) {
 bool counts(int fd) {
   if (plan().mode == Mode::none) return false;
   const int before = errno;
-  char link[64];
-  char path[4096];
-  std::snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
-  const ssize_t size = ::readlink(link, path, sizeof path - 1);
+  char place[64];
+  char target[4096];
+  std::snprintf(place, sizeof place, "/proc/self/fd/%d", fd);
+  const ssize_t size = ::readlink(place, target, sizeof target - 1);
   errno = before;
   if (size < 0) return false;
-  path[size] = '\0';
-  return counts(path);
+  target[size] = '\0';
+  return counts(target);
 }
 
-std::atomic<long> calls{0};  // of all kinds
+/// Counts the calls of all kinds.
+long next_call() {
+  static std::atomic<long> calls{0};
+  return ++calls;
+}
 
 /// Runs one call that counts. `real(share)` makes it: the whole, or only half of a write. A call
 /// that is no write returns 0 for half of it.
 template <class Real>
 long perform(Real real, bool can_fail = true) {
-  const long call = ++calls;
+  const long call = next_call();
   const Plan& now = plan();
   if (now.mode == Mode::time) {
     if (call == 1) die_after(now.at);
@@ -143,7 +147,8 @@ int open_file(const char* path, int flags, mode_t mode) {
 
 }  // namespace
 
-// What the program calls instead of the C library.
+// What the program calls instead of the C library, whose headers have other names of parameters.
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name,readability-identifier-naming,bugprone-reserved-identifier)
 extern "C" {
 
 int open(const char* path, int flags, ...) {
@@ -157,10 +162,7 @@ int open(const char* path, int flags, ...) {
   return open_file(path, flags, mode);
 }
 
-int __open_2(const char* path,
-             int flags) {  // NOLINT(bugprone-reserved-identifier): of _FORTIFY_SOURCE
-  return open_file(path, flags, 0);
-}
+int __open_2(const char* path, int flags) { return open_file(path, flags, 0); }
 
 ssize_t write(int fd, const void* bytes, std::size_t size) {
   const auto real = [&](int share) { return ::syscall(SYS_write, fd, bytes, part(size, share)); };
@@ -244,3 +246,4 @@ int mkdir(const char* path, mode_t mode) noexcept {
 }
 
 }  // extern "C"
+// NOLINTEND(readability-inconsistent-declaration-parameter-name,readability-identifier-naming,bugprone-reserved-identifier)
