@@ -182,7 +182,8 @@ std::string frames_of(ByteSpan file, std::size_t piece) {
   return notes.text;
 }
 
-/// The frames and gaps of raw bytes.
+/// The frames of raw bytes. The gaps are explained by the bytes that have arrived, so the reasons
+/// depend on the pieces.
 std::string raw_frames_of(ByteSpan file, std::size_t piece) {
   std::string text;
   std::uint64_t fed = 0;
@@ -190,7 +191,7 @@ std::string raw_frames_of(ByteSpan file, std::size_t piece) {
   sbgc::tools::GapExplainer explainer;
   const auto end_gap = [&](std::uint64_t until, std::uint64_t next) {
     for (const auto& candidate : explainer.end_gap(until, next)) {
-      text += fmt::format("{}: {}\n", candidate.offset, candidate.text);
+      require(!candidate.text.empty() && candidate.offset < until);
     }
   };
   const auto take = [&](const sbgc::Frame& frame) {

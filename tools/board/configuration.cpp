@@ -18,15 +18,16 @@ namespace sbgc::tools {
 
 namespace {
 
-// The parser's time grows with the square of the levels of a section or key.
+// The parser handles the whole name of a section for each of its keys, level by level.
 constexpr std::size_t largest_configuration = std::size_t{1} << 16U;
-constexpr std::ptrdiff_t most_levels = 64;
+constexpr std::ptrdiff_t longest_name = 256;
+constexpr std::ptrdiff_t most_levels = 16;
 
 [[noreturn]] void reject(const std::string& reason) {
   throw CommandError(configuration_file().string() + ": " + reason);
 }
 
-void check_levels(const std::string& text) {
+void check_names(const std::string& text) {
   std::istringstream lines(text);
   std::size_t number = 1;
   for (std::string line; std::getline(lines, line); ++number) {
@@ -34,6 +35,9 @@ void check_levels(const std::string& text) {
     if (first == std::string::npos || line[first] == '#' || line[first] == ';') continue;
     const auto name_end =
         line.begin() + static_cast<std::ptrdiff_t>(std::min(line.find('='), line.size()));
+    if (name_end - line.begin() > longest_name) {
+      reject(fmt::format("line {}: a name longer than {} bytes", number, longest_name));
+    }
     if (std::count(line.begin(), name_end, '.') >= most_levels) {
       reject(fmt::format("line {}: nested deeper than {} levels", number, most_levels));
     }
@@ -112,7 +116,7 @@ std::vector<NamedGimbal> named_gimbals() {
 }
 
 std::vector<NamedGimbal> gimbals_in(const std::string& text) {
-  check_levels(text);
+  check_names(text);
   std::istringstream input(text);
   std::vector<NamedGimbal> gimbals;
   try {
