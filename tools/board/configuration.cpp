@@ -33,8 +33,9 @@ void check_names(const std::string& text) {
   for (std::string line; std::getline(lines, line); ++number) {
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] == '#' || line[first] == ';') continue;
-    const auto name_end =
-        line.begin() + static_cast<std::ptrdiff_t>(std::min(line.find('='), line.size()));
+    // The name of a section may have a '='.
+    const std::size_t equals = line[first] == '[' ? line.size() : line.find('=');
+    const auto name_end = line.begin() + static_cast<std::ptrdiff_t>(std::min(equals, line.size()));
     if (name_end - line.begin() > longest_name) {
       reject(fmt::format("line {}: a name longer than {} bytes", number, longest_name));
     }
