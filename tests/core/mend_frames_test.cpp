@@ -13,7 +13,7 @@
 namespace sbgc::test {
 namespace {
 
-std::size_t frames_in(const std::vector<std::uint8_t>& bytes) {
+std::size_t intact_frames_in(const std::vector<std::uint8_t>& bytes) {
   std::size_t count = 0;
   ParserOfAll parser;
   parser.feed(bytes, [&](const Frame&) { ++count; });
@@ -32,9 +32,9 @@ TEST(MendFrames, FramesOfBothFramingsGetTheirChecksums) {
     input.insert(input.end(), frame.begin(), frame.begin() + written.size);
     input.push_back(9);
   }
-  ASSERT_EQ(frames_in(input), 0U);
+  ASSERT_EQ(intact_frames_in(input), 0U);
   EXPECT_EQ(fuzz::mend_frames(input), framings.size());
-  EXPECT_EQ(frames_in(input), framings.size());
+  EXPECT_EQ(intact_frames_in(input), framings.size());
   EXPECT_EQ(input[0], 7);
   EXPECT_EQ(input.back(), 9);
 }

@@ -62,7 +62,7 @@ TEST(WorkedExamples, BeepSoundMelody) {
   EXPECT_EQ(message.note_length.raw(), 5);
   EXPECT_EQ(message.note_length.milliseconds(), 40);
   EXPECT_EQ(message.decay_factor, 3);
-  EXPECT_EQ(message.reserved, Bytes<8>{});
+  EXPECT_EQ(message.reserved, sbgc::Bytes<8>{});
   constexpr unsigned b5 = 987;
   constexpr unsigned d6 = 1174;
   constexpr unsigned g6 = 1567;
