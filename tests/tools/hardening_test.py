@@ -27,4 +27,5 @@ def test_the_compiler_protects_it() -> None:
     names = readelf("--dyn-syms")
     assert "__stack_chk_fail" in names
     is_checked = re.search(r" __(memcpy|vsnprintf|read|longjmp|poll|fprintf|memset)_chk\b", names)
-    assert bool(is_checked) == (os.environ["SBGC_FORTIFIED"] == "1")
+    # Sanitizers bring such functions with them.
+    assert is_checked or os.environ["SBGC_FORTIFIED"] != "1"
