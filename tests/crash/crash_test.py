@@ -95,7 +95,7 @@ def test_the_configuration_is_only_read(
 def test_a_configuration_that_fills_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SBGC_CONFIG", "/dev/zero")
     result = run("info", "-g", "front")
-    assert result.status == 1 and "more than 1048576 bytes" in result.error
+    assert result.status == 1 and "more than 65536 bytes" in result.error
     monkeypatch.setenv("SBGC_CONFIG", "/dev/null")
     assert "in /dev/null" in run("info", "-g", "front").error
 

@@ -110,7 +110,7 @@ def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         ('[gimbal.front]\nport = ["x", "y"]\n', "'port' of gimbal 'front' must have one value"),
         ("# limits\n[" + "a." * 16 + "b]\n", "line 2: nested deeper than 16 levels"),
         ("[" + "a" * 300 + "]\n", "line 1: a name longer than 256 bytes"),
-        ("#\n" * 40000, "longer than 65536 bytes"),
+        ("#\n" * 40000, "has more than 65536 bytes"),
     ],
 )
 def test_mistakes_in_the_configuration(
