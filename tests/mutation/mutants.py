@@ -63,7 +63,9 @@ OPERATIONS = frozenset(
     )
 )
 # In what is evaluated by the compiler alone, a switch has no effect.
-CONSTANT = re.compile(r"\b(constexpr|consteval|constinit|static_assert|concept|requires|noexcept)\b")
+CONSTANT = re.compile(
+    r"\b(constexpr|consteval|constinit|static_assert|concept|requires|noexcept)\b"
+)
 INTEGER = re.compile(r"(0[xX][0-9a-fA-F']+|[0-9][0-9']*)([uUlLzZ]*)")
 
 
@@ -180,7 +182,11 @@ class _Finder:
     def _number(self, cursor: Cursor, parent: Cursor | None) -> None:
         if cursor.kind != CursorKind.INTEGER_LITERAL or parent is None:
             return
-        if parent.kind in (CursorKind.DECL_REF_EXPR, CursorKind.MEMBER_REF_EXPR, CursorKind.CASE_STMT):
+        if parent.kind in (
+            CursorKind.DECL_REF_EXPR,
+            CursorKind.MEMBER_REF_EXPR,
+            CursorKind.CASE_STMT,
+        ):
             return
         before = self._text(max(0, cursor.extent.start.offset - 80), cursor.extent.start.offset)
         if parent.kind.is_declaration() and before.rstrip()[-1:] not in ("=", "{", "("):
@@ -213,7 +219,13 @@ class _Finder:
         text = self._text(cursor.extent.start.offset, end + semicolon + 1)
         if cursor.kind == CursorKind.RETURN_STMT and not re.fullmatch(r"return\s*;", text):
             return
-        self._found(cursor.extent.start.line, cursor.extent.start.offset, end + semicolon + 1, "statement", "")
+        self._found(
+            cursor.extent.start.line,
+            cursor.extent.start.offset,
+            end + semicolon + 1,
+            "statement",
+            "",
+        )
 
     def _add(self, cursor: Cursor, kind: str, replacement: str) -> None:
         place = cursor.extent.start

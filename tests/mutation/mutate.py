@@ -41,7 +41,13 @@ SECONDS = 15.0
 def areas() -> list[tuple[list[str], float]]:
     """Returns files that one translation unit can include, and the share of their mutants to try."""
     core = "runtime/core/include/sbgc/**/*.hpp"
-    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp", "leaves.cpp", "tasks/*param*.cpp")
+    parameters = (
+        "parameter*.cpp",
+        "backup.cpp",
+        "atomic_file.cpp",
+        "leaves.cpp",
+        "tasks/*param*.cpp",
+    )
     parameters += ("tasks/restore.cpp", "tasks/profiles.cpp", "tasks/variables.cpp")
     return [
         (_files(core), 0.1),
@@ -135,7 +141,9 @@ def chosen(number: int, suites: list[Suite]) -> list[Suite]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
     parser.add_argument("--list", action="store_true", help="only list the mutants")
     parser.add_argument("--all", action="store_true", help="all mutants of the files")
     parser.add_argument("file", nargs="*")
@@ -149,9 +157,15 @@ def main() -> None:
     print(f"mutate: {len(mutants)} mutants; building", flush=True)
     tests = build(mutants)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        print(f"mutate: running the tests without mutants (after {time.monotonic() - start:.0f} s)", flush=True)
+        print(
+            f"mutate: running the tests without mutants (after {time.monotonic() - start:.0f} s)",
+            flush=True,
+        )
         suites = measured(tests, pool)
-        print(f"mutate: {len(suites)} suites; running them with mutants (after {time.monotonic() - start:.0f} s)", flush=True)
+        print(
+            f"mutate: {len(suites)} suites; running them with mutants (after {time.monotonic() - start:.0f} s)",
+            flush=True,
+        )
 
         def tried(number: int) -> str:
             reaching = chosen(number, suites)
@@ -161,7 +175,9 @@ def main() -> None:
 
         outcomes = list(pool.map(tried, range(len(mutants))))
     (BUILD / "outcomes.json").write_text(
-        json.dumps([[m.file, m.line, m.kind, m.change, o] for m, o in zip(mutants, outcomes)], indent=0)
+        json.dumps(
+            [[m.file, m.line, m.kind, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
+        )
     )
     sys.exit(report(mutants, outcomes, bool(arguments.file)))
 

@@ -23,7 +23,17 @@ PROGRAMS = (
     "tools_parts",
 )
 PYTEST_FOLDERS = ("tests/tools", "tests/emulator/serving")
-PYTEST = ["generator/python", "--with", "pytest", "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
+PYTEST = [
+    "generator/python",
+    "--with",
+    "pytest",
+    "-m",
+    "pytest",
+    "-q",
+    "-x",
+    "-p",
+    "no:cacheprovider",
+]
 # A process namespace of its own: when its first process ends, the kernel kills all others, and a mutant
 # that signals wrong processes finds none.
 ALONE = ["unshare", "--fork", "--kill-child", "--pid", "--mount-proc"] + (
@@ -87,11 +97,17 @@ class Tests:
             for program, group in groups.items()
         )
 
-    def _passes(self, program: str, names: list[str], seconds: float, variables: dict[str, str]) -> bool:
+    def _passes(
+        self, program: str, names: list[str], seconds: float, variables: dict[str, str]
+    ) -> bool:
         if program == "pytest":
             command = [*PYTEST, *names]
         else:
-            command = [program, "--gtest_fail_fast", f"--gtest_filter={':'.join(f'{n}.*' for n in names)}"]
+            command = [
+                program,
+                "--gtest_fail_fast",
+                f"--gtest_filter={':'.join(f'{n}.*' for n in names)}",
+            ]
         try:
             return self._run(command, seconds, variables).returncode == 0
         except subprocess.TimeoutExpired:

@@ -1,13 +1,13 @@
-// Linked to every program of a build with mutants. SBGC_MUTANT is the number of the mutant in effect.
-// SBGC_REACHED names a file with a byte for each mutant; those that are executed become 1, even if the
-// program is killed.
+// Linked to every program of a build with mutants. SBGC_MUTANT is the number of the mutant in
+// effect. SBGC_REACHED names a file with a byte for each mutant; those that are executed become 1,
+// even if the program is killed.
 #include "switch.hpp"
+
+#include <cstdlib>
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
-
-#include <cstdlib>
 
 namespace sbgc_mutant {
 

@@ -4,7 +4,8 @@
 namespace sbgc_mutant {
 
 struct Switches {
-  Switches(volatile unsigned char* reached, int active) noexcept : reached(reached), active(active) {}
+  Switches(volatile unsigned char* reached, int active) noexcept
+      : reached(reached), active(active) {}
 
   volatile unsigned char* reached;
   int active;
