@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -42,6 +41,7 @@ SWAPS = {
     "<<=": ">>=",
     ">>=": "<<=",
 }
+FUNCTIONS = (CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE, CursorKind.CXX_METHOD)
 COMPARISONS = frozenset(("<", "<=", ">", ">=", "==", "!=", "&&", "||"))
 STATEMENTS = frozenset(
     (
@@ -150,9 +150,10 @@ class _Finder:
             return True
         if cursor.kind == CursorKind.TEMPLATE_NON_TYPE_PARAMETER:
             return True
-        if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
+        if cursor.kind in (*FUNCTIONS, CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
             head = self._text(cursor.extent.start.offset, cursor.location.offset)
-            return CONSTANT.search(head) is not None
+            words = CONSTANT.findall(head)
+            return "consteval" in words if cursor.kind in FUNCTIONS else bool(words)
         return False
 
     def _operation(self, cursor: Cursor, children: list[Cursor]) -> None:
@@ -244,10 +245,3 @@ class _Finder:
 def _is_number(cursor: Cursor) -> bool:
     kind = cursor.type.get_canonical().kind
     return TypeKind.BOOL.value <= kind.value <= TypeKind.LONGDOUBLE.value
-
-
-def files_of(root: Path, patterns: list[str]) -> Iterator[str]:
-    """Yields the files that match one of the patterns, as paths from the root."""
-    for pattern in patterns:
-        for path in sorted(root.glob(pattern)):
-            yield path.relative_to(root).as_posix()

@@ -1,7 +1,7 @@
 """Breaks the sources in small ways, one at a time, and lists those that no test notices.
 
-    mutate.py              a sample of all files in AREAS, always the same
-    mutate.py --all FILE   all mutants of some files
+    mutate.py           a sample of the mutants of all files of areas(), always the same
+    mutate.py FILE...   all mutants of these files
 
 Fails if a mutant survives that unkillable.yaml does not explain, or if that list is out of date.
 """
@@ -27,7 +27,7 @@ from suites import Suite, Tests
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build" / "mutate"
-TARGETS = ["sbgc", "example_tour"] + [
+TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
     f"tests_{folder}" for folder in ("core", "session", "io", "client", "emulator", "tools")
 ]
 # The folders of the sbgc command; tools/web is no part of it.
@@ -41,14 +41,9 @@ SECONDS = 15.0
 def areas() -> list[tuple[list[str], float]]:
     """Returns files that one translation unit can include, and the share of their mutants to try."""
     core = "runtime/core/include/sbgc/**/*.hpp"
-    parameters = (
-        "parameter*.cpp",
-        "backup.cpp",
-        "atomic_file.cpp",
-        "leaves.cpp",
-        "tasks/*param*.cpp",
-    )
-    parameters += ("tasks/restore.cpp", "tasks/profiles.cpp", "tasks/variables.cpp")
+    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp", "leaves.cpp")
+    parameters += ("tasks/*param*.cpp", "tasks/restore.cpp", "tasks/profiles.cpp")
+    parameters += ("tasks/variables.cpp",)
     return [
         (_files(core), 0.1),
         (_files("runtime/session/include/sbgc/**/*.hpp"), 0.2),
@@ -119,13 +114,15 @@ def _do(command: list[str], cwd: Path = ROOT) -> None:
 
 
 def measured(tests: Tests, pool: ThreadPoolExecutor) -> list[Suite]:
-    """Runs all suites; returns those that pass, which all should."""
+    """Runs all suites; returns those that pass, which all should, long ones in parts."""
     suites = tests.suites()
-    passed = list(pool.map(tests.measure, suites))
-    for suite, good in zip(suites, passed):
-        if not good:
-            print(f"mutate: {suite.name} fails without a mutant and is not used")
-    return [suite for suite, good in zip(suites, passed) if good]
+    list(pool.map(tests.measure, suites))
+    parts = [part for suite in suites for part in tests.parts(suite)]
+    list(pool.map(tests.measure, [part for part in parts if part not in suites]))
+    for part in parts:
+        if not part.passes:
+            print(f"mutate: {part.name} fails without a mutant and is not used")
+    return [part for part in parts if part.passes]
 
 
 def chosen(number: int, suites: list[Suite]) -> list[Suite]:
@@ -145,7 +142,6 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     parser.add_argument("--list", action="store_true", help="only list the mutants")
-    parser.add_argument("--all", action="store_true", help="all mutants of the files")
     parser.add_argument("file", nargs="*")
     arguments = parser.parse_args()
     start = time.monotonic()

@@ -22,7 +22,9 @@ PROGRAMS = (
     "emulator",
     "tools_parts",
 )
-PYTEST_FOLDERS = ("tests/tools", "tests/emulator/serving")
+PYTEST_FOLDERS = ("tests/tools", "tests/emulator/serving", "tests/crash")
+# A suite of GoogleTest that takes longer is divided into its tests.
+SHORT = 2.0
 PYTEST = [
     "generator/python",
     "--with",
@@ -41,13 +43,14 @@ ALONE = ["unshare", "--fork", "--kill-child", "--pid", "--mount-proc"] + (
 )
 
 
-@dataclass
+@dataclass(eq=False)
 class Suite:
-    """A suite or function, its seconds and the mutants that it reaches."""
+    """A suite, test or function, its seconds and the mutants that it reaches."""
 
     program: str  # a path in the build folder, or "pytest"
-    name: str
+    name: str  # as the program takes it
     seconds: float = 0
+    passes: bool = False
     reached: frozenset[int] = frozenset()
 
 
@@ -63,24 +66,43 @@ class Tests:
         found = []
         for program in PROGRAMS:
             (path,) = (self.build / "tests").glob(f"*/{program}_tests")
-            listed = self._run([str(path), "--gtest_list_tests"], 60, {}).stdout
-            names = re.findall(r"^(\S+)\.(?:$|\s)", listed, re.M)
-            found += [Suite(str(path), name) for name in names]
+            found += [Suite(str(path), f"{name}*") for name in self._listed(path, "*")]
         collected = self._run([*PYTEST, "--collect-only", *PYTEST_FOLDERS], 120, {}).stdout
         # The parameters of a function are run together.
         names = re.findall(r"^(tests/[^\[\s]+::[^\[\s]+)", collected, re.M)
         return found + [Suite("pytest", name) for name in dict.fromkeys(names)]
 
-    def measure(self, suite: Suite) -> bool:
-        """Runs a suite without a mutant; returns whether it passes."""
+    def parts(self, suite: Suite) -> list[Suite]:
+        """Returns the tests of a long suite of GoogleTest, otherwise the suite."""
+        if suite.program == "pytest" or suite.seconds < SHORT:
+            return [suite]
+        tests = self._listed(Path(suite.program), suite.name)
+        return [Suite(suite.program, f"{name}{test}") for name in tests for test in tests[name]]
+
+    def _listed(self, program: Path, pattern: str) -> dict[str, list[str]]:
+        """Returns the suites of a program, as "name.", and their tests."""
+        listed = self._run(
+            [str(program), "--gtest_list_tests", f"--gtest_filter={pattern}"], 60, {}
+        )
+        found: dict[str, list[str]] = {}
+        for indent, name in re.findall(r"^(  )?(\S+)(?:  # .*)?$", listed.stdout, re.M):
+            if indent:
+                found[list(found)[-1]].append(name)
+            elif name.endswith("."):
+                found[name] = []
+        return found
+
+    def measure(self, suite: Suite) -> None:
+        """Runs a suite without a mutant."""
         with tempfile.NamedTemporaryFile() as reached:
             reached.truncate(MOST_MUTANTS)
             start = time.monotonic()
-            passed = self._passes(suite.program, [suite.name], 600, {"SBGC_REACHED": reached.name})
+            suite.passes = self._passes(
+                suite.program, [suite.name], 600, {"SBGC_REACHED": reached.name}
+            )
             suite.seconds = time.monotonic() - start
             content = Path(reached.name).read_bytes()
         suite.reached = frozenset(number for number, byte in enumerate(content) if byte)
-        return passed
 
     def survives(self, mutant: int, suites: list[Suite]) -> bool:
         """Runs suites with a mutant until one fails."""
@@ -106,7 +128,7 @@ class Tests:
             command = [
                 program,
                 "--gtest_fail_fast",
-                f"--gtest_filter={':'.join(f'{n}.*' for n in names)}",
+                f"--gtest_filter={':'.join(names)}",
             ]
         try:
             return self._run(command, seconds, variables).returncode == 0
@@ -116,13 +138,13 @@ class Tests:
     def _run(
         self, command: list[str], seconds: float, variables: dict[str, str]
     ) -> subprocess.CompletedProcess[str]:
-        tour = self.build / "examples" / "example_tour"
         folder = tempfile.mkdtemp(prefix="sbgc-mutant-")
         environment = {
             **os.environ,
             "SBGC": str(self.build / "tools" / "sbgc"),
-            "SBGC_TOUR": str(tour),
-            "PYTHONPATH": str(self.copy / "tests" / "tools"),
+            "SBGC_TOUR": str(self.build / "examples" / "example_tour"),
+            "SBGC_FAULTS": str(self.build / "tests" / "crash" / "libcrash_faults.so"),
+            "PYTHONPATH": os.pathsep.join(str(self.copy / folder) for folder in PYTEST_FOLDERS),
             "TMPDIR": folder,
             **variables,
         }

@@ -34,7 +34,7 @@ struct Candidate {
 namespace detail {
 
 template <std::size_t n, std::size_t m>
-constexpr bool are(const std::array<FramePart, n>& parts, const std::array<FramePart, m>& wanted) {
+consteval bool are(const std::array<FramePart, n>& parts, const std::array<FramePart, m>& wanted) {
   if (n != m) return false;
   for (std::size_t i = 0; i < n; ++i) {
     if (parts[i] != wanted[i]) return false;
@@ -44,7 +44,7 @@ constexpr bool are(const std::array<FramePart, n>& parts, const std::array<Frame
 
 /// Headers are alike in all framings, so that id and size are known before the framing is.
 template <Framing framing>
-constexpr bool has_usual_header() {
+consteval bool has_usual_header() {
   using Facts = FramingFacts<framing>;
   constexpr std::array covered{FramePart::id, FramePart::size};
   const bool is_sum = Facts::header_checksum == ChecksumKind::sum8;

@@ -39,7 +39,7 @@ struct Decimal {
   bool is_decimal = true;
   bool is_short = true;
 
-  constexpr void times_ten(std::int64_t& number) noexcept {
+  consteval void times_ten(std::int64_t& number) noexcept {
     constexpr std::int64_t exact = 1'000'000'000'000'000;  // below 2^53
     if (number < exact / 10) {
       number *= 10;
@@ -51,7 +51,7 @@ struct Decimal {
 
 /// Parses "45", "12.6", "1'000" and "2.5e-3".
 template <std::size_t n>
-constexpr Decimal read_decimal(const char (&text)[n]) noexcept {
+consteval Decimal read_decimal(const char (&text)[n]) noexcept {
   Decimal result{};
   std::size_t at = 0;
   bool is_fraction = false;

@@ -50,7 +50,7 @@ template <class Struct, class T>
 T type_of_member(T Struct::*);
 
 template <auto... member>
-constexpr TypeList<decltype(type_of_member(member))...> types_of(Members<member...>) noexcept {
+consteval TypeList<decltype(type_of_member(member))...> types_of(Members<member...>) noexcept {
   return {};
 }
 
@@ -61,7 +61,7 @@ template <HasFixedMembers T>
 inline constexpr auto fixed_types<T> = types_of(typename T::FixedMembers{});
 
 template <class T>
-constexpr std::size_t size_of_struct() noexcept;
+consteval std::size_t size_of_struct() noexcept;
 
 }  // namespace detail
 
@@ -113,7 +113,7 @@ constexpr std::size_t count_bits(Bits bits) noexcept {
 }
 
 template <class... T>
-constexpr std::size_t size_of_all(TypeList<T...>) noexcept {
+consteval std::size_t size_of_all(TypeList<T...>) noexcept {
   return (std::size_t{0} + ... + wire_size<T>);
 }
 
@@ -122,7 +122,7 @@ template <class T>
 inline constexpr std::size_t fixed_size = size_of_all(fixed_types<T>);
 
 template <class T>
-constexpr std::size_t size_of_struct() noexcept {
+consteval std::size_t size_of_struct() noexcept {
   if constexpr (TaggedUnion<T>) {
     return T::wire_size;
   } else if constexpr (HasVaryingMembers<T>) {

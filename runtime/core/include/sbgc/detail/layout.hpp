@@ -34,7 +34,7 @@ struct Layout {
 };
 
 template <class M, class... T>
-constexpr auto layout_of(TypeList<T...>) noexcept {
+consteval auto layout_of(TypeList<T...>) noexcept {
   constexpr std::size_t count = sizeof...(T);
   constexpr std::array<std::size_t, count> sizes{sizeof(T)...};
   constexpr std::array<std::size_t, count> alignments{alignof(T)...};
