@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
-namespace sbgc::fuzz {
+#include "require.hpp"
 
-inline void require(bool condition) {
-  if (!condition) std::abort();
-}
+namespace sbgc::fuzz {
 
 /// Bytes that are read one after the other; behind the end, all are 0.
 class Input {

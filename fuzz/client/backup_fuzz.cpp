@@ -5,18 +5,16 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include <sbgc/client/backup.hpp>
 
 #include "hostile_text.hpp"
+#include "require.hpp"
 
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using sbgc::fuzz::require;
 
 void check(const std::string& text) {
   const sbgc::Result<sbgc::Backup> backup = sbgc::parse_backup(text);

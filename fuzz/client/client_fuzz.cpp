@@ -25,6 +25,7 @@
 #include "client/virtual_client.hpp"
 #include "hostile_line.hpp"
 #include "input.hpp"
+#include "tasks/hold_speed.hpp"
 
 namespace {
 
@@ -190,7 +191,7 @@ class Player {
   void step() {
     const std::uint8_t code = input_.byte();
     if (code >= 128) cancel_after_ = input_.byte() * 2U + 1;
-    switch (code % 12) {
+    switch (code % 20) {
       case 0:
       case 1: write(false); break;
       case 2: write(true); break;
@@ -199,12 +200,20 @@ class Player {
       case 5: read(); break;
       case 6: static_cast<void>(run(tasks::get_variables({"P_ROLL", "P_PITCH"}))); break;
       case 7:
-        has_variables_ = true;
+        may_hold_anything_ = true;
         static_cast<void>(run(tasks::set_variable("P_ROLL", input_.byte())));
         break;
       case 8: static_cast<void>(run(tasks::move_to({.yaw = msg::Angle14(900)}))); break;
       case 9: static_cast<void>(run(tasks::calibrate(sbgc::Sensor::gyroscope))); break;
       case 10: static_cast<void>(run(wait_for(sbgc::milliseconds(20) * input_.byte()))); break;
+      case 11: eeprom(); break;
+      case 12: user_data(); break;
+      case 13: profile_names(); break;
+      case 14: variables(); break;
+      case 15: hold_speed(); break;
+      case 16: motion(); break;
+      case 17: files(); break;
+      case 18: write_others(); break;
       default: static_cast<void>(run(tasks::active_profile())); break;
     }
   }
@@ -231,11 +240,138 @@ class Player {
     if (read) require(*read == data);
   }
 
+  /// Tasks that change a memory return success only if it holds what they have written.
+  template <class Read, class T>
+  void require_kept(const Result<void>& written, Read read, const T& expected) {
+    if (!written || is_foul_) return;
+    const auto present = run(read());
+    if (present) require(*present == expected);
+  }
+
+  void eeprom() {
+    may_hold_anything_ = true;
+    const std::uint32_t address = input_.byte() * 150U;
+    const Bytes data = some_bytes(1 + input_.byte() % 100);
+    const auto written = run(tasks::upload_eeprom(address, data, {.verify = (data[0] & 1) != 0}));
+    if ((data[0] & 1) == 0) return;
+    require_kept(
+        written, [&] { return tasks::download_eeprom(address, data.size()); }, data);
+  }
+
+  void user_data() {
+    const std::size_t offset = input_.byte();
+    const Bytes data = some_bytes(1 + input_.byte() % 32);
+    const auto written = run(tasks::upload_user_data(offset, data));
+    if (!written || is_foul_) return;
+    const auto present = run(tasks::download_user_data());
+    if (!present) return;
+    require(std::ranges::equal(data, std::span(*present).subspan(offset, data.size())));
+  }
+
+  void profile_names() {
+    const std::size_t profile = input_.byte() % 6;
+    const Bytes name = some_bytes(input_.byte() % 52);
+    static_cast<void>(run(tasks::rename_profile(profile, {name.begin(), name.end()})));
+    static_cast<void>(run(tasks::profile_names()));
+  }
+
+  void variables() {
+    may_hold_anything_ = true;
+    const std::array names{"P_ROLL", "LPF_FREQ_PITCH", "FOLLOW_SPEED_YAW", "none"};
+    std::vector<sbgc::VariableValue> values;
+    std::vector<std::string> wanted;
+    for (int left = input_.byte() % 50; left > 0; --left) {
+      wanted.emplace_back(names[static_cast<std::size_t>(left) % (left < 4 ? 4 : 3)]);
+      values.push_back({wanted.back(), static_cast<double>(left * 5)});
+    }
+    static_cast<void>(run(tasks::set_variables(std::move(values))));
+    static_cast<void>(run(tasks::get_variables(std::move(wanted))));
+    static_cast<void>(run(tasks::save_variables()));
+  }
+
+  /// The owner of a speed changes it, falls silent, or stops; then it closes the control.
+  void hold_speed() {
+    const auto bound = static_cast<sbgc::MotionBound>(input_.byte() % 4);
+    const auto speed = std::make_shared<sbgc::detail::HeldSpeed>(
+        sbgc::detail::DeadMansSwitch(sbgc::milliseconds(500), sbgc::milliseconds(100)));
+    const Bytes changes = some_bytes(input_.byte() % 8);
+    std::size_t at = 0;
+    Instant next = client_.now();  // a task that waits for its owner may let it sleep longer
+    Instant end = Instant::never;
+    const auto owner = [&](sbgc::TaskMachine& machine) {
+      if (std::exchange(is_power_cut_, false)) client_.emulator().restart(client_.now());
+      if (end != Instant::never) return require(client_.now() - end <= longest_task);
+      if (client_.now() < next) return;
+      machine.wake();
+      if (at == changes.size()) {
+        end = client_.now();
+        return speed->close();
+      }
+      const std::uint8_t change = changes[at++];
+      next = client_.now() + sbgc::milliseconds(10) * change;
+      static_cast<void>(speed->with([&](sbgc::detail::DeadMansSwitch& rules) -> Result<void> {
+        if (change % 5 == 0) {
+          rules.stop();
+        } else {
+          rules.set({.yaw = msg::ControlSpeed(change)}, client_.now());
+        }
+        return {};
+      }));
+    };
+    static_cast<void>(
+        client_.run(sbgc::detail::hold_speed(
+                        speed, sbgc::detail::BoundedTurn(bound, std::chrono::milliseconds(500))),
+                    owner));
+    require(client_.pending() == 0);
+  }
+
+  void motion() {
+    const std::uint8_t choice = input_.byte();
+    const auto angle = msg::Angle14(static_cast<std::int16_t>(input_.byte() * 8));
+    switch (choice % 4) {
+      case 0: static_cast<void>(run(tasks::begin_move({.pitch = angle}))); break;
+      case 1: static_cast<void>(run(tasks::stop())); break;
+      case 2: static_cast<void>(run(tasks::release())); break;
+      default:
+        static_cast<void>(run(tasks::set_control_timeout(std::chrono::milliseconds(choice * 300))));
+    }
+  }
+
+  void files() {
+    const std::uint8_t choice = input_.byte();
+    switch (choice % 4) {
+      case 0: static_cast<void>(run(tasks::file_size(choice / 4))); break;
+      case 1: static_cast<void>(run(tasks::delete_file(choice / 4))); break;
+      case 2: static_cast<void>(run(tasks::delete_all_files())); break;
+      default: static_cast<void>(run(tasks::download_file(choice / 4)));
+    }
+  }
+
+  /// Writes blocks of any kind, of which the board may not have all, and values of any kind.
+  void write_others() {
+    may_hold_anything_ = true;
+    const std::array names{"ReadParams3", "ReadParamsExt", "ReadParamsExt2", "ReadParamsExt3",
+                           "ReadProfileNames"};
+    const std::uint8_t choice = input_.byte();
+    ParameterSet wanted;
+    for (int blocks = 1 + choice % 3; blocks > 0; --blocks) {
+      const std::uint8_t kind = input_.byte();
+      const sbgc::ParametersId id{names[kind % names.size()], static_cast<std::uint8_t>(kind / 51)};
+      Bytes body(input_.byte() * std::size_t{2}, id.copy);
+      const Bytes start = some_bytes(16);
+      if (body.size() >= start.size() + 1) std::ranges::copy(start, body.begin() + 1);
+      static_cast<void>(wanted.put({id, std::move(body)}));
+    }
+    const sbgc::WriteOptions options{.dry_run = (choice & 64) != 0,
+                                     .validate = (choice & 128) != 0};
+    static_cast<void>(to_text(run(tasks::write_parameters(wanted, options))));
+  }
+
   void read() {
     const std::chrono::milliseconds timeout(20 * (1 + input_.byte()));
     const Result<ParameterSet> set =
         run(tasks::read_parameters(reading(timeout)), sbgc::milliseconds(timeout.count()));
-    if (!set || is_foul_ || has_variables_) return;
+    if (!set || is_foul_ || may_hold_anything_) return;
     for (const sbgc::Parameters& block : set->all()) require(is_possible(block));
   }
 
@@ -261,7 +397,7 @@ class Player {
       options.timeout = timeout;
       return run(tasks::restore(std::move(backup), std::move(options)), most);
     }();
-    if (!is_foul_ && !has_variables_) learn(wanted, report);
+    if (!is_foul_ && !may_hold_anything_) learn(wanted, report);
   }
 
   /// Narrows or widens what the board may hold.
@@ -339,7 +475,7 @@ class Player {
     VirtualClient later(board_options(choice_), client_.emulator().board().memory());
     const Result<ParameterSet> stored = later.run(tasks::read_parameters(reading()));
     require(static_cast<bool>(stored));
-    if (is_foul_ || has_variables_) return;
+    if (is_foul_ || may_hold_anything_) return;
     require(*present == *stored || diff(*present, *stored).empty());
     for (const sbgc::Parameters& block : stored->all()) require(is_possible(block));
   }
@@ -359,7 +495,7 @@ class Player {
   ParameterSet original_{};
   std::map<std::string, std::vector<Bytes>> possible_{};  // the bodies that the board may hold
   bool is_power_cut_ = false;
-  bool has_variables_ = false;  // volatile values differ from the stored ones
+  bool may_hold_anything_ = false;  // after tasks that write parameters in other ways
   unsigned cancel_after_ = 0;
 };
 

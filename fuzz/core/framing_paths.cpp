@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,20 +21,18 @@
 
 #include "core/both_paths.hpp"
 #include "core/reference_parser.hpp"
+#include "require.hpp"
 
 namespace {
 
 using sbgc::CrcTable;
 using sbgc::Framing;
+using sbgc::fuzz::require;
 using sbgc::test::Accepts;
 using sbgc::test::Bytes;
 using sbgc::test::End;
 using sbgc::test::ReferenceFrame;
 using sbgc::test::ReferenceResult;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// Checks a parser that accepts these framings. A small one copies all frames.
 template <class Parser, Accepts accepts, sbgc::Optimize optimize = sbgc::Optimize::speed>

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -21,8 +20,11 @@
 #include <sbgc/visit.hpp>
 
 #include "core/both_paths.hpp"
+#include "require.hpp"
 
 namespace {
+
+using sbgc::fuzz::require;
 
 using Body = std::span<const std::uint8_t>;
 using Results = std::vector<std::uint8_t>;
@@ -41,10 +43,6 @@ struct LeafText {
     add(results, sbgc::meaning_text(leaf));
   }
 };
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 template <class M>
 void check(const M& message, Body body, const sbgc::Contexts& contexts, Results& results) {

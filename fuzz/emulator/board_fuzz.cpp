@@ -2,30 +2,36 @@
 // by steps, each an opcode byte and its operands; see Player::step().
 //
 // Invariants: the board sends only frames of the protocol, and next() is in the future after
-// advance().
+// advance(). Whatever the hosts have sent, the next one is served soon: its request is answered,
+// and it gets each sample of its data stream once, if there is room for it.
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
+#include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>
+
+#include "require.hpp"
 
 namespace {
 
 using sbgc::Instant;
 using sbgc::emulator::Board;
+using sbgc::fuzz::require;
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+template <class M>
+constexpr auto id_of = static_cast<std::uint8_t>(M::command);
 
 class Player {
  public:
@@ -40,6 +46,7 @@ class Player {
     for (std::size_t port = 0; port < ports_.size(); ++port) read(port, SIZE_MAX);
     const sbgc::emulator::BoardCounters& counters = board_.counters();
     require(counters.requests >= counters.refused + counters.unknown + counters.lost);
+    recover();
   }
 
  private:
@@ -149,6 +156,48 @@ class Player {
     }
   }
 
+  /// A board that restarts later, and then waits in its bootloader, needs less than 20 seconds.
+  void recover() {
+    for (std::size_t port = 0; port < ports_.size(); ++port) {
+      if (ports_[port].is_open) board_.close_port(port);
+      ports_[port] = {};
+    }
+    board_.set_silent(false);
+    board_.memory_saved(board_.memory().revision, now_);
+    open();
+    std::size_t answers = 0;
+    for (int attempts = 0; answers == 0 && attempts < 20; ++attempts) {
+      advance(sbgc::seconds(attempts == 0 ? 0 : 1));
+      send_message(sbgc::msg::BoardInfoRequest{});
+      advance(sbgc::milliseconds(100));
+      answers = read(port_, SIZE_MAX).count(id_of<sbgc::msg::BoardInfo>);
+    }
+    require(answers == 1);
+
+    sbgc::msg::DataStreamInterval stream;
+    stream.cmd_id = sbgc::msg::RealtimeData3::command;
+    stream.interval_ms = sbgc::msg::Milliseconds(20);
+    send_message(stream);
+    const sbgc::emulator::BoardCounters before = board_.counters();
+    std::size_t samples = 0;
+    for (int i = 0; i < 100; ++i) {
+      advance(sbgc::milliseconds(10));
+      samples += read(port_, SIZE_MAX).count(id_of<sbgc::msg::RealtimeData3>);
+    }
+    if (board_.counters().restarts != before.restarts) return;  // it had been asked to
+    samples += board_.counters().skipped - before.skipped;
+    const sbgc::Availability versions{board_.options().firmware.raw(),
+                                      board_.options().board.raw()};
+    const bool has_streams = sbgc::is_supported<sbgc::msg::DataStreamInterval>(versions);
+    require(has_streams ? samples >= 49 && samples <= 51 : samples == 0);
+  }
+
+  template <class M>
+  void send_message(const M& message) {
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    send(std::span(frame).first(sbgc::encode_frame(sbgc::basic_framing, message, frame).size));
+  }
+
   void send_form(std::uint8_t index, std::uint8_t extra) {
     std::size_t at = 0;
     sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
@@ -177,9 +226,11 @@ class Player {
     require(board_.next() > now_);
   }
 
-  void read(std::size_t index, std::size_t most) {
+  /// Reads frames that the board sends; returns their commands.
+  std::multiset<std::uint8_t> read(std::size_t index, std::size_t most) {
+    std::multiset<std::uint8_t> commands;
     Port& port = ports_[index];
-    if (!port.is_open) return;
+    if (!port.is_open) return commands;
     const auto output = board_.output(index);
     require(!board_.is_quiet(index) || (output.empty() && board_.queued_bytes(index) == 0));
     const auto taken = output.first(std::min(output.size(), most));
@@ -187,9 +238,11 @@ class Player {
       const auto code =
           sbgc::select(sbgc::Direction::from_board, frame.id, frame.body.size(), [](auto) {});
       require(code == sbgc::Code::ok || port.is_torn);
+      commands.insert(frame.id);
     });
     require(port.is_torn || port.parser.counters().skipped_bytes == 0);
     board_.sent(index, taken.size(), now_);
+    return commands;
   }
 
   std::span<const std::uint8_t> input_;

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,8 +19,11 @@
 
 #include "device/parts/file_system.hpp"
 #include "device/parts/parameters.hpp"
+#include "require.hpp"
 
 namespace {
+
+using sbgc::fuzz::require;
 
 namespace msg = sbgc::msg;
 using sbgc::ParameterMessages;
@@ -31,10 +33,6 @@ using sbgc::emulator::Eeprom;
 using sbgc::emulator::FileSystem;
 using sbgc::emulator::Memory;
 using sbgc::emulator::Parameters;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 class Player {
  public:

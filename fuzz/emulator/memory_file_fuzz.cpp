@@ -10,22 +10,19 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string>
 
 #include "device/parts/file_system.hpp"
 #include "device/parts/parameters.hpp"
 #include "hostile_text.hpp"
+#include "require.hpp"
 #include "serving/memory_file.hpp"
 
 namespace {
 
 using sbgc::emulator::Memory;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using sbgc::fuzz::require;
 
 /// A memory that differs from that of a new board.
 Memory memory_with_sets() {

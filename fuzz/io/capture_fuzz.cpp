@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,15 +39,14 @@
 #include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
 #include "frames/rejected_candidates.hpp"
+#include "require.hpp"
 
 namespace {
 
+using sbgc::fuzz::require;
+
 using Bytes = std::vector<std::uint8_t>;
 namespace io = sbgc::io;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// A comparable copy of an item.
 struct Item {

@@ -10,11 +10,11 @@
 
 #include <sbgc/detector.hpp>
 
+#include "require.hpp"
+
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using sbgc::fuzz::require;
 
 }  // namespace
 

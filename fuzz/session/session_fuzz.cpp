@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <set>
 #include <span>
 #include <type_traits>
@@ -17,6 +16,8 @@
 #include <sbgc/session.hpp>
 #include <sbgc/visit.hpp>
 
+#include "require.hpp"
+
 namespace {
 
 using sbgc::Event;
@@ -24,10 +25,7 @@ using sbgc::EventKind;
 using sbgc::Handle;
 using sbgc::Instant;
 using sbgc::Outcome;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using sbgc::fuzz::require;
 
 // Small capacities, so that every limit is reached.
 using Session =

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,12 +24,11 @@
 
 #include "frames/encode_line.hpp"
 #include "hostile_text.hpp"
+#include "require.hpp"
 
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using sbgc::fuzz::require;
 
 template <class M>
 std::vector<std::uint8_t> bytes_of(const M& message) {
