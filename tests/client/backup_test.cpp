@@ -20,6 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
 
 namespace fs = std::filesystem;
 
@@ -199,6 +200,23 @@ TEST_F(BackupTest, WhatAKilledProcessLeftBehindIsNoHindrance) {
   EXPECT_THAT(files(), ElementsAre("a.json")) << "no process has a lock on the others";
 }
 
+TEST_F(BackupTest, WhatOnlyLooksLikeALeftoverIsKept) {
+  ASSERT_EQ(::mkfifo(file("pipe.1-1.sbgc-tmp").c_str(), 0600), 0);  // to be opened without waiting
+  fs::create_directory(file("folder.1-1.sbgc-tmp"));
+  fs::create_symlink("none", file("link.1-1.sbgc-tmp"));
+  ASSERT_TRUE(save_backup(make(), file("a.json")));
+  EXPECT_THAT(files(), UnorderedElementsAre("a.json", "folder.1-1.sbgc-tmp", "link.1-1.sbgc-tmp",
+                                            "pipe.1-1.sbgc-tmp"));
+}
+
+TEST_F(BackupTest, LinksThatFormACycleStay) {
+  fs::create_symlink("b.json", file("a.json"));
+  fs::create_symlink("a.json", file("b.json"));
+  EXPECT_FALSE(save_backup(make(), file("a.json"), Existing::replace));
+  EXPECT_TRUE(fs::is_symlink(file("a.json")));
+  EXPECT_TRUE(fs::is_symlink(file("b.json")));
+}
+
 TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
   EXPECT_EQ(load_backup(file("pipe")).error().code, ErrorCode::bad_file);
@@ -260,6 +278,8 @@ TEST_F(BackupTest, FieldsThatWereEditedAreRefusedBecauseOnlyTheBodyCounts) {
       wrong([](Json& json) { json["settings"][2]["fields"]["axes"]["yaw"]["p"] = 255; });
   EXPECT_EQ(error.code, ErrorCode::bad_file);
   EXPECT_THAT(error.message, HasSubstr("settings[2].fields.axes.yaw.p"));
+  const auto other = wrong([](Json& json) { json["settings"][2]["fields"]["axes"]["yaw"] = 5; });
+  EXPECT_THAT(other.message, HasSubstr("settings[2].fields.axes.yaw"));
 }
 
 TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -198,9 +199,9 @@ TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
 
 TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
   ParameterSet set = read();
-  board.write(msg::ExecuteMenu{msg::MenuCommand::profile5});
+  board.write(msg::ExecuteMenu{msg::MenuCommand::profile4});
   board.write(msg::SelectImu3{msg::SelectedImu::frame});
-  ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_profile_id, 4);
+  ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_profile_id, 3);  // no bit as before
   ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_imu, msg::SelectedImu::frame);
   EXPECT_THAT(diff(set, read()), IsEmpty());
   EXPECT_TRUE(client().write_parameters(set));
@@ -212,7 +213,7 @@ TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
   EXPECT_TRUE(client().write_parameters(set));
   for (const Packet& request : board.log()) {
     if (!is<msg::WriteParams3>(request)) continue;
-    EXPECT_EQ(message<msg::WriteParams3>(request).cur_profile_id, 4);
+    EXPECT_EQ(message<msg::WriteParams3>(request).cur_profile_id, 3);
     EXPECT_EQ(message<msg::WriteParams3>(request).cur_imu, msg::SelectedImu::frame);
   }
   EXPECT_EQ(writes(), 1U);
@@ -285,6 +286,23 @@ TEST_F(ParametersTest, ValuesThatTheProtocolDoesNotAllowAreRefusedOnlyWhereTheyC
   EXPECT_THAT(report.outcome.error().message, HasSubstr("100"));
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 3);
   EXPECT_TRUE(client().write_parameters(set, {.validate = false}));
+}
+
+TEST_F(ParametersTest, WritingTellsItsProgressUpToTheEnd) {
+  ParameterSet set = read();
+  msg::ReadParams3 wanted = get(set, 2);
+  wanted.gyro_trust = 7;
+  ASSERT_TRUE(set.set(wanted));
+  std::vector<std::size_t> seen;
+  WriteOptions options;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.total, 3 * set.all().size());
+    seen.push_back(progress.done);
+    return true;
+  };
+  ASSERT_TRUE(client().write_parameters(set, options));
+  EXPECT_TRUE(std::ranges::is_sorted(seen));
+  EXPECT_EQ(seen.back(), 3 * set.all().size());
 }
 
 TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
@@ -508,6 +526,9 @@ TEST_F(ParametersTest, ASetTakesNothingThatIsNoSettings) {
   EXPECT_FALSE(set.put({{"ReadParams3", 5}, std::vector<std::uint8_t>(134, 5)}));
   EXPECT_FALSE(set.put({{"ReadParams3", 1}, std::vector<std::uint8_t>(134)}));
   EXPECT_FALSE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(133)}));
+  const auto other = set.put({{"ReadParams3", 1}, std::vector<std::uint8_t>(134, 2)});
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().message, HasSubstr("of profile 3"));
   EXPECT_TRUE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(134)}));
   EXPECT_EQ(set.get<msg::ReadParams3>(1).error().code, ErrorCode::not_found);
 }

@@ -31,6 +31,15 @@ TEST_F(ProfilesTest, TellsTheActiveProfile) {
   EXPECT_EQ(*active, 4U);
 }
 
+TEST_F(ProfilesTest, AnActiveProfileThatDoesNotExistIsRefused) {
+  board.tamper([](Packets& answers) {
+    for (Packet& one : answers) {
+      if (is<msg::ReadParams3>(one)) one.body.back() = profile_count;
+    }
+  });
+  EXPECT_EQ(client().active_profile().error().code, ErrorCode::bad_response);
+}
+
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
   set(2, "Höhe ½");
   const auto read = client().profile_names();

@@ -1,16 +1,21 @@
 // Tests of capture files: the format byte by byte, and the recovery of files that are truncated or
 // damaged at any position.
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <sbgc/detail/crc32.hpp>
@@ -159,6 +164,39 @@ TEST(Capture, RecordsOfALostSessionAreNotThoseOfTheSessionBefore) {
   EXPECT_EQ(log_of(damaged), expected);
 }
 
+TEST(Capture, NeitherAreThoseAfterADamagedHeader) {
+  const TemporaryFile path;
+  std::size_t half = 0;
+  for (const auto time : {2s, 3s}) {
+    CaptureWriter writer;
+    half = path.content().size();
+    ASSERT_FALSE(writer.open(path.name(), begin));
+    writer.write(CaptureKind::from_board, Bytes{'a'}, begin + time);
+  }
+  Bytes damaged = path.content();
+  damaged[half + capture_magic_size] ^= 0x10;
+  EXPECT_EQ(log_of(damaged), (Log{"session", "1 @2000000: a",
+                                  "damaged: " + std::to_string(damaged.size() - half) + " from " +
+                                      std::to_string(half)}));
+}
+
+TEST(Capture, BehindDamageARecordIsAtMostASecondEarlier) {
+  for (const auto& [time, is_taken] : {std::pair(1s, true), std::pair(0s, false)}) {
+    const TemporaryFile path;
+    CaptureWriter writer;
+    ASSERT_FALSE(writer.open(path.name(), begin));
+    writer.write(CaptureKind::from_board, Bytes{'a'}, begin + 2s);
+    const std::size_t size = path.content().size();
+    writer.write(CaptureKind::from_board, Bytes{'b'}, begin + 2s);
+    writer.write(CaptureKind::from_board, Bytes{'c'}, begin + time);
+    Bytes damaged = path.content();
+    damaged[size] ^= 0x10;
+    const Log log = log_of(damaged);
+    EXPECT_EQ(log.back() == "1 @1000000: c", is_taken);
+    EXPECT_THAT(log, SizeIs(is_taken ? 4 : 3));
+  }
+}
+
 TEST(Capture, LaterVersionsAreSkipped) {
   Example whole = example();
   const std::size_t size = whole.file.size();
@@ -286,6 +324,51 @@ TEST(CaptureWriter, SaysWhyNot) {
 TEST(CaptureWriter, AFullDiskIsAnError) {
   CaptureWriter writer;
   EXPECT_EQ(writer.open("/dev/full").code, std::errc::no_space_on_device);
+}
+
+TEST(CaptureWriter, APipeThatNobodyReadsIsAnError) {
+  const TemporaryFile path;
+  ASSERT_EQ(::mkfifo(path.name().c_str(), 0600), 0);
+  CaptureWriter writer;
+  ASSERT_FALSE(writer.open(path.name(), begin));
+  writer.write(CaptureKind::from_board, every_byte(1000), begin);  // more than a pipe takes
+  EXPECT_EQ(writer.error().code, std::errc::resource_unavailable_try_again);
+}
+
+TEST(CaptureWriter, ASignalEndsWaitingForAReader) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  CaptureWriter writer;
+  ASSERT_FALSE(writer.open(ends[1], "pipe", begin));
+  struct sigaction old {};
+  struct sigaction caught {};
+  caught.sa_handler = [](int) {};
+  ASSERT_EQ(::sigaction(SIGALRM, &caught, &old), 0);
+  // Again and again, in case that the first one comes too early.
+  const itimerval soon{{0, 20000}, {0, 20000}};
+  ASSERT_EQ(::setitimer(ITIMER_REAL, &soon, nullptr), 0);
+  writer.write(CaptureKind::from_board, every_byte(1000), begin);  // more than a pipe takes
+  const itimerval never{};
+  ::setitimer(ITIMER_REAL, &never, nullptr);
+  ::sigaction(SIGALRM, &old, nullptr);
+  EXPECT_EQ(writer.error().code, std::errc::interrupted);
+  for (const int end : ends) ::close(end);
+}
+
+TEST(CaptureWriter, TimesBeginWithTheOpening) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  {
+    CaptureWriter writer;
+    ASSERT_FALSE(writer.open(ends[1], "pipe", begin));
+    ASSERT_FALSE(writer.write(CaptureKind::from_board, Bytes{'a'}, begin + 3us));
+  }
+  Bytes content(1000);
+  const ssize_t size = ::read(ends[0], content.data(), content.size());
+  ASSERT_GT(size, 0);
+  content.resize(static_cast<std::size_t>(size));
+  EXPECT_EQ(log_of(content), (Log{"session", "1 @3: a"}));
+  for (const int end : ends) ::close(end);
 }
 
 TEST(CaptureWriter, StopsAtTheFirstFailure) {

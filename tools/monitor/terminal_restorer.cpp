@@ -67,8 +67,9 @@ TerminalRestorer::TerminalRestorer(Screen screen) {
   int problem = 0;
   if (::tcgetattr(STDIN_FILENO, &before) != 0) return;
   if (setupterm(nullptr, STDOUT_FILENO, &problem) != OK) return;
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
   const std::string leaving = screen == Screen::full ? leaving_sequence() : "";
+  del_curterm(cur_term);
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
   process_ = ::fork();
   if (process_ == 0) {
     ::close(ends[1]);

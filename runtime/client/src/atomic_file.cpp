@@ -170,7 +170,10 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
                                    Existing existing) {
   const std::filesystem::path file = target_of(name);
   struct stat present {};
-  if (::stat(file.c_str(), &present) == 0 && !S_ISREG(present.st_mode)) {
+  const bool is_present = ::stat(file.c_str(), &present) == 0;
+  // Another link, which must not become a file.
+  if (!is_present && errno == ELOOP) return io_error("cannot write", name, ELOOP);
+  if (is_present && !S_ISREG(present.st_mode)) {
     // A device, a named pipe or a folder must not become a file.
     return ClientError{ErrorCode::invalid, fmt::format("{} is not a regular file", file.string())};
   }
@@ -182,9 +185,9 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   if (existing == Existing::replace) keep_rights(opened.number(), file);
   // Some file systems report errors only on close. The lock lasts until the last descriptor is
   // closed.
-  const bool is_present = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
+  const bool is_written = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
                           ::close(::dup(opened.number())) == 0;
-  if (!is_present) return io_error("cannot write", file, errno);
+  if (!is_written) return io_error("cannot write", file, errno);
   const bool replaces = existing == Existing::replace;
   const int error = !replaces                                   ? move_without_replacing(path, file)
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0

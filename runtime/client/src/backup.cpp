@@ -91,7 +91,7 @@ class Reader {
   }
 
   void read_one(const Json& json, const std::string& path, ParameterSet& out) {
-    Parameters block{{text(json, "message", path), 0}, hex(json, path)};
+    Parameters block{{text(json, "message", path), {}}, hex(json, path)};
     const Json& copy = member(json, "copy", path);
     if (!error_.empty()) return;
     if (!copy.is_number_unsigned() || copy.get<std::uint64_t>() > 255) {

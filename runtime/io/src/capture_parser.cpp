@@ -160,7 +160,7 @@ std::optional<CaptureItem> CaptureParser::incomplete() {
 }
 
 void CaptureParser::begin_damage(CaptureDamage::Reason reason) {
-  damage_ = CaptureDamage{reason, offset_, 0};
+  damage_ = CaptureDamage{reason, offset_, {}};
   // A file that does not begin as a capture has no sessions.
   advance(reason == Reason::not_a_capture ? rest().size() : 1);
 }

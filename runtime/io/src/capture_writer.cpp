@@ -151,9 +151,10 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
 }
 
 bool CaptureWriter::wait_for_reader() {
-  pollfd waiting{fd_, POLLOUT, 0};
+  std::array<pollfd, 1> waiting{{{fd_, POLLOUT, {}}}};
   constexpr int forever = -1;
-  if (::poll(&waiting, 1, forever) >= 0) return true;  // write() reports errors of the other side
+  if (::poll(waiting.data(), waiting.size(), forever) >= 0)
+    return true;  // write() reports errors of the other side
   fail(errno);
   return false;
 }

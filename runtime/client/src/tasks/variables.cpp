@@ -197,7 +197,8 @@ Task<Result<void>> set_variables(std::vector<VariableValue> values) {
 }
 
 Task<Result<void>> set_variable(std::string name, double value) {
-  std::vector<VariableValue> values(1, VariableValue{std::move(name), value});
+  std::vector<VariableValue> values;
+  values.push_back({std::move(name), value});
   co_return co_await set_variables(std::move(values));
 }
 

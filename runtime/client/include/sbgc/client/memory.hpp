@@ -3,8 +3,7 @@
 /// Arguments are checked before anything is sent. Transfers use whole pages that fit into a
 /// message, and writes are verified by reading back. While the board answers in the first framing,
 /// whose sums let some damage pass, what is read from the EEPROM or kept of the user data counts
-/// only once two answers agree. Error codes of the board are translated to
-/// sentences.
+/// only once two answers agree. Error codes of the board are translated to sentences.
 #pragma once
 
 #include <chrono>

@@ -58,8 +58,8 @@ namespace tasks {
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 
 /// The same, but returns as soon as the camera turns to its target or is there. The timeout is for
-/// this beginning; `progress`, `and `settle` have no effect. The camera
-/// stops at the target by itself, also if the line is lost.
+/// this beginning; `progress` and `settle` have no effect. The camera stops at the target by
+/// itself, also if the line is lost.
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {});
 
 /// Stops all axes where they are and waits until the board reports speed 0 for each. Serial control
