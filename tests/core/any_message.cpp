@@ -74,6 +74,18 @@ class FieldCollector {
   FieldValues values_;
 };
 
+/// Copies leaves; no lambda, as ViolationCopies.
+struct LeafCopies {
+  std::vector<LeafCopy>& copies;
+
+  void operator()(const Leaf& leaf) const {
+    LeafCopy copy{leaf.kind, leaf.integer, leaf.real, {}, leaf.offset, leaf.size};
+    copy.bytes.assign(leaf.bytes.begin(), leaf.bytes.end());
+    copy.bytes.insert(copy.bytes.end(), leaf.text.begin(), leaf.text.end());
+    copies.push_back(std::move(copy));
+  }
+};
+
 template <class M>
 class Holder final : public AnyMessage {
  public:
@@ -112,6 +124,11 @@ class Holder final : public AnyMessage {
     FieldCollector collector;
     collector.members(message_);
     return collector.take();
+  }
+  std::vector<LeafCopy> leaves() const override {
+    std::vector<LeafCopy> result;
+    for_each_leaf(message_, LeafCopies{result});
+    return result;
   }
   Json to_dom() const override { return sbgc::to_dom(message_); }
   void from_dom(const Json& json) override { sbgc::from_dom(json, message_); }

@@ -15,6 +15,7 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/json_dom.hpp>
+#include <sbgc/text/leaves.hpp>
 #include <sbgc/validate.hpp>
 
 #include "support.hpp"
@@ -51,6 +52,16 @@ std::vector<ViolationCopy> violations_of(const M& message) {
   return result;
 }
 
+/// A leaf without its views.
+struct LeafCopy {
+  LeafKind kind{};
+  std::int64_t integer{};
+  double real{};
+  ByteVector bytes{};  ///< of bytes or a text
+  std::size_t offset{};
+  std::size_t size{};
+};
+
 /// Raw values by the specification's field name: one, or one for each axis or element.
 using FieldValues = std::map<std::string, std::vector<double>>;
 
@@ -77,6 +88,7 @@ class AnyMessage {
   /// The result of the quick check alone.
   virtual bool is_plainly_valid(const Availability& versions) const = 0;
   virtual FieldValues spec_fields() const = 0;
+  virtual std::vector<LeafCopy> leaves() const = 0;
   virtual Json to_dom() const = 0;
   virtual void from_dom(const Json& json) = 0;
   virtual std::string to_json() const = 0;

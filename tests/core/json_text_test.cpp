@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -189,7 +190,13 @@ TEST(JsonTextValues, StringsAreReadAsTheDomReadsThem) {
                                   "\xEF\x9E\x80"s,
                                   "\xEF\x9F\xBF"s,
                                   "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80"s,
+                                  "\\u0080\\ud7ff\\ue000\\uf77f\\uf800"s,
+                                  "\\udbff\\udfff\\ud800\\udc00"s,
                                   "\\ud83d"s,
+                                  "\\ud800\\ue000"s,
+                                  "\\ud800\\udbff"s,
+                                  "\\udc00"s,
+                                  "\\udfff"s,
                                   "\\ude00"s,
                                   "\\ud83d\\u0041"s,
                                   "\\ud83dx"s,
@@ -214,7 +221,43 @@ TEST(JsonTextValues, StringsAreReadAsTheDomReadsThem) {
     const std::string text = R"({"profile_name":[")" + name + R"(","\u0062","c","d","e"]})";
     accepted += read_in_both_ways(message_type("ReadProfileNames"), text) ? 1 : 0;
   }
-  EXPECT_EQ(accepted, 14);
+  EXPECT_EQ(accepted, 16);
+}
+
+/// Returns the UTF-8 encoding of a code point.
+std::string utf8_of(std::uint32_t c) {
+  std::string result;
+  const auto add = [&](std::uint32_t byte) { result += static_cast<char>(byte); };
+  const auto follow = [&](int shift) { add(0x80 | (c >> shift & 0x3F)); };
+  if (c < 0x80) return add(c), result;
+  if (c < 0x800) return add(0xC0 | c >> 6), follow(0), result;
+  if (c < 0x10000) return add(0xE0 | c >> 12), follow(6), follow(0), result;
+  return add(0xF0 | c >> 18), follow(12), follow(6), follow(0), result;
+}
+
+TEST(Utf8, EveryCharacterAndNothingElseIsWellFormed) {
+  std::set<std::string> characters;  // all that have their bytes at a limit, and many others
+  for (std::uint32_t c = 0; c <= 0x10FFFF; ++c) {
+    if (c >= 0xD800 && c < 0xE000) continue;
+    const std::string character = utf8_of(c);
+    ASSERT_EQ(detail::utf8_length(character + "x"), character.size()) << c;
+    if (c % 64 == 0 || c % 64 == 63) characters.insert(character);
+  }
+  constexpr std::array<char, 4> limits{'\x7F', '\x80', '\xBF', '\xC0'};
+  for (int first = 0; first < 256; ++first) {
+    for (int second = 0; second < 256; ++second) {
+      for (const char third : limits) {
+        for (const char last : limits) {
+          const std::string bytes{static_cast<char>(first), static_cast<char>(second), third, last};
+          const std::size_t length = detail::utf8_length(bytes);
+          if (first < 0x80 || (first < 0xE0 && length == 2)) continue;  // as seen above
+          ASSERT_EQ(length != 0, characters.contains(bytes.substr(0, 3)) ||
+                                     characters.contains(bytes))
+              << first << ' ' << second << ' ' << int{third} << ' ' << int{last};
+        }
+      }
+    }
+  }
 }
 
 TEST(JsonTextValues, FloatsAreReadAsTheDomReadsThem) {

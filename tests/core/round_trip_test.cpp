@@ -2,6 +2,8 @@
 // other body is an error with a position, and no byte outside the buffers is touched.
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -106,6 +108,55 @@ TEST_P(RoundTrip, EveryBodyThatDecodesEncodesToTheSameBytes) {
     }
   }
   EXPECT_GE(decoded, bodies_per_size / 2) << "too few bodies decode";
+}
+
+/// Returns whether a leaf says what its bytes in the body say.
+bool says(const LeafCopy& leaf, std::span<const std::uint8_t> bytes) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = std::min<std::size_t>(bytes.size(), 8); i > 0; --i) {
+    bits = bits << 8 | bytes[i - 1];
+  }
+  switch (leaf.kind) {
+    case LeafKind::integer:
+    case LeafKind::counter: {
+      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - 8 * bytes.size());
+      return (static_cast<std::uint64_t>(leaf.integer) & mask) == bits;
+    }
+    case LeafKind::real: {
+      const auto low_bits = static_cast<std::uint32_t>(bits);
+      const double real = bytes.size() == 8 ? std::bit_cast<double>(bits)
+                                            : static_cast<double>(std::bit_cast<float>(low_bits));
+      return leaf.real == real || (std::isnan(leaf.real) && std::isnan(real));
+    }
+    case LeafKind::bytes: return std::ranges::equal(leaf.bytes, bytes);
+    case LeafKind::text: break;
+  }
+  // A text is padded with NUL, or preceded by its length.
+  const auto length = static_cast<std::ptrdiff_t>(leaf.bytes.size());
+  ByteVector padded = leaf.bytes;
+  padded.resize(bytes.size());
+  ByteVector preceded{static_cast<std::uint8_t>(length)};
+  preceded.insert(preceded.end(), leaf.bytes.begin(), leaf.bytes.end());
+  return std::ranges::equal(padded, bytes) || std::ranges::equal(preceded, bytes);
+}
+
+TEST_P(RoundTrip, LeavesAreTheBytesOfTheBodyOneAfterTheOther) {
+  RandomBodies bodies(13);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const std::size_t more = GetParam().fixed_size() ? 0 : i % 40;
+    const auto message = GetParam().make();
+    const ByteVector body = bodies.next(std::min(info().min_size + more, max_body_size));
+    if (!message->decode(body, random_contexts(i))) continue;
+    std::size_t end = 0;
+    for (const LeafCopy& leaf : message->leaves()) {
+      ASSERT_EQ(leaf.offset, end);
+      end += leaf.size;
+      ASSERT_LE(end, body.size());
+      EXPECT_TRUE(says(leaf, std::span(body).subspan(leaf.offset, leaf.size)))
+          << leaf.offset << ": " << leaf.integer << ", " << leaf.real;
+    }
+    ASSERT_EQ(end, body.size());
+  }
 }
 
 TEST_P(RoundTrip, EqualMessagesAreThoseWithEqualBytes) {

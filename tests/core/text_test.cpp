@@ -110,7 +110,9 @@ TEST(Text, ReservedBytesAreShownIfTheyAreUsed) {
 
 TEST(Text, TextsAreQuotedAndHarmless) {
   EXPECT_EQ(detail::quoted("Fußgänger \"1\""), "\"Fußgänger \\\"1\\\"\"");
-  EXPECT_EQ(detail::quoted("a\x1b[2J\n\x7f\xc2\x9b\\"), "\"a\\u001b[2J\\n\\u007f\\u009b\\\\\"");
+  EXPECT_EQ(detail::quoted("a\x1b[2J\n\t\r\x1f\x7f\xc2\x9f\\"),
+            "\"a\\u001b[2J\\n\\t\\r\\u001f\\u007f\\u009f\\\\\"");
+  EXPECT_EQ(detail::quoted(" ~\xc2\xa0"), "\" ~\xc2\xa0\"") << "no control characters";
 }
 
 /// Compares the text of a number with what printf("%.6g") writes.
@@ -136,6 +138,18 @@ TEST(Text, NumbersAreAsPrintfWritesThem) {
   for (const double value : {0.0, -0.0, 999999.5, 99999.95, 9.999995, 0.000099999949, 1e-5, 1e6}) {
     expect_as_printed(value);
   }
+}
+
+TEST(Text, NumbersWithoutAFractionAreInFull) {
+  const auto text = [](double value) {
+    return detail::text_of([&](TextOutput& out) { detail::put_number(out, value); });
+  };
+  EXPECT_EQ(text(123456789), "123456789");
+  EXPECT_EQ(text(-999999999999999), "-999999999999999");
+  EXPECT_EQ(text(1e15), "1e+15");
+  EXPECT_EQ(text(-1e16), "-1e+16");
+  EXPECT_EQ(text(1e300), "1e+300");
+  EXPECT_EQ(text(1234567.5), "1.23457e+06");
 }
 
 TEST(Text, IntegersHaveAllTheirDigits) {
@@ -228,6 +242,15 @@ TEST(Violations, OfCountsAndAlignment) {
   EXPECT_TRUE(long_melody.note_freq_hz.resize(51));
   for (auto& note : long_melody.note_freq_hz) note = std::remove_cvref_t<decltype(note)>(1000);
   EXPECT_EQ(violations_in(long_melody), Sentences{"note_freq_hz: 51 elements are more than 50"});
+}
+
+TEST(Violations, OfOrderNameTheOtherField) {
+  msg::ReadParamsExt2 params;
+  params.frame_cam_angle_min.pitch = msg::Degrees(-30);
+  params.frame_cam_angle_max.pitch = msg::Degrees(-31);
+  EXPECT_EQ(violations_in(params),
+            Sentences{"frame_cam_angle_min.pitch: -30 deg is above -31 deg of "
+                      "frame_cam_angle_max"});
 }
 
 TEST(Violations, OfVersionsNameTheVersion) {

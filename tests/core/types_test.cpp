@@ -65,6 +65,8 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   a.push_back(1);
   EXPECT_NE(a, b) << "the bytes past the end are equal, the sizes are not";
   EXPECT_NE(b, a);
+  b.push_back(2);
+  EXPECT_NE(a, b);
 }
 
 TEST(BoundedArray, ResizeInitializesWhatItAdds) {

@@ -92,7 +92,7 @@ def build(mutants: list[Mutant]) -> Tests:
     copy.mkdir(parents=True, exist_ok=True)
     write_copy(ROOT, copy, mutants)
     switch = BUILD / "switch.o"
-    _do(["clang++", "-O1", "-c", str(HERE / "switch.cpp"), "-o", str(switch)])
+    _do(["clang++", "-O1", "-fPIC", "-c", str(HERE / "switch.cpp"), "-o", str(switch)])
     folder = BUILD / "build"
     # -Wno-c++11-narrowing: a switched number is no constant.
     flags = f"-include {HERE / 'switch.hpp'} -w -Wno-c++11-narrowing"
