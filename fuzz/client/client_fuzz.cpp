@@ -203,8 +203,8 @@ class Player {
         may_hold_anything_ = true;
         static_cast<void>(run(tasks::set_variable("P_ROLL", input_.byte())));
         break;
-      case 8: static_cast<void>(run(tasks::move_to({.yaw = msg::Angle14(900)}))); break;
-      case 9: static_cast<void>(run(tasks::calibrate(sbgc::Sensor::gyroscope))); break;
+      case 8: move(); break;
+      case 9: calibrate(); break;
       case 10: static_cast<void>(run(wait_for(sbgc::milliseconds(20) * input_.byte()))); break;
       case 11: eeprom(); break;
       case 12: user_data(); break;
@@ -269,9 +269,14 @@ class Player {
   }
 
   void profile_names() {
-    const std::size_t profile = input_.byte() % 6;
-    const Bytes name = some_bytes(input_.byte() % 52);
-    static_cast<void>(run(tasks::rename_profile(profile, {name.begin(), name.end()})));
+    const std::size_t profile = input_.byte() % 7;
+    const Bytes bytes = some_bytes(input_.byte() % 52);
+    const std::string name(bytes.begin(), bytes.end());
+    if (profile == 6) {
+      static_cast<void>(run(tasks::rename_profiles({name, "", "3", name, "5"})));
+    } else {
+      static_cast<void>(run(tasks::rename_profile(profile, name)));
+    }
     static_cast<void>(run(tasks::profile_names()));
   }
 
@@ -280,10 +285,12 @@ class Player {
     const std::array names{"P_ROLL", "LPF_FREQ_PITCH", "FOLLOW_SPEED_YAW", "none"};
     std::vector<sbgc::VariableValue> values;
     std::vector<std::string> wanted;
+    const double scale = input_.byte() - 1.0;
     for (int left = input_.byte() % 50; left > 0; --left) {
-      wanted.emplace_back(names[static_cast<std::size_t>(left) % (left < 4 ? 4 : 3)]);
-      values.push_back({wanted.back(), static_cast<double>(left * 5)});
+      wanted.emplace_back(names[static_cast<std::size_t>(left) % (scale == 0 ? 4 : 3)]);
+      values.push_back({wanted.back(), left * scale});
     }
+    static_cast<void>(run(tasks::get_variable(names[0])));
     static_cast<void>(run(tasks::set_variables(std::move(values))));
     static_cast<void>(run(tasks::get_variables(std::move(wanted))));
     static_cast<void>(run(tasks::save_variables()));
@@ -325,11 +332,41 @@ class Player {
     require(client_.pending() == 0);
   }
 
+  void move() {
+    const std::uint8_t choice = input_.byte();
+    const std::uint8_t refuse_after = input_.byte();
+    sbgc::MoveOptions options;
+    options.speed = msg::ControlSpeed(static_cast<std::int16_t>(choice * 100 - 1000));
+    options.timeout = std::chrono::milliseconds(input_.byte() * 100);
+    options.tolerance = choice % 16;
+    options.stop_on_failure = choice % 2 == 0;
+    int looks = 0;
+    options.progress = [&](const sbgc::MoveProgress&) { return ++looks != refuse_after; };
+    sbgc::MoveTarget target;
+    if (choice != 255) target.yaw = msg::Angle14(900);
+    static_cast<void>(run(tasks::move_to(target, options)));
+  }
+
+  void calibrate() {
+    const std::uint8_t choice = input_.byte();
+    const std::uint8_t refuse_after = input_.byte();
+    sbgc::CalibrationOptions options;
+    options.imu = static_cast<msg::CalibImu>(choice % 4);
+    options.action = static_cast<msg::CalibAction>(choice / 4 % 5);
+    if (choice >= 128) options.timeout = std::chrono::milliseconds(10 * (choice - 128));
+    int looks = 0;
+    if (refuse_after != 0) {
+      options.progress = [&](const sbgc::CalibrationProgress&) { return ++looks != refuse_after; };
+    }
+    const auto sensor = choice % 2 == 0 ? sbgc::Sensor::gyroscope : sbgc::Sensor::accelerometer;
+    static_cast<void>(run(tasks::calibrate(sensor, options)));
+  }
+
   void motion() {
     const std::uint8_t choice = input_.byte();
     const auto angle = msg::Angle14(static_cast<std::int16_t>(input_.byte() * 8));
     switch (choice % 4) {
-      case 0: static_cast<void>(run(tasks::begin_move({.pitch = angle}))); break;
+      case 0: static_cast<void>(run(tasks::begin_move({.pitch = angle}, {.settle = {}}))); break;
       case 1: static_cast<void>(run(tasks::stop())); break;
       case 2: static_cast<void>(run(tasks::release())); break;
       default:
@@ -339,7 +376,11 @@ class Player {
 
   void files() {
     const std::uint8_t choice = input_.byte();
-    switch (choice % 4) {
+    const std::size_t too_many = 100'000;
+    switch (choice % 5) {
+      case 4:
+        static_cast<void>(run(tasks::upload_file(2, Bytes(choice < 128 ? 0 : too_many))));
+        break;
       case 0: static_cast<void>(run(tasks::file_size(choice / 4))); break;
       case 1: static_cast<void>(run(tasks::delete_file(choice / 4))); break;
       case 2: static_cast<void>(run(tasks::delete_all_files())); break;
@@ -362,6 +403,8 @@ class Player {
       if (body.size() >= start.size() + 1) std::ranges::copy(start, body.begin() + 1);
       static_cast<void>(wanted.put({id, std::move(body)}));
     }
+    static_cast<void>(to_text(diff(wanted, original_)));
+    static_cast<void>(to_text(diff(original_, wanted)));
     const sbgc::WriteOptions options{.dry_run = (choice & 64) != 0,
                                      .validate = (choice & 128) != 0};
     static_cast<void>(to_text(run(tasks::write_parameters(wanted, options))));
@@ -391,13 +434,24 @@ class Player {
       if (!as_backup) {
         return run(tasks::write_parameters(wanted, {.timeout = timeout, .validate = false}), most);
       }
-      sbgc::Backup backup{client_.identity(), wanted, ""};
+      sbgc::Backup backup{board_of_backup(), wanted, ""};
       sbgc::RestoreOptions options;
       options.save_current = [](const sbgc::Backup&) { return Result<void>(); };
       options.timeout = timeout;
       return run(tasks::restore(std::move(backup), std::move(options)), most);
     }();
     if (!is_foul_ && !may_hold_anything_) learn(wanted, report);
+  }
+
+  /// The board, rarely another one.
+  sbgc::BoardIdentity board_of_backup() {
+    sbgc::BoardIdentity board = client_.identity();
+    const std::uint8_t choice = input_.byte();
+    if (choice == 255) board.info.board_ver = msg::BoardVersion(31);
+    if (choice == 254) board.info.firmware_ver = msg::FirmwareVersion(2560);
+    if (choice == 253) board.info.frw_extra_id = 1;
+    if (choice >= 253) require(!mismatches(client_.identity(), board).empty());
+    return board;
   }
 
   /// Narrows or widens what the board may hold.

@@ -172,7 +172,7 @@ def main() -> None:
         outcomes = list(pool.map(tried, range(len(mutants))))
     (BUILD / "outcomes.json").write_text(
         json.dumps(
-            [[m.file, m.line, m.kind, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
+            [[m.file, m.line, m.context, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
         )
     )
     sys.exit(report(mutants, outcomes, bool(arguments.file)))
