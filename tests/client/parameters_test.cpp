@@ -447,11 +447,12 @@ TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
   fill();
   ParameterSet set;
   msg::ReadParams3 wanted = get(read(), 4);
-  wanted.general_flags1 = msg::GeneralFlag::blink_profile;
+  const auto flag = msg::GeneralFlag::remember_last_used_profile;
+  wanted.general_flags1 = flag;
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_EQ(board.settings<msg::ReadParams3>(0).general_flags1, msg::GeneralFlag::blink_profile);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).general_flags1, flag);
 }
 
 TEST_F(ParametersTest, ABoardThatKeepsAGeneralSettingInEachProfileCanBeWritten) {

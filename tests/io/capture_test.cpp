@@ -303,6 +303,18 @@ TEST(CaptureWriter, LeavesOtherFilesAlone) {
   EXPECT_EQ(path.content(), (Bytes{'n', 'o'}));
 }
 
+TEST(CaptureWriter, APartOfTheFirstHeaderIsReplaced) {
+  const Bytes whole = example().file;
+  for (std::size_t size = 0; size < capture_magic_size; ++size) {
+    const TemporaryFile path;
+    path.write({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+    CaptureWriter writer;
+    ASSERT_FALSE(writer.open(path.name(), begin)) << size;
+    writer.write(CaptureKind::from_board, Bytes{'a'}, begin);
+    EXPECT_EQ(log_of(path.content()), (Log{"session", "1 @0: a"})) << size;
+  }
+}
+
 TEST(CaptureWriter, OneAtATime) {
   const TemporaryFile path;
   CaptureWriter first;

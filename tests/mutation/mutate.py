@@ -34,8 +34,10 @@ TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
 TOOLS = "board care command frames line memory monitor motion parameters share shell values".split()
 # Of other builds, or not to be included together with the rest of its folder.
 SEPARATE = ("offline_commands", "system_windows", "web_socket_server")
-# Tests beyond these seconds are left out for a mutant: one that only they notice deserves a quicker test.
+# The tests of a mutant take these seconds, or more if it survives them and is not listed. Others are
+# left out: a mutant that only they notice deserves a quicker test.
 SECONDS = 15.0
+MOST_SECONDS = 90.0
 
 
 def areas() -> list[tuple[list[str], float]]:
@@ -125,16 +127,25 @@ def measured(tests: Tests, pool: ThreadPoolExecutor) -> list[Suite]:
     return [part for part in parts if part.passes]
 
 
-def chosen(number: int, suites: list[Suite]) -> list[Suite]:
-    """Returns the suites to run for a mutant: quick ones, and those that reach few others, first."""
+def chosen(number: int, suites: list[Suite]) -> tuple[list[Suite], list[Suite]]:
+    """Returns the suites to run for a mutant, and those to run if it survives them.
+
+    Quick suites, and those that reach few other mutants, come first.
+    """
     reaching = [suite for suite in suites if number in suite.reached]
     reaching.sort(key=lambda suite: suite.seconds * len(suite.reached))
-    result, seconds = [], 0.0
+    first: list[Suite] = []
+    others: list[Suite] = []
+    seconds = 0.0
     for suite in reaching:
-        if not result or seconds + suite.seconds <= SECONDS:
-            result.append(suite)
-            seconds += suite.seconds
-    return result
+        if not first or seconds + suite.seconds <= SECONDS:
+            first.append(suite)
+        elif seconds + suite.seconds <= MOST_SECONDS:
+            others.append(suite)
+        else:
+            continue
+        seconds += suite.seconds
+    return first, others
 
 
 def main() -> None:
@@ -146,6 +157,7 @@ def main() -> None:
     arguments = parser.parse_args()
     start = time.monotonic()
     mutants = candidates(arguments.file)
+    reasons = unkillable()
     if arguments.list:
         for mutant in mutants:
             print(f"{mutant.file}:{mutant.line}: {mutant.change}")
@@ -164,10 +176,14 @@ def main() -> None:
         )
 
         def tried(number: int) -> str:
-            reaching = chosen(number, suites)
-            if not reaching:
+            first, others = chosen(number, suites)
+            if not first:
                 return "not reached"
-            return "survived" if tests.survives(number, reaching) else "killed"
+            if not tests.survives(number, first):
+                return "killed"
+            if mutants[number].key in reasons or not others:
+                return "survived"
+            return "survived" if tests.survives(number, others) else "killed"
 
         outcomes = list(pool.map(tried, range(len(mutants))))
     (BUILD / "outcomes.json").write_text(
@@ -175,13 +191,19 @@ def main() -> None:
             [[m.file, m.line, m.context, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
         )
     )
-    sys.exit(report(mutants, outcomes, bool(arguments.file)))
+    sys.exit(report(mutants, outcomes, reasons, bool(arguments.file)))
 
 
-def report(mutants: list[Mutant], outcomes: list[str], partial: bool) -> int:
-    """Prints the outcomes; returns the exit status."""
+def unkillable() -> dict[str, str]:
+    """Returns the reasons why mutants change nothing, by their keys."""
     text = (HERE / "unkillable.yaml").read_text(encoding="utf-8")
-    reasons = {f"{e['file']}: {e['in']}: {e['change']}": e["reason"] for e in yaml.safe_load(text)}
+    return {f"{e['file']}: {e['in']}: {e['change']}": e["reason"] for e in yaml.safe_load(text)}
+
+
+def report(
+    mutants: list[Mutant], outcomes: list[str], reasons: dict[str, str], partial: bool
+) -> int:
+    """Prints the outcomes; returns the exit status."""
     problems = []
     seen = set()
     for mutant, outcome in zip(mutants, outcomes):

@@ -153,8 +153,8 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
 bool CaptureWriter::wait_for_reader() {
   std::array<pollfd, 1> waiting{{{fd_, POLLOUT, {}}}};
   constexpr int forever = -1;
-  if (::poll(waiting.data(), waiting.size(), forever) >= 0)
-    return true;  // write() reports errors of the other side
+  // write() reports errors of the other side.
+  if (::poll(waiting.data(), waiting.size(), forever) >= 0) return true;
   fail(errno);
   return false;
 }
