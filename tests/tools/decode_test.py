@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import gzip
+import io
 import json
 import os
 import random
@@ -597,6 +599,15 @@ def test_csv() -> None:
     assert values[1:] == pytest.approx([i * scales[i % 3] for i in range(9)], rel=1e-6)
     mixed = run("decode", "--format", "csv", stdin=FRAMES)
     assert mixed.status == 1 and "choose with --message" in mixed.error
+
+
+def test_csv_of_texts() -> None:
+    names = ["plain", 'a "b"', "c, d", '",', ""]
+    body = b"".join(name.encode().ljust(48, b"\0") for name in names)
+    rows = run("decode", "--format", "csv", "--from", "board", stdin=frame(28, body)).text
+    assert rows.splitlines()[1] == '0,plain,"a ""b""","c, d",""",",'
+    (_, row) = csv.reader(io.StringIO(rows))
+    assert row[1:] == names
 
 
 def test_real_values() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 
 import pytest
@@ -18,6 +19,13 @@ def described(word: str) -> str:
 
 def words_of(text: str) -> str:
     return " ".join(text.split())
+
+
+def entries(page: str, name: str) -> list[str]:
+    """What stands in the column behind the name of a fact of a message."""
+    return [
+        line.split(maxsplit=1)[1] for line in page.splitlines() if line.startswith(f"  {name} ")
+    ]
 
 
 def test_a_command_with_all_its_messages() -> None:
@@ -44,7 +52,8 @@ def test_a_command_with_all_its_messages() -> None:
 )
 def test_every_message_has_its_facts(chunk: list[dict]) -> None:
     for message in chunk:
-        text = words_of(described(message["name"]))
+        page = described(message["name"])
+        text = words_of(page)
         assert message["command"] in text and f"id {message['id']}" in text
         assert words_of(message["summary"]) in text
         assert words_of(message["description"] or "") in text
@@ -52,6 +61,82 @@ def test_every_message_has_its_facts(chunk: list[dict]) -> None:
             assert name in text
         for leaf in message["layout"]:
             assert words_of(leaf["summary"]) in text, leaf["path"]
+        until, deprecated = message["until"], message["deprecated"]
+        assert entries(page, "until") == ([f"firmware {until['firmware']}"] if until else [])
+        assert entries(page, "deprecated") == (
+            [f"use {deprecated['replaced_by']}"] if deprecated else []
+        )
+        is_general = any(leaf.get("role") == "general" for leaf in message["layout"])
+        assert ("general: the same in all profiles" in text) == is_general
+
+
+def test_all_parameters_of_a_profile_are_not_general() -> None:
+    text = words_of(described("ReadParams3"))
+    (general,) = [
+        [leaf for leaf in message["layout"] if leaf.get("role") == "general"]
+        for message in MODEL["messages"]
+        if message["name"] == "ReadParams3"
+    ]
+    assert text.count("general: the same in all profiles") == len(general)
+
+
+def test_facts_stand_under_their_heading() -> None:
+    text = described("MotorsOff")
+    assert "\n  response    a confirmation within 500 ms; may be repeated\n" in text
+    assert text.endswith("\n  until       firmware 2.68b7\n")
+
+
+def test_pages_of_types_variables_and_fields() -> None:
+    assert described("RcMode") == (
+        "RcMode  several values in one number\n"
+        "  How an RC signal controls an axis.\n"
+        "\n"
+        "  mode (bits 0 to 2): RC_MODE_ANGLE 0, RC_MODE_SPEED 1\n"
+        "  inverted (bit 3)\n"
+        "\n"
+        "Used in\n"
+        "  ReadParams3.rc.roll|pitch|yaw.rc_mode\n"
+        "  WriteParams3.rc.roll|pitch|yaw.rc_mode\n"
+        "  WriteParams.rc.roll|pitch|yaw.rc_mode\n"
+    )
+    assert described("ControlModeKind").startswith(
+        "ControlModeKind  enum\n"
+        "  Meaning of SPEED and ANGLE in a control command.\n"
+        "\n"
+        "  MODE_NO_CONTROL             0: Serial control ends and RC takes over.\n"
+    )
+    assert described("LPF_FREQ_ROLL") == (
+        "LPF_FREQ_ROLL  adjustable variable 45\n"
+        "  Low-pass filter of roll.\n"
+        "  Hz; 10 to 400 Hz\n"
+    )
+    assert described("pitch.rc_min_angle") == (
+        "pitch.rc_min_angle  field of 3 messages\n"
+        "  ReadParams3.rc.pitch.rc_min_angle\n"
+        "      Angle at the lowest signal.\n"
+        "      i16; deg; -720 to 720 deg\n"
+        "  WriteParams3.rc.pitch.rc_min_angle\n"
+        "  WriteParams.rc.pitch.rc_min_angle\n"
+    )
+
+
+def test_a_long_list_of_uses_is_cut() -> None:
+    lines = described("MenuCommand").splitlines()
+    uses = lines[lines.index("Used in") + 1 :]
+    assert len(uses) == 13 and uses[0] == "  ReadParams3.rc_cmd_low"
+    assert re.fullmatch(r"  and \d+ more", uses[-1])
+
+
+def test_a_text_stands_below_a_name_that_is_too_long_or_in_a_narrow_terminal(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    text = described("MenuCommand")
+    assert "\n  MENU_CMD_SERVO_MODE_TOGGLE  81: Turn the servo mode" in text
+    assert "\n  MENU_CMD_HOME_POSITION_SHORTEST\n" + 30 * " " in text
+    monkeypatch.setenv("COLUMNS", "40")
+    narrow = described("MenuCommand")
+    assert "\n  MENU_CMD_SERVO_MODE_TOGGLE\n    81: Turn the servo mode on or off.\n" in narrow
+    assert all(len(line) <= 40 for line in narrow.splitlines())
 
 
 @pytest.mark.parametrize(

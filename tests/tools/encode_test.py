@@ -331,5 +331,19 @@ def test_defaults() -> None:
     expected = run("encode", stdin=changed(json.loads(whole), "control_mode", 0)).out
     assert run("encode", "--defaults", stdin=json.dumps(short)).out == expected
     assert run("encode", "--defaults", stdin='{"message":"get_angles"}').out == frame(73)
+    counted = {"message": "SetAdjVarsVal", "fields": {"params": [{"param_id": 3}]}}
+    assert run("encode", "--defaults", stdin=json.dumps(counted)).out == (
+        frame(31, b"\x01\x03" + bytes(4))
+    ), "the number of elements follows from them"
     unknown = {"message": "Control", "fields": {"axis": 1}}
     assert run("encode", "--defaults", stdin=json.dumps(unknown)).status == 1
+
+
+def test_defaults_of_all_fields_that_flags_announce() -> None:
+    """The flags of the state of an external motor announce 20 fields, of 2 or 4 bytes or of one."""
+    (flags,) = [enum for enum in MODEL["enums"] if enum["name"] == "ExtMotorsStateFields"]
+    every = sum(value["value"] for value in flags["values"])
+    line = {"message": "ExtMotorsState", "fields": {"motor_id": 1, "data_set": every}}
+    result = run("encode", "--defaults", stdin=json.dumps(line))
+    assert result.status == 0, result
+    assert result.out == frame(131, b"\x01" + every.to_bytes(4, "little") + bytes(45))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -75,6 +76,7 @@ def test_the_form_has_the_fields(arguments: list[str], message: str) -> None:
         (["axes.pitch.angle=-30deg"], "axes.pitch.angle", -1365),
         (["pitch.angle=-30"], "axes.pitch.angle", -1365),
         (["pitch.angle=-30 deg"], "axes.pitch.angle", -1365),
+        (["pitch.angle=+30"], "axes.pitch.angle", 1365),
         (["pitch.angle=-30°"], "axes.pitch.angle", -1365),
         (["ANGLE_PITCH=raw:-1365"], "axes.pitch.angle", -1365),
         (["angle=10,20,30"], "axes.yaw.angle", 1365),
@@ -94,6 +96,38 @@ def test_values(values: list[str], path: str, expected: int) -> None:
     for step in path.split("."):
         value = value[step]
     assert value == expected
+
+
+def test_values_with_a_meaning_of_their_own_may_be_outside_of_the_range() -> None:
+    assert fields_of("ReadParams3Request", "profile_id=255") == {"profile_id": 255}
+    assert "0 to 4" in refused("ReadParams3Request", "profile_id=254")
+
+
+def test_a_name_of_the_specification_counts_elements_as_it_does() -> None:
+    names = fields_of("WriteProfileNames", "PROFILE3_NAME=abc")["profile_name"]
+    assert names == ["", "", "abc", "", ""]
+    for other in ("PROFILE0_NAME", "PROFILE6_NAME", "PROFILE_NAME_"):
+        assert f"no field '{other}'" in refused("WriteProfileNames", f"{other}=abc")
+
+
+def test_parts_of_a_packed_value_in_their_unit() -> None:
+    values = fields_of("ControlQuatAttitudePacked", "target_attitude=a:0.5,b:-0.25,largest:Z")
+    # A component is its count divided by 524287 times the square root of 2; the sign is the bit
+    # above it.
+    a, b = (round(size * 524287 * math.sqrt(2)) for size in (0.5, 0.25))
+    assert int(values["target_attitude"]) == 3 << 60 | 1 << 39 | b << 20 | a
+    error = refused("ControlQuatAttitudePacked", "target_attitude=a:0.9")
+    assert "0.9 does not fit into 'a'" in error
+
+
+def test_real_numbers_in_their_unit() -> None:
+    # A board counts in amperes.
+    assert fields_of("WriteStateVars", "avg_current=2500mA")["avg_current"] == 2.5
+    assert fields_of("WriteStateVars", "avg_current=raw:2500")["avg_current"] == 2500
+
+
+def test_lists_that_need_elements_have_them() -> None:
+    assert fields_of("DebugVars3RequestSelected") == {"selected_mask": [0]}
 
 
 def test_lists_bytes_texts_and_flags() -> None:
@@ -143,7 +177,11 @@ def flags_named(enum: str, *names: str) -> int:
         (["BeepSound", "note_freq_hz=600,1"], ["note_freq_hz", "554 Hz"]),
         (["BeepSound", "note_freq_hz[99]=600"], ["99"]),
         (["BeepSound", "decay_factor=16"], ["decay_factor", "16"]),
-        (["SetAdjVarsVal", "param_id=3"], ["params[0]"]),
+        (["Control", "pitch.angle=+"], ["'+' is not a number"]),
+        (["Control", "pitch.angle=+-3"], ["'+-3' is not a number"]),
+        (["BeepSound", "mode=CUSTOM_MELODY|0x10000"], ["does not fit into 2 bytes"]),
+        (["SetAdjVarsVal", "param_id=3"], ["such as params[0].…"]),
+        (["WriteProfileNames", "profile_name=x,y"], ["5 elements"]),
         (["SetAdjVarsVal", "num_vars=3"], ["num_vars"]),
         (["EepromWrite", "data=0"], ["data", "hex"]),
         (["WriteProfileNames", "profile_name[0]=" + "x" * 49], ["49", "48"]),

@@ -39,6 +39,7 @@ def test_names_are_candidates() -> None:
     assert candidates("send", "get_angles", "") == []
     assert "CMD_MOTORS_ON" in candidates("send", "CMD_MOT")
     assert candidates("send", "Control", "control_m") == ["control_mode="]
+    assert "num_vars=" not in candidates("send", "SetAdjVarsVal", ""), "it follows from the others"
     modes = candidates("send", "CMD_CONTROL", "control_mode=MODE_ANGLE")
     assert "control_mode=MODE_ANGLE" in modes and "control_mode=MODE_ANGLE_REL_FRAME" in modes
     assert "MODE_ANGLE" in candidates("describe", "MODE_")

@@ -273,8 +273,7 @@ void replace_names(const MessageType& message, Json& fields) {
 
 void add_demanded(const MessageType& message, Json& fields) {
   std::vector<std::uint8_t> frame(max_frame_size);
-  constexpr int most = 16;
-  for (int i = 0; i < most; ++i) {
+  for (;;) {
     const WriteResult written = message.encode(fields, basic_framing, frame);
     if (written.status.code != Code::presence_mismatch) return;
     const auto found = find_fields(message.fields(), written.status.field);

@@ -54,7 +54,7 @@ struct Measure {
 };
 
 std::optional<Measure> measure_of(std::string_view text) {
-  if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   if (text.starts_with("0x") || text.starts_with("0X") || text.starts_with("-0x")) {
     const auto number = integer_of(text);
     if (!number) return std::nullopt;
