@@ -11,11 +11,16 @@ import termios
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
+from board_command import Watched
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
 from sbgc_command import PROGRAM, run
+
+SPEED_STEP = 0.1220740379
+"""Degrees per second of a unit of speed."""
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -56,6 +61,20 @@ def test_a_speed_lasts_for_its_time(firmware: str) -> None:
         assert not observer.is_turning()
         assert observer.angles()[2] == pytest.approx(before + 5, abs=2)
         assert "The camera has stopped" in result.error
+
+
+def test_a_camera_whose_line_is_lost_while_it_stops_may_still_turn() -> None:
+    with emulated_gimbal() as gimbal:
+        arguments = ("speed", "--yaw", "5", "--for", "200ms", "--yes", "-p", gimbal.address)
+        turning = Watched(*arguments)
+        turning.wait_for("CMD_CONTROL ")
+        gimbal.process.send_signal(signal.SIGSTOP)
+        turning.wait_for("MODE_SPEED\n")  # with speed 0
+        gimbal.kill()
+        ended = turning.end()
+        assert ended.status == 1, ended
+        assert "the camera may still turn" in ended.error
+        assert "The camera has stopped" not in ended.error
 
 
 def test_motors(gimbal: EmulatedGimbal) -> None:
@@ -234,6 +253,56 @@ def test_jog_turns_while_a_key_is_held() -> None:
         assert terminal.status() == 0
 
 
+def test_every_key_of_jog_turns_its_axis(tmp_path: Path) -> None:
+    capture = tmp_path / "jog.sbgcap"
+    roll, pitch, yaw = range(3)
+    keys = [
+        (b"w", pitch, 1),
+        (b"d", yaw, 1),
+        (b"c", roll, 1),
+        (b"s", pitch, -1),
+        (b"a", yaw, -1),
+        (b"z", roll, -1),
+        (b"\033[A", pitch, 1),
+        (b"\033[C", yaw, 1),
+        (b"\033[B", pitch, -1),
+        (b"\033[D", yaw, -1),
+    ]
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        terminal = Terminal("jog", "--yes", "-p", gimbal.address, "--capture", str(capture))
+        terminal.await_text(b"speed 10 deg/s")
+        for key, axis, sign in keys:
+            before = observer.angles()[axis]
+            terminal.press(key)
+            deadline = time.monotonic() + 30
+            while abs(turned := observer.angles()[axis] - before) < 1:
+                assert time.monotonic() < deadline, key
+            assert turned * sign > 0, key
+            terminal.press(b" ")
+        terminal.press(b"q")
+        assert terminal.status() == 0
+    speeds = {angle["speed"] for angle in commanded(capture)}
+    assert speeds == {0, round(10 / SPEED_STEP)}
+
+
+def test_space_stops_a_jog_before_it_turns(tmp_path: Path) -> None:
+    capture = tmp_path / "jog.sbgcap"
+    with emulated_gimbal() as gimbal:
+        terminal = Terminal("jog", "--yes", "-p", gimbal.address, "--capture", str(capture))
+        terminal.await_text(b"speed 10 deg/s")
+        terminal.press(b"w +")
+        terminal.await_text(b"speed 20 deg/s")
+        terminal.press(b"q")
+        assert terminal.status() == 0
+    assert {angle["speed"] for angle in commanded(capture)} <= {0}
+
+
+def commanded(capture: Path) -> list[dict[str, int]]:
+    """The speeds and angles of each axis in what a capture commands."""
+    sent = run("decode", "--format", "jsonl", "-m", "Control", str(capture)).objects
+    return [axis for frame in sent for axis in frame["fields"]["axes"].values()]
+
+
 def test_jog_ends_with_its_terminal() -> None:
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
         terminal = Terminal("jog", "--yes", "-p", gimbal.address)
@@ -250,6 +319,14 @@ def test_jog_ends_with_its_terminal() -> None:
 def test_jog_needs_a_terminal() -> None:
     result = run("jog", "--yes", "-p", "tcp:127.0.0.1:1")
     assert result.status == 1 and "jog needs a terminal" in result.error
+    outside, inside = pty.openpty()
+    arguments = [PROGRAM, "jog", "--yes", "-p", "tcp:127.0.0.1:1"]
+    unseen = subprocess.run(
+        arguments, stdin=inside, stderr=subprocess.PIPE, timeout=60, check=False
+    )
+    os.close(inside)
+    os.close(outside)
+    assert unseen.returncode == 1 and b"jog needs a terminal" in unseen.stderr
 
 
 def test_a_question_that_is_denied() -> None:
