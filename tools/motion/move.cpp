@@ -1,9 +1,6 @@
 // sbgc move: turns the camera to angles.
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -18,6 +15,7 @@
 #include "command/remark.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"
+#include "motion/move_time.hpp"
 #include "motion/moving_gimbal.hpp"
 
 namespace sbgc::tools {
@@ -43,21 +41,6 @@ MoveTarget target_of(const MoveCommand& command, const msg::GetAngles& state) {
   return target;
 }
 
-/// Enough time for the farthest axis.
-std::chrono::milliseconds time_for(const MoveTarget& target, const msg::GetAngles& state,
-                                   msg::ControlSpeed speed) {
-  double farthest = 0;
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    if (!target[i]) continue;
-    farthest =
-        std::max(farthest, std::abs((*target[i]).degrees() - state.axes[i].imu_angle.degrees()));
-  }
-  constexpr std::chrono::seconds reserve{10};
-  constexpr double allowance = 1.5;
-  const double seconds = allowance * farthest / speed.degrees_per_second();
-  return reserve + std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000));
-}
-
 std::string angles_text(const MoveTarget& target, const MoveProgress& progress) {
   std::string text;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
@@ -73,7 +56,7 @@ void move_and_wait(const MoveCommand& command, const CommandContext& context, Mo
   require_motors(gimbal.client());
   const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
   const MoveTarget target = target_of(command, state);
-  options.timeout = time_for(target, state, options.speed);
+  options.timeout = time_for_move(target, state, options.speed);
   ProgressBar bar;
   options.progress = [&](const MoveProgress& progress) {
     bar.show(angles_text(target, progress));
