@@ -69,6 +69,14 @@ def test_ctrl_c_says_that_the_board_goes_on() -> None:
         assert busy.status == 1 and "WRONG_STATE" in busy.error, "it does go on"
 
 
+def test_the_progress_is_that_of_the_chosen_sensor(gimbal: EmulatedGimbal) -> None:
+    for imu in ("main", "frame"):
+        result = calibrate(gimbal, "gyro", "--imu", imu, "time_ms=500", "--yes", "-v")
+        assert result.status == 0, result
+        (seen,) = set(re.findall(r"^ +imu_type +\d+ +IMU_TYPE_(\w+)$", result.error, re.M))
+        assert seen == imu.upper()
+
+
 def test_a_calibration_that_does_not_report_its_end(gimbal: EmulatedGimbal) -> None:
     result = calibrate(gimbal, "battery", "--voltage", "12.6V", "--yes")
     assert result.status == 0
@@ -110,3 +118,10 @@ def test_wrong_usage(arguments: tuple[str, ...], words: str) -> None:
     result = run("calibrate", *arguments, "-p", "tcp:127.0.0.1:1")
     assert result.status == 2
     assert words in " ".join(result.error.split())
+
+
+@pytest.mark.parametrize("value", ["time_ms=soon", "nonsense=1"])
+def test_wrong_values_say_once_where_the_fields_are_explained(value: str) -> None:
+    result = run("calibrate", "gyro", value, "--yes", "-p", "tcp:127.0.0.1:1")
+    assert result.status == 2
+    assert result.error.count("`sbgc describe CMD_CALIB_GYRO`") == 1

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import re
+import resource
+import signal
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import MODEL, decode, run
+from sbgc_command import MODEL, PROGRAM, decode, run
 
 PortsFile = Callable[..., None]
 
@@ -138,6 +141,26 @@ def test_traffic_is_captured(tmp_path: Path) -> None:
         assert run("info", "--capture", str(tmp_path / "c"), "-p", gimbal.address).status == 0
     lines = decode((tmp_path / "c").read_bytes())
     assert {line["direction"] for line in lines} == {"to_board", "from_board"}
+
+
+def test_a_capture_that_can_no_longer_be_written_is_an_error(tmp_path: Path) -> None:
+    capture = tmp_path / "c"
+
+    def limit_files() -> None:
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # writing fails instead
+        resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
+
+    with emulated_gimbal() as gimbal:
+        done = subprocess.run(
+            [PROGRAM, "info", "--capture", str(capture), "-p", gimbal.address],
+            capture_output=True,
+            preexec_fn=limit_files,
+            timeout=30,
+            check=False,
+        )
+    assert done.returncode == 1
+    assert b"serial number" in done.stdout, "the rest is done"
+    assert f"The capture {capture} cannot be written: File too large" in done.stderr.decode()
 
 
 def test_a_slow_line_needs_longer_attempts() -> None:

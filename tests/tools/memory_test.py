@@ -70,7 +70,8 @@ def test_files_come_and_go(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert put.status == 0 and "1000 bytes written and read back" in put.error
     assert "    7  1000 bytes\n" in sbgc(gimbal, "files", "list", "--last", "9").text
     assert sbgc(gimbal, "files", "list", "--first", "8", "--last", "9").text == ""
-    assert sbgc(gimbal, "files", "get", "7", got).status == 0
+    get = sbgc(gimbal, "files", "get", "7", got)
+    assert get.status == 0 and f"1000 bytes written to {got}\n" in get.error
     assert got.read_bytes() == sent.read_bytes()
     assert sbgc(gimbal, "files", "delete", "7", "--yes").status == 0
     missing = sbgc(gimbal, "files", "get", "7", tmp_path / "none")
@@ -84,7 +85,9 @@ def test_scripts(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert sbgc(gimbal, "files", "put", "1", script, "--yes").status == 0
     started = sbgc(gimbal, "script", "start", "2", "--yes")
     assert started.status == 0 and "It can do whatever a command can do" in started.error
-    assert sbgc(gimbal, "script", "stop", "2").status == 0
+    stopped = sbgc(gimbal, "script", "stop", "2")
+    assert stopped.status == 0 and "the script in slot 2 has stopped" in stopped.error
+    assert "what it set in motion goes on until `sbgc stop`" in stopped.error
     assert len(sbgc(gimbal, "script", "list").text.splitlines()) == 5
     assert sbgc(gimbal, "script", "start", "0", "--yes").status == 2
 

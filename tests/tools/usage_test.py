@@ -95,6 +95,19 @@ def test_help(arguments: list[str]) -> None:
     assert "Usage" in result.text
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("bridge", "calibrate", "decode", "describe", "eeprom", "emulate", "encode", "files"),
+        *("info", "jog", "menu", "monitor", "motors", "move", "record", "reset", "script", "send"),
+        *("speed", "stop", "stream"),
+    ],
+)
+def test_help_tells_what_the_exit_status_means(command: str) -> None:
+    text = " ".join(run(command, "--help").text.split())
+    assert re.search(r"[Tt]he exit status is .* 2 for wrong usage", text), text
+
+
 def lines_of_help(arguments: list[str], **environment: str) -> list[str]:
     """Returns the lines of the help if the standard output is not a terminal."""
     plain = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
@@ -116,6 +129,16 @@ def test_help_breaks_lines_between_words(arguments: list[str]) -> None:
         assert not [line for line in lines if len(line) > width and not whole.match(line)]
         if width >= 80:
             assert max(map(len, lines)) <= width
+
+
+def test_the_names_of_options_take_three_eighths_of_a_narrow_terminal() -> None:
+    for columns, names in (("40", 15), ("48", 18), ("80", 30), ("132", 30)):
+        (line,) = [
+            line
+            for line in lines_of_help(["ports", "--help"], COLUMNS=columns)
+            if "-h,--help" in line
+        ]
+        assert line.index("Print") == names
 
 
 def test_help_is_as_wide_as_the_terminal() -> None:

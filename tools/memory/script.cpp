@@ -20,7 +20,7 @@ namespace sbgc::tools {
 namespace {
 
 struct ScriptOptions {
-  unsigned slot = 1;  // as the board's menu counts
+  unsigned slot{};  // from 1, as the board's menu counts
   Arming arming{};
 };
 
