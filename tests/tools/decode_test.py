@@ -371,6 +371,29 @@ def test_bytes_of_source_code_are_recognized(text: str) -> None:
     assert decode_one(text)["message"] == "GetAnglesRequest"
 
 
+def test_a_frame_without_a_direction_is_what_can_be_decoded() -> None:
+    line = decode_one(frame(254, bytes(14)))
+    assert (line["message"], line["direction"]) == ("DebugVars3", "from_board")
+
+
+def test_a_bad_body_without_a_direction_shows_its_own_values() -> None:
+    """Those of the direction that is named, not of the other one, which was tried as well."""
+    for size in (3, 14):
+        bad = frame(35, bytes(range(1, size + 1)))
+        text = run("decode", stdin=bad).text
+        assert "board to host" in text and "too_short" in text
+        assert text == run("decode", "--from", "board", stdin=bad).text
+        values = [line.split()[1] for line in text.splitlines() if re.match(r" +[pid]\.\w+ ", line)]
+        assert values == [str(number) for number in range(1, len(values) + 1)] and values
+
+
+def test_a_body_between_two_forms_is_shown_as_the_longer_one() -> None:
+    text = run("decode", "--from", "board", stdin=frame(53, b"\x02\x01")).text
+    assert "unknown_form" in text and "file_size  258" in text and "err_code" not in text
+    text = run("decode", "--from", "host", stdin=frame(24, bytes(13))).text
+    assert "unknown_form" in text and "imu_type" not in text
+
+
 def test_a_short_body_shows_the_fields_that_arrived() -> None:
     body = struct.pack("<9h", *range(100, 1000, 100))
     for size in range(18):
@@ -458,6 +481,13 @@ def test_hex_input() -> None:
     assert [line["offset"] for line in decode(text, "--hex")] == [0, 5, 10]
 
 
+def test_every_digit_of_hex_text() -> None:
+    data = frame(151, bytes(range(0x00, 0xFF, 0x11)) + bytes([0xAF, 0xFA]))
+    raw = run("decode", "--raw", stdin=data).text
+    for text in (data.hex(), data.hex().upper()):
+        assert run("decode", "--hex", stdin=text).text == raw
+
+
 def test_file_and_dash(tmp_path: Path) -> None:
     capture = tmp_path / "capture.bin"
     capture.write_bytes(GET_ANGLES)
@@ -543,6 +573,9 @@ FRAMES = GET_ANGLES + control(10) + frame(73, struct.pack("<9h", *range(9))) + c
         (["-w", "yaw.angle > 0"], [5, 46]),
         (["-w", "yaw.angle>=raw:11"], [46]),
         (["-w", "yaw.angle<raw:11"], [5]),
+        (["-w", "yaw.angle<raw:10"], []),
+        (["-w", "yaw.angle<=raw:10"], [5]),
+        (["-w", "yaw.angle<=raw:9"], []),
         # Any axis.
         (["-w", "imu_angle = raw:3"], [23]),
         (["-w", "axes.roll.angle=0", "-m", "67"], [5, 46]),

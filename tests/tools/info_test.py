@@ -93,7 +93,10 @@ def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = tmp_path / "config.toml"
     monkeypatch.setenv("SBGC_CONFIG", str(file))
     with emulated_gimbal() as gimbal:
-        file.write_text(f'# mine\n[gimbal.front]\nport = "{gimbal.address}"\nattempts = 5\n')
+        notes = "# " + "a." * 300 + f"\n  ; {'b' * 300}\n \t\n"
+        file.write_text(
+            notes + f'# mine\n[gimbal.front]\nport = "{gimbal.address}"\nattempts = 5\n'
+        )
         for arguments in (["-g", "front", "info"], ["info", "--gimbal", "front"]):
             assert run(*arguments).status == 0
     result = run("info", "-g", "frnt")

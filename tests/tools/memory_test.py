@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from board_command import answer_on_terminal
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, Result, run
 
@@ -38,6 +40,18 @@ def test_the_eeprom_is_read_and_written(gimbal: EmulatedGimbal, tmp_path: Path) 
     expected = bytearray(before.read_bytes())
     expected[20001:20151] = data.read_bytes()
     assert after.read_bytes() == expected
+
+
+def test_progress_on_a_terminal(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    data.write_bytes(bytes(640))
+    written = answer_on_terminal("y", "eeprom", "write", str(data), "-p", gimbal.address)
+    assert written.status == 0, written
+    bars = re.findall(r"\r\[(#*)( *)\] (\d+)/640 bytes", written.error)
+    assert len(bars) > 3
+    for full, empty, done in bars:
+        assert (len(full), len(full + empty)) == (int(done) * 30 // 640, 30)
+    assert int(bars[-1][2]) == 640
 
 
 def test_a_part_of_the_eeprom(gimbal: EmulatedGimbal, tmp_path: Path) -> None:

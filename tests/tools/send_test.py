@@ -224,6 +224,28 @@ def test_what_reads_needs_no_confirmation_and_what_moves_does(board: str) -> Non
     assert motors(board) == 1
 
 
+@pytest.mark.parametrize(
+    "values, words",
+    [
+        ([], "Sends CMD_CONTROL. The camera can move"),
+        (
+            ["control_mode=MODE_SPEED", "SPEED_YAW=5"],
+            "Sends CMD_CONTROL with control_mode = MODE_SPEED, SPEED_YAW = 5; every other field is "
+            "0, empty or its default. The camera can move",
+        ),
+        (
+            ["control_mode=0", "speed=0", "roll.angle=0", "pitch.angle=0", "yaw.angle=1"],
+            "Sends CMD_CONTROL with control_mode = 0, speed = 0, roll.angle = 0, pitch.angle = 0, "
+            "yaw.angle = 1",
+        ),
+    ],
+)
+def test_the_question_says_what_is_sent(values: list[str], words: str) -> None:
+    result = run("send", "Control", *values, "-p", "tcp:127.0.0.1:1")
+    assert result.status == 1
+    assert " ".join(result.error.split()).startswith(words)
+
+
 def motors(board: str) -> int:
     """Whether the motors are on, according to the live data."""
     line = run("send", "RealtimeData4Request", "--format", "jsonl", "-p", board).objects[0]

@@ -94,9 +94,11 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   const Direction likely = guess(frame);
   DecodedFrame result = decode_from(frame, likely);
   if (result.status) return result;
-  DecodedFrame other = decode_from(
-      frame, likely == Direction::to_board ? Direction::from_board : Direction::to_board);
-  return other.status ? other : result;
+  result = decode_from(frame,
+                       likely == Direction::to_board ? Direction::from_board : Direction::to_board);
+  if (result.status) return result;
+  // Again, because each decoding overwrites the values of the one before.
+  return decode_from(frame, likely);
 }
 
 /// Puts a decoded message into the wanted forms.

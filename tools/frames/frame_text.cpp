@@ -81,9 +81,9 @@ bool has_remark(const Row& row) { return row.meaning != row.end || !row.objectio
 /// The lines of a message: where the columns for path, raw value and remark begin.
 struct Columns {
   static constexpr std::size_t path = 4;
-  std::size_t raw = 0;
-  std::size_t remark = 0;
-  bool are_short = false;  ///< lines without an objection fit into TextOutput::most_room
+  std::size_t raw{};
+  std::size_t remark{};
+  bool are_short{};  ///< lines without an objection fit into TextOutput::most_room
 };
 
 Columns columns_of(const Rows& rows) {
