@@ -5,6 +5,9 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
+import pty
+import re
 import signal
 import subprocess
 import time
@@ -70,6 +73,7 @@ def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None
     result = stream(gimbal, *arguments, "--fields", "imu_angles.yaw,rc_data")
     assert result.status == 0, result
     for sample in result.objects:
+        assert 0 < sample["time"] < 10
         assert sample["version"] == 1 and sample["message"] == "RealtimeDataCustom"
         assert set(sample["fields"]) == {"imu_angles.yaw", *(f"rc_data[{i}]" for i in range(6))}
         angle = sample["fields"]["imu_angles.yaw"]
@@ -86,6 +90,30 @@ def test_text_is_a_table(gimbal: EmulatedGimbal) -> None:
     assert lines[0].split() == ["time[s]", "angle.yaw[deg]", "error_code"]
     assert len(lines) > 5
     assert len({len(line) for line in lines}) == 1
+
+
+@pytest.mark.parametrize("columns", [60, 80, 120])
+def test_the_table_has_as_many_columns_as_fit_into_the_terminal(
+    gimbal: EmulatedGimbal, columns: int
+) -> None:
+    outside, inside = pty.openpty()
+    arguments = ["stream", "-p", gimbal.address, "RealtimeData4", "--for", "100ms"]
+    environment = {**os.environ, "COLUMNS": str(columns)}
+    with subprocess.Popen([PROGRAM, *arguments], stdout=inside, env=environment) as process:
+        os.close(inside)
+        shown = b""
+        try:
+            while part := os.read(outside, 4096):
+                shown += part
+        except OSError:
+            pass  # the other side is closed
+        assert process.wait(60) == 0
+    os.close(outside)
+    header, note, *rows = shown.decode().splitlines()
+    assert re.fullmatch(r"\(\d+ more fields: choose with --fields\)", note)
+    widest = max(len(title) for title in header.split())
+    assert columns - widest - 2 <= len(header) <= columns
+    assert rows and all(len(row) == len(header) for row in rows)
 
 
 def test_fields_have_the_names_of_the_specification(gimbal: EmulatedGimbal) -> None:
@@ -124,6 +152,18 @@ def test_a_restart_is_reported() -> None:
     assert "the board may have restarted" in error or "connected again" in error
 
 
+def test_lost_messages_are_counted() -> None:
+    with emulated_gimbal("--bit-errors", "4e-4") as noisy:
+        arguments = ("RealtimeData4", "--rate", "50", "--for", "1500ms", "--format", "csv")
+        result = run("stream", *arguments, "-p", noisy.address, "--attempts", "50")
+    rows = rows_of(result)[1]
+    told = re.search(r"about (\d+) messages? lost on the line, (\d+) received", result.error)
+    assert told, result
+    lost, received = map(int, told.groups())
+    assert received == len(rows)
+    assert 0 < lost <= 75
+
+
 def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     recorded = ("record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4")
@@ -139,6 +179,7 @@ def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
         (["RealtimeData5"], 2, "did you mean 'RealtimeData"),
         (["BoardInfo"], 2, "no data stream of 'BoardInfo'"),
         (["RealtimeData4", "--fields", "angel.roll"], 2, "did you mean 'angle.roll'"),
+        (["RealtimeData4", "--fields", "angels"], 2, "did you mean 'angle'"),
         (["RealtimeData4", "--fields", "roll"], 2, "is not unique"),
         (["RealtimeDataCustom"], 2, "IMU_ANGLES"),
         (["RealtimeDataCustom", "--with", "IMU_ANGEL"], 2, "did you mean 'IMU_ANGLES'"),
