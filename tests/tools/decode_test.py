@@ -621,6 +621,14 @@ def test_filters_that_cannot_be(options: list[str], words: str) -> None:
     assert result.status == 2 and words in result.error and result.out == b""
 
 
+def test_what_is_like_no_word_at_all_has_no_suggestion() -> None:
+    name = "system_power_state.motors.pitch.mot_current"
+    for length, is_like_it in ((64, True), (65, False)):
+        result = run("decode", "-w", f"{name:x<{length}}=3")
+        assert result.status == 2
+        assert (f"did you mean '{name}'" in result.error) == is_like_it
+
+
 def test_csv() -> None:
     rows = run("decode", "--format", "csv", "-m", "GetAngles", stdin=FRAMES * 2).text.splitlines()
     header = rows[0].split(",")

@@ -6,6 +6,7 @@ import fcntl
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -25,6 +26,7 @@ from emulator import (
     Emulator,
     Terminal,
     refused,
+    restore_sighup,
     stream,
     terminal_of,
 )
@@ -45,6 +47,26 @@ def test_a_pseudo_terminal_is_the_default(number: int) -> None:
         assert emulator.end(number) == 0
         assert emulator.error == ""
         terminal.close()
+
+
+def test_many_boards_may_open_more_files_than_the_soft_limit() -> None:
+    def limit_files() -> None:
+        restore_sighup()
+        _, highest = resource.getrlimit(resource.RLIMIT_NOFILE)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (40, highest))
+
+    with subprocess.Popen(
+        [PROGRAM, "emulate", "--count", "30"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=limit_files,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        lines = [process.stdout.readline() for _ in range(30)]
+        process.terminate()
+        assert process.wait(PATIENCE) == 0
+    assert lines[-1].startswith("emulated gimbal 30: /dev/pts/")
 
 
 def test_link(tmp_path: Path) -> None:
