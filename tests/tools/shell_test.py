@@ -159,6 +159,39 @@ def test_manual_pages(name: str) -> None:
     }
 
 
+def usages() -> dict[str, tuple[str, str]]:
+    """Returns the description and the usage of each command and nested command."""
+    result = {}
+    for command in candidates(""):
+        nested = candidates(command, "")
+        has_nested = "COMMAND" in run(command, "--help").text.split("\n", 2)[1]
+        for name in [[command], *([command, one] for one in nested if has_nested)]:
+            description, usage = run(*name, "--help").text.splitlines()[:2]
+            result[" ".join(name)] = (description, usage.removeprefix("Usage: "))
+    return result
+
+
+def shape(usage: str) -> str:
+    """Returns the usage without the names of its arguments, which the help calls differently."""
+    command, arguments = usage.split(" [OPTIONS]")
+    return command + re.sub(r"[^\s\[\].]+", "X", arguments)
+
+
+def test_manual_pages_have_the_description_and_the_synopsis_of_each_command() -> None:
+    for name, (description, usage) in usages().items():
+        page = run("manual", name.split()[0]).text
+        plain = re.sub(r"\\f[BIR]", "", page).replace("\\-", "-")
+        if " " in name:
+            part = plain.split(f"\n.SS sbgc {name}\n", 1)[1]
+            assert part.startswith(f"{description}.\n.PP\nsbgc {name} [OPTIONS]"), name
+            synopsis = part.splitlines()[2]
+        else:
+            assert f"\n.SH NAME\nsbgc-{name} - {description}\n.SH SYNOPSIS\n" in plain
+            synopsis = plain.split("\n.SH SYNOPSIS\n", 1)[1].split("\n.SH OPTIONS\n", 1)[0]
+        assert shape(synopsis) == shape(usage), name
+        assert not re.search(r"[^\n]\.(TH|SH|SS|TP|PP|nf|fi)\b", page), "a request inside a line"
+
+
 def test_all_manual_pages_are_written(tmp_path: Path) -> None:
     assert run("manual", "--folder", str(tmp_path)).status == 0
     pages = {file.stem for file in tmp_path.iterdir()}

@@ -89,8 +89,11 @@ void put_option(std::string& page, const CLI::Option& option) {
 void put_synopsis(std::string& page, const CLI::App& command) {
   page += "\\fB" + escaped(full_name(command)) + R"(\fR [\fIOPTIONS\fR])";
   for (const CLI::Option* const argument : arguments_of(command)) {
-    std::string name = "\\fI" + escaped(value_name(*argument)) + "\\fR";
-    if (argument->get_items_expected_max() > 1) name += "...";
+    const std::string value = value_name(*argument);
+    std::string name = "\\fI" + escaped(value) + "\\fR";
+    // A name such as "[ADDRESS] FILE" describes all values.
+    const bool describes_all = value.find(' ') != std::string::npos;
+    if (argument->get_items_expected_max() > 1 && !describes_all) name += "...";
     page += argument->get_required() ? " " + name : " [" + name + "]";
   }
   if (!subcommands_of(command).empty()) page += " \\fICOMMAND\\fR";
@@ -112,7 +115,6 @@ void put_nested(std::string& page, const CLI::App& command) {
       page += ".PP\n";
       put_text(page, nested->get_footer());
     }
-    put_nested(page, *nested);
   }
 }
 
