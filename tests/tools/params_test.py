@@ -118,6 +118,21 @@ def test_get_explains(board: str) -> None:
     text = good(board, "get", "pitch.rc_min_angle")
     assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -90 deg"
     assert "-720 to 720 deg" in text
+    # What several parameters have in common is explained once, behind the last of them.
+    lines = good(board, "get", "rc_min_angle", "gyro_trust").splitlines()
+    values = [i for i, line in enumerate(lines) if " = " in line]
+    assert values[:3] == [0, 1, 2] and values[3] > 4 and lines[-1] == "    0 to 255"
+    assert lines.count("    -720 to 720 deg") == 1 and "    -720 to 720 deg" in lines[: values[3]]
+
+
+def test_get_reads_only_what_it_prints(board: str) -> None:
+    frames = params(board, "get", "lpf_freq", "--profile", "2", "--verbose").error
+    asked = re.findall(r"host to board, .*  (\w+)$", frames, re.MULTILINE)
+    # ReadParams3 has the active profile.
+    assert {name for name in asked if name.startswith("Read")} == {
+        "ReadParams3Request",
+        "ReadParamsExtRequest",
+    }
 
 
 def test_set_changes_one_profile_and_nothing_else(board: str) -> None:
@@ -155,6 +170,23 @@ def test_general_parameters_are_set_in_all_profiles(board: str) -> None:
     text = good(board, "set", "serial_speed=BAUD_57600", "--profile", "3", "--yes")
     assert text.count("serial_speed: BAUD_115200 -> BAUD_57600") == 5
     assert {body_of(board, profile)["serial_speed"] for profile in range(5)} == {1}
+
+
+@pytest.mark.parametrize(
+    "values, words",
+    [
+        (["serial_speed=BAUD_38400"], "1 general parameter of all profiles"),
+        (["yaw.d=77"], "1 parameter of profile 1, which is active"),
+        (
+            ["serial_speed=BAUD_38400", "yaw.d=77", "yaw.p=78"],
+            "1 general parameter of all profiles and 2 parameters of profile 1, which is active",
+        ),
+    ],
+)
+def test_set_says_what_it_would_write(board: str, values: list[str], words: str) -> None:
+    refused = params(board, "set", *values)
+    assert refused.status == 1
+    assert f"Writes {words}. Parameters take effect at once" in " ".join(refused.error.split())
 
 
 @pytest.mark.parametrize(
@@ -240,19 +272,43 @@ def test_backup_diff_restore(board: str, tmp_path: Path) -> None:
     assert good(board, "diff", str(file)) == ""
     (safety,) = [path for path in tmp_path.iterdir() if path != file]
     assert safety.name in restored.error.replace("\n", "")
+    assert re.fullmatch(r"b\.before-restore-\d{8}T\d{6}Z\.json", safety.name)
     assert params(board, "diff", str(safety)).status == 1
     assert run("params", "diff", str(file), str(file)).status == 0
     assert run("params", "diff", str(file), str(safety)).status == 1
     assert "already" in good(board, "restore", str(file), "--yes")
 
 
+def test_parameter_sets_that_only_one_backup_has(board: str, tmp_path: Path) -> None:
+    both = tmp_path / "all.json"
+    good(board, "backup", str(both))
+    document = json.loads(both.read_text())
+    document["settings"] = [
+        one for one in document["settings"] if (one["message"], one["copy"]) != ("ReadParams3", 4)
+    ]
+    fewer = tmp_path / "fewer.json"
+    fewer.write_text(json.dumps(document))
+    for before, after, kind in ((both, fewer, "removed"), (fewer, both, "added")):
+        texts = [str(before), str(after)]
+        as_json = run("params", "diff", *texts, "--format", "json")
+        assert as_json.status == 1
+        assert json.loads(as_json.text)["changes"] == [
+            {"message": "ReadParams3", "copy": 4, "kind": kind, "fields": []}
+        ]
+        assert f"\nReadParams3 of profile 5: {kind}\n" in run("params", "diff", *texts).text
+
+
 def test_comparisons_that_cannot_be_made(board: str, tmp_path: Path) -> None:
-    missing = params(board, "diff", str(tmp_path / "none.json"))
+    missing_file = tmp_path / "none.json"
+    missing = params(board, "diff", str(missing_file))
     assert missing.status == 3 and "none.json" in missing.error
     broken = tmp_path / "broken.json"
     broken.write_text("{}")
     assert params(board, "diff", str(broken)).status == 3
     assert run("params", "diff").status == 2
+    for options in (["--profile", "2"], ["--yes"]):
+        needless = run("params", "diff", str(missing_file), *options)
+        assert needless.status == 2 and "need --defaults" in needless.error
 
 
 def test_disk_full_leaves_no_file(board: str, tmp_path: Path) -> None:
@@ -396,6 +452,22 @@ def test_an_interrupted_reset_says_what_is_reset(tmp_path: Path) -> None:
     assert ended.status == 130
     last = " ".join(ended.error.splitlines()[-3:])
     assert "reset; the parameters from before are in" in last and "saved.json" in last
+    done = re.search(r"profiles? ([\d, ]+) (?:is|are) reset;", last)
+    assert done, last
+    assert [int(number) for number in done[1].split(",")] == list(range(1, done[1].count(",") + 2))
+
+
+def test_a_reset_without_confirmation_is_none(tmp_path: Path) -> None:
+    with emulated_gimbal("--delay", "1:40") as gimbal:
+        options = ("--profile", "3", "--yes", "--save-to", str(tmp_path / "saved.json"))
+        resetting = Watched("params", "reset", *options, "-p", gimbal.address)
+        resetting.wait_for("CMD_USE_DEFAULTS")
+        gimbal.kill()
+        ended = resetting.end()
+    assert ended.status == 1
+    last = " ".join(" ".join(ended.error.splitlines()[-3:]).split())
+    assert "resetting profile 3: " in last
+    assert "; no profile is reset; the parameters from before are in" in last
 
 
 def test_profile_names(board: str) -> None:

@@ -36,7 +36,9 @@ def test_list(board: str) -> None:
         line.split() == ["LPF_FREQ_ROLL", "120", "Hz", "10", "to", "400", "Hz"]
         for line in text.splitlines()
     )
-    listed = json.loads(adjust(board, "list", "--format", "json").text)["variables"]
+    document = json.loads(adjust(board, "list", "--format", "json").text)
+    assert (document["format"], document["version"]) == ("sbgc-variables", 1)
+    listed = document["variables"]
     assert [one["name"] for one in listed] == names
     for one in listed:
         assert one["unit"] == VARIABLES[one["name"]]["unit"]
