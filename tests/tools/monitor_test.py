@@ -34,8 +34,18 @@ def test_pages_at_80x24(tmp_path: Path) -> None:
         assert lines[-1].strip().startswith(KEYS)
         text = "\n".join(lines)
         assert re.search(r"battery +1[0-9]\.\d\d V", text) and "errors    none" in text
+        assert re.search(r"IMU +\d+ degC", text)
+        for axis in ("roll", "pitch", "yaw"):
+            assert re.search(rf"^  {axis} .* +\d+ %$", text, re.MULTILINE)
+        (current,) = [i for i, line in enumerate(lines) if "current" in line]
+        assert lines[current].index("current") == lines[current + 1].index("I2C errors")
         shell.press("2")
         shell.wait(r"pitch power +[\d.]+ %")
+        # The ranges of the charts, in two columns.
+        span = re.compile(r"[\d.]+ to -?[\d.]+")
+        shell.wait(
+            lambda now: {one.end() for line in now for one in span.finditer(line)} == {38, 78}
+        )
         shell.press("3")
         lines = shell.wait("axes.roll.acc_data")
         shell.press("Down")
@@ -51,6 +61,47 @@ def test_pages_at_80x24(tmp_path: Path) -> None:
         assert re.search(r"framing +v2", "\n".join(lines))
 
 
+def test_the_page_that_is_chosen_is_marked(tmp_path: Path) -> None:
+    names = ["1 Overview", "2 Charts", "3 Values", "4 Line"]
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        lines = begin(shell, gimbal)
+        assert re.split(" {2,}", lines[1].strip()) == names
+        for page, name in enumerate(names):
+            shell.press(str(page + 1))
+            shell.wait(lambda now: shell.marked(1) == [name])
+        assert shell.tmux("display-message", "-p", "#{cursor_flag}").strip() == "0"
+
+
+@pytest.mark.parametrize("locale", ["C.UTF-8", "C"])
+def test_charts_have_a_dot_for_each_message(tmp_path: Path, locale: str) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, locale=locale) as shell:
+        shell.run("monitor", "--rate", "200", "-p", gimbal.address)
+
+        def dots(lines: list[str]) -> list[set[int]]:
+            """Returns the columns with dots in the chart of each axis."""
+            begin, end = (
+                next(i for i, line in enumerate(lines) if re.match(start, line))
+                for start in ("  errors ", r" 1-4")
+            )
+            height = (end - begin - 2) // 3
+            charts = [lines[begin + 2 + axis * height :][:height] for axis in range(3)]
+            return [
+                {x for line in chart for x in range(19, len(line)) if line[x] != " "}
+                for chart in charts
+            ]
+
+        shell.wait("motor power")
+        full = set(range(19, 77))
+        lines = shell.wait(lambda now: dots(now) == [full] * 3)
+        characters = {one for line in lines[12:23] for one in line[19:77] if one != " "}
+        if locale == "C":
+            assert characters == {"*"}
+        else:
+            assert all("\u2800" < one <= "\u28ff" for one in characters), "Braille"
+        labels = [re.match(r"  [a-z ]{5} +(-?\d+\.\d\d)( |$)", line) for line in lines[12:23]]
+        assert [label.end(1) for label in labels if label] == [17] * 6, "the range of each chart"
+
+
 def test_resizing_while_it_runs(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
         begin(shell, gimbal)
@@ -62,6 +113,7 @@ def test_resizing_while_it_runs(tmp_path: Path) -> None:
         shell.press("3")
         lines = shell.wait("axes.roll.acc_data")
         assert "axes." in lines[3] and lines[3].count("   ") > 3, "several columns"
+        assert "system_state_flags" in "\n".join(lines), "the last value"
         shell.resize(60, 10)
         lines = shell.wait(lambda now: len(now) == 10 and now[9].strip().startswith(KEYS))
         shell.resize(20, 5)
@@ -110,6 +162,14 @@ def test_it_connects_again(tmp_path: Path) -> None:
             shell.wait(r"connected 00:00:0\d$")
             shell.press("4")
             shell.wait("connection 2")
+
+
+def test_the_rate_of_the_messages(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        shell.run("monitor", "--rate", "2", "-p", gimbal.address)
+        shell.wait("motor power")
+        shell.press("4")
+        shell.wait(r"received +\d+ frames, (1\.9|2\.[01]) per second of live data")
 
 
 @pytest.mark.parametrize("way", ["q", "C-c", signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])

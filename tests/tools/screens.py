@@ -53,6 +53,11 @@ class Terminal:
     def lines(self) -> list[str]:
         return self.tmux("capture-pane", "-p").split("\n")[:-1]
 
+    def marked(self, row: int) -> list[str]:
+        """Returns the texts of a row that have a background."""
+        line = self.tmux("capture-pane", "-p", "-e").split("\n")[row]
+        return [text.strip() for text in re.findall(r"\x1b\[4[0-7]m([^\x1b]*)", line)]
+
     def wait(self, found: str | Callable[[list[str]], bool], seconds: float = 20) -> list[str]:
         """Waits for a regular expression, or a condition, on the screen."""
         end = time.monotonic() + seconds

@@ -1,5 +1,6 @@
 #include "monitor/gimbal_state.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -91,7 +92,6 @@ void GimbalState::add(const LiveMessage& message) {
   state_.current.add(values.current);
   state_.values = std::move(values);
   state_.message = message;
-  ++state_.messages;
 }
 
 void GimbalState::add(const Notice& notice) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -67,7 +66,6 @@ struct LogEntry {
 struct GimbalSnapshot {
   std::optional<LiveMessage> message{};
   LiveValues values{};
-  std::uint64_t messages{};
   double rate{};  ///< messages per second
   std::array<History, 3> angles{};
   std::array<History, 3> powers{};

@@ -52,7 +52,7 @@ std::string leaving_sequence() {
   do {
     size = ::read(input, &mark, 1);
   } while (size == -1 && errno == EINTR);
-  if (size != 1 || mark != released) {
+  if (mark != released) {
     [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, leaving.data(), leaving.size());
     ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
   }
@@ -81,7 +81,7 @@ TerminalRestorer::TerminalRestorer(Screen screen) {
 
 TerminalRestorer::~TerminalRestorer() {
   if (alive_ == -1) return;
-  [[maybe_unused]] const auto size = ::write(alive_, &released, 1);
+  [[maybe_unused]] const auto size = ::write(alive_, &released, sizeof released);
   ::close(alive_);
   if (process_ > 0) ::waitpid(process_, nullptr, 0);
 }
