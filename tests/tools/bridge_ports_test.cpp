@@ -373,6 +373,17 @@ TEST_F(Bridge, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
   EXPECT_NE(ports.room(host), 0U);
 }
 
+TEST_F(Bridge, AHostWhoseOutputIsFullIsNotReadAnyMore) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  ports.raw_arrived(Bytes(BridgePorts::max_output));
+  ports.line_lost();
+  ASSERT_EQ(ports.output(host).size(), BridgePorts::max_output);
+  EXPECT_EQ(ports.room(host), 0U);
+  ports.take(host, 1);
+  EXPECT_NE(ports.room(host), 0U);
+}
+
 TEST_F(Bridge, AHostThatAsksTooFastIsReadLater) {
   const std::size_t host = join();
   const Bytes frame = frame_of(msg::GetAnglesRequest{});
@@ -410,7 +421,9 @@ TEST_F(Bridge, AHostThatRestartsTheBoardHasTheLineForItself) {
   EXPECT_FALSE(line.is_taken) << "another request has not ended";
   EXPECT_EQ(ports.room(host), 0U);
   EXPECT_EQ(ports.room(other), 0U);
+  const int before = wakes[host];
   answer(line.sent.at(0), msg::GetAngles{});
+  EXPECT_EQ(wakes[host], before + 1) << "it may send now";
   EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
   EXPECT_TRUE(line.is_taken);
   EXPECT_EQ(ports.exclusive_host(), host);
@@ -422,6 +435,7 @@ TEST_F(Bridge, AHostThatRestartsTheBoardHasTheLineForItself) {
   EXPECT_EQ(line.raw, sync);
   const Bytes acknowledgement{0x79, 0x1F};
   ports.raw_arrived(acknowledgement);
+  EXPECT_EQ(wakes[host], before + 2) << "it has bytes to read";
   EXPECT_EQ(read(host), acknowledgement);
   EXPECT_THAT(read(other), IsEmpty());
   // New firmware introduces itself, some seconds later.
@@ -573,7 +587,9 @@ TEST_F(Bridge, ALostLineIsNobodysAnyMore) {
   const std::size_t host = join();
   const std::size_t other = join();
   ask(host, msg::BootMode3{});
+  const std::vector<int> before = wakes;
   ports.line_lost();
+  EXPECT_THAT(wakes, ElementsAre(before[host] + 1, before[other] + 1));
   EXPECT_FALSE(ports.exclusive_host());
   EXPECT_NE(ports.room(other), 0U);
 }
@@ -590,6 +606,26 @@ TEST_F(Bridge, NoiseIsNoRequest) {
   bytes.insert(bytes.end(), frame.begin(), frame.end());
   ports.receive(host, bytes);
   EXPECT_THAT(line.sent, SizeIs(1));
+}
+
+TEST_F(Bridge, ARequestBehindABrokenOneIsFoundWhenTheHostIsSilent) {
+  const std::size_t host = join();
+  Bytes bytes = frame_of(msg::SetAdjVarsVal{});
+  bytes.resize(4);  // its body is missing
+  bytes[2] = 200;
+  bytes[3] = static_cast<std::uint8_t>(bytes[1] + bytes[2]);
+  const Bytes frame = frame_of(msg::GetAnglesRequest{});
+  bytes.insert(bytes.end(), frame.begin(), frame.end());
+  ports.receive(host, bytes);
+  time = time + BridgePorts::idle;
+  ports.tick();
+  EXPECT_THAT(line.sent, IsEmpty()) << "the rest may still come";
+  time = time + milliseconds(1);
+  ports.tick();
+  EXPECT_THAT(line.sent, SizeIs(1));
+  ports.receive(host, bytes);
+  ports.end_input(host);
+  EXPECT_THAT(line.sent, SizeIs(2)) << "it sends no more";
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(LineGate, WhatWaitsIsSentBeforeTheLineIsGivenBack) {
   io::MemoryPair line = io::make_memory_pair(loop.get_executor(), {.capacity = 10});
   int sent = 0;
   LineGate gate([](const Bytes&) {}, [&] { ++sent; });
-  const std::unique_ptr<io::Transport> client = gate.pass(std::move(line.first));
+  std::unique_ptr<io::Transport> client = gate.pass(std::move(line.first));
   std::error_code end;
   std::array<std::uint8_t, 8> input{};
   client->async_read(input, [&](std::error_code error, std::size_t) { end = error; });
@@ -56,6 +56,8 @@ TEST(LineGate, WhatWaitsIsSentBeforeTheLineIsGivenBack) {
     loop.run_for(std::chrono::milliseconds(20));
   }
   EXPECT_EQ(received, all);
+  EXPECT_EQ(gate.waiting(), 0U);
+  client.reset();
   EXPECT_EQ(gate.waiting(), 0U);
   EXPECT_EQ(end, io::Errc::device_lost);
 }
