@@ -15,10 +15,12 @@ import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, frame, run
+from screens import terminal
 from web_socket import WebSocket
 
 GET_ANGLES = 73
 BOARD_INFO = 86
+RESET = 114
 DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_3 = 23
 
@@ -46,8 +48,13 @@ class Bridge:
 
     def wait_for(self, words: str) -> None:
         assert self.process.stderr is not None
-        while words not in (line := self.process.stderr.readline()):
-            assert line, words
+        deadline = threading.Timer(30, self.process.kill)
+        deadline.start()
+        try:
+            while words not in (line := self.process.stderr.readline()):
+                assert line, words
+        finally:
+            deadline.cancel()
 
     def stop(self) -> None:
         self.process.send_signal(signal.SIGINT)
@@ -205,6 +212,24 @@ def test_a_host_that_restarts_the_board_has_the_line_for_itself() -> None:
     assert "has the line for itself while the board restarts" in log
     assert "the line is opened again for all hosts" in log
     assert "unplugged" not in log
+
+
+def test_the_status_on_a_terminal(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, width=160) as shell:
+        shell.run("bridge", gimbal.address, "--tcp", "0")
+        lines = shell.wait(r"^connected, 0 hosts$")
+        (address,) = [line.split()[1] for line in lines if line.startswith("bridge: ")]
+        host = Host(address)
+        assert host.ask(BOARD_INFO)
+        shell.wait(r"^connected, 1 host \| 0: 1 in, 1 out$")
+        host.send(RESET, bytes(3))
+        shell.wait(r"^connected, 1 host \| host 0 has the line for itself \| 0: 2 in, [12] out$")
+        host.close()
+
+
+def test_it_stops_after_a_time() -> None:
+    with emulated_gimbal() as gimbal:
+        assert run("bridge", gimbal.address, "--tcp", "0", "--for", "200ms").status == 0
 
 
 def test_it_shows_who_comes_and_goes() -> None:
@@ -427,6 +452,46 @@ def test_only_so_many_web_sockets() -> None:
             assert [page.status for page in pages] == [101] * 16 + [503]
             for page in pages:
                 page.close()
+
+
+def test_it_shows_which_web_sockets_come_and_go() -> None:
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
+            page = WebSocket(bridge.address, f"?token={TOKEN}")
+            bridge.wait_for("is host 0")
+            page.close()
+            bridge.wait_for("has left")
+
+
+def test_refusals_are_reported_a_few_at_a_time() -> None:
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
+            assert bridge.process.stderr is not None
+            for _ in range(10):
+                page = WebSocket(bridge.address, "?token=wrong")
+                assert page.status == 401
+                page.close()
+            reports = []
+            while not reports or "further refusals" not in reports[-1]:
+                reports.append(bridge.process.stderr.readline())
+                assert reports[-1]
+            assert sum("does not know the token" in line for line in reports) == 5
+
+
+@pytest.mark.parametrize(
+    ("origin", "shown"),
+    [("http://~a.example", "http://~a.example"), ("http://b.\u00fc", "http://b.??")],
+)
+def test_the_origin_of_a_refused_page_is_reported_printably(origin: str, shown: str) -> None:
+    with emulated_gimbal() as gimbal:
+        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
+            page = WebSocket(bridge.address, f"?token={TOKEN}", origin)
+            assert page.status == 403
+            page.close()
+            assert bridge.process.stderr is not None
+            while "refused" not in (line := bridge.process.stderr.readline()):
+                assert line
+            assert f"refused: pages of '{shown}' are not allowed; see --origin" in line
 
 
 def test_the_token_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:

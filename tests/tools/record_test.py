@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import socket
 import subprocess
 from collections import Counter
 from collections.abc import Iterator
@@ -131,6 +132,54 @@ def test_replay_serves_a_capture(gimbal: EmulatedGimbal, tmp_path: Path) -> None
     assert [line["fields"] for line in replayed] == [line["fields"] for line in from_board]
     whole = from_board[-1]["time"] - from_board[0]["time"]
     assert replayed[-1]["time"] - replayed[0]["time"] < whole
+
+
+@pytest.fixture(name="minute")
+def fixture_minute(tmp_path: Path) -> Path:
+    """A capture whose replay takes a minute."""
+    capture = tmp_path / "minute"
+    with emulated_gimbal() as one:
+        arguments = ("record", one.address, str(capture), "--stream", "RealtimeData4")
+        assert run(*arguments, "--for", "300ms").status == 0
+    return capture
+
+
+def host_at(address: str) -> socket.socket:
+    host, port = address.removeprefix("tcp:").rsplit(":", 1)
+    return socket.create_connection((host, int(port)), timeout=20)
+
+
+def test_replay_stops_at_a_signal(minute: Path) -> None:
+    with subprocess.Popen(
+        [PROGRAM, "replay", str(minute), "--speed", "0.005", "--tcp", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None and process.stderr is not None
+        try:
+            address = process.stdout.readline().split(": ", 1)[1].strip()
+            with host_at(address):
+                assert "is host 0" in process.stderr.readline()
+                process.send_signal(signal.SIGTERM)
+                assert process.wait(timeout=20) == 0
+        finally:
+            process.kill()
+
+
+def test_replay_goes_on_if_nobody_reads_its_reports(minute: Path) -> None:
+    with subprocess.Popen(
+        [PROGRAM, "replay", str(minute), "--tcp", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None and process.stderr is not None
+        process.stderr.close()
+        address = process.stdout.readline().split(": ", 1)[1].strip()
+        copy = run("record", address, "-")
+        assert copy.status == 0 and messages(copy.out)["RealtimeData4"] > 0
+        assert process.wait(timeout=20) == 0
 
 
 def test_replay_of_nothing() -> None:
