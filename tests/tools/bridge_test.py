@@ -46,15 +46,22 @@ class Bridge:
             self.addresses.append(line.split(": ", 1)[1].split()[0])
         self.address = self.addresses[0]
 
-    def wait_for(self, words: str) -> None:
+    def lines_until(self, words: str) -> list[str]:
+        """Returns what it has reported up to a line with these words."""
         assert self.process.stderr is not None
         deadline = threading.Timer(30, self.process.kill)
         deadline.start()
+        lines = [""]
         try:
-            while words not in (line := self.process.stderr.readline()):
-                assert line, words
+            while words not in lines[-1]:
+                lines.append(self.process.stderr.readline())
+                assert lines[-1], words
         finally:
             deadline.cancel()
+        return lines[1:]
+
+    def wait_for(self, words: str) -> None:
+        self.lines_until(words)
 
     def stop(self) -> None:
         self.process.send_signal(signal.SIGINT)
@@ -466,15 +473,11 @@ def test_it_shows_which_web_sockets_come_and_go() -> None:
 def test_refusals_are_reported_a_few_at_a_time() -> None:
     with emulated_gimbal() as gimbal:
         with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
-            assert bridge.process.stderr is not None
             for _ in range(10):
                 page = WebSocket(bridge.address, "?token=wrong")
                 assert page.status == 401
                 page.close()
-            reports = []
-            while not reports or "further refusals" not in reports[-1]:
-                reports.append(bridge.process.stderr.readline())
-                assert reports[-1]
+            reports = bridge.lines_until("further refusals in this second")
             assert sum("does not know the token" in line for line in reports) == 5
 
 
@@ -488,9 +491,7 @@ def test_the_origin_of_a_refused_page_is_reported_printably(origin: str, shown: 
             page = WebSocket(bridge.address, f"?token={TOKEN}", origin)
             assert page.status == 403
             page.close()
-            assert bridge.process.stderr is not None
-            while "refused" not in (line := bridge.process.stderr.readline()):
-                assert line
+            line = bridge.lines_until("refused")[-1]
             assert f"refused: pages of '{shown}' are not allowed; see --origin" in line
 
 
