@@ -191,6 +191,43 @@ TEST(Session, TheTimeForAnAnswerBeginsWhenTheRequestHasLeft) {
   EXPECT_EQ(outcome, Outcome::timeout);
 }
 
+TEST(Session, AnAnswerIsLateAfterTheTimeoutOfARequestThatLeftLate) {
+  sbgc::Session session;
+  const auto ignore = [](const sbgc::Event&) {};
+  session.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
+  ASSERT_FALSE(session.poll(simulation::start, ignore).bytes.empty());
+  const sbgc::Instant left = simulation::start + seconds(3);
+  session.written(left);
+  session.send(sbgc::msg::BoardInfoRequest{});
+  // 500 ms until the timeout, and 500 ms for a late response.
+  EXPECT_TRUE(session.poll(left + milliseconds(500), ignore).bytes.empty());
+  EXPECT_TRUE(session.poll(left + milliseconds(999), ignore).bytes.empty());
+  EXPECT_FALSE(session.poll(left + milliseconds(1000), ignore).bytes.empty());
+}
+
+TEST(Session, OnlyTheRequestThatLeftLateHasMoreTime) {
+  sbgc::Session session;
+  std::vector<Record> events;
+  sbgc::Instant now = simulation::start;
+  const auto sink = [&](const sbgc::Event& event) { events.push_back({event, {}, now}); };
+  const Handle first = session.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1}).handle;
+  ASSERT_FALSE(session.poll(now, sink).bytes.empty());
+  now = now + milliseconds(20);
+  const Handle second = session.send(sbgc::msg::ReadParams3Request{}, {.attempts = 1}).handle;
+  ASSERT_FALSE(session.poll(now, sink).bytes.empty());
+  now = simulation::start + milliseconds(100);
+  session.written(now);
+  for (const int ms : {499, 500, 599, 600}) {
+    now = simulation::start + milliseconds(ms);
+    static_cast<void>(session.poll(now, sink));
+  }
+  ASSERT_THAT(events, SizeIs(2));
+  EXPECT_EQ(events[0].event.handle, first);
+  EXPECT_EQ(events[0].at, simulation::start + milliseconds(500));
+  EXPECT_EQ(events[1].event.handle, second);
+  EXPECT_EQ(events[1].at, simulation::start + milliseconds(600));
+}
+
 TEST(Session, CancelsWhatIsNotSentYet) {
   Simulation line;
   const Handle handle = line.send(sbgc::msg::MotorsOn{});
@@ -226,9 +263,18 @@ TEST(Session, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
   const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::answered);
-  EXPECT_LT(line.completion(handle)->at - simulation::start, milliseconds(110));
+  EXPECT_EQ(line.completion(handle)->at - simulation::start, milliseconds(5 + 100))
+      << "100 ms of silence end the frame";
   EXPECT_EQ(line.session.statistics().parser.incomplete, 1U);
   EXPECT_THAT(line.written, SizeIs(1));
+}
+
+TEST(Session, AStartByteAloneIsDiscardedAfterTheSilence) {
+  Simulation line;
+  line.say_bytes({'>'});
+  line.run();
+  EXPECT_EQ(line.now, simulation::start + milliseconds(3 + 100));
+  EXPECT_EQ(line.session.poll(line.now, line.sink()).deadline, sbgc::Instant::never);
 }
 
 TEST(Session, SilenceCountsEvenIfPollComesLate) {

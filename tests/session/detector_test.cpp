@@ -101,6 +101,7 @@ TEST(Detector, FindsTheBoardOnEveryLine) {
         ASSERT_EQ(port.search(detector), DetectorStep::Kind::found) << rate;
         EXPECT_EQ(detector.next(port.now).line, (LineSettings{rate, parity}));
         EXPECT_EQ(detector.introduction().id, 86);
+        EXPECT_EQ(detector.introduction().offset, 0U);
         const auto body = detector.introduction().body;
         EXPECT_EQ(Body(body.begin(), body.end()), body_of(18, {31, 0x7F}));
         EXPECT_LT(port.taken, seconds(4)) << "in the first round";
@@ -126,7 +127,7 @@ TEST(Detector, IsQuickWhereTheBoardIsLikelyToBe) {
   port.hear = board_at({115200, Parity::none});
   Detector detector;
   port.search(detector);
-  EXPECT_LT(port.taken, milliseconds(20));
+  EXPECT_EQ(port.taken, milliseconds(10 + 5)) << "until the request and until the response";
   EXPECT_THAT(port.visited, ::testing::SizeIs(1));
 }
 

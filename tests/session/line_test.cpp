@@ -64,8 +64,12 @@ TEST(Pacing, CanBeOffAndOther) {
   options.pacing = {};
   options.pacing.shortest = options.pacing.longest = Duration{};
   EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), Duration{});
-  options.pacing = {milliseconds(40), milliseconds(40)};
-  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), milliseconds(40));
+  for (const Duration pause : {milliseconds(40), sbgc::microseconds(1)}) {
+    options.pacing = {pause, pause};
+    EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), pause);
+  }
+  options.pacing = {milliseconds(-1), milliseconds(-1)};
+  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), Duration{}) << "as if 0";
 }
 
 TEST(Pacing, EndsWithTheResponse) {
@@ -174,15 +178,38 @@ TEST(Pacing, HoldsForEveryPairOfFramesWithoutResponse) {
   }
 }
 
-TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
-  sbgc::SessionOptions options;
-  options.line = {9600, Parity::none};
-  Simulation line(options);
-  const Handle handle = line.send(sbgc::msg::ReadParams3Request{}, {.attempts = 1});
+/// Returns the time until a request without a response has ended, and its timeout by default.
+template <class M>
+Duration until_timeout(const M& request, Simulation& line) {
+  const Handle handle = line.send(request, {.attempts = 1});
+  const sbgc::Instant sent = line.now;
   line.run();
-  EXPECT_EQ(line.completion(handle)->at, simulation::start + sbgc::wire_time(options.line, 6) +
-                                             sbgc::wire_time(options.line, 139) +
-                                             milliseconds(500));
+  EXPECT_EQ(line.outcome(handle), Outcome::timeout);
+  return line.completion(handle)->at - sent;
+}
+
+TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
+  for (const std::uint32_t rate : {9600U, 300U}) {
+    sbgc::SessionOptions options;
+    options.line = {rate, Parity::none};
+    const auto on_line = [&](std::size_t size) { return sbgc::wire_time(options.line, size); };
+    Simulation line(options);
+    EXPECT_EQ(until_timeout(sbgc::msg::ReadParams3Request{}, line),
+              on_line(6) + on_line(139) + milliseconds(500));
+    EXPECT_EQ(
+        until_timeout(sbgc::msg::MotorsOn{}, line),
+        on_line(5) + on_line(sbgc::frame_size(sbgc::roles::confirmation_size)) + milliseconds(500));
+  }
+}
+
+TEST(Timeout, FollowsTheLine) {
+  Simulation line;
+  EXPECT_EQ(until_timeout(sbgc::msg::MotorsOn{}, line), milliseconds(500));
+  const sbgc::LineSettings slow{9600, Parity::none};
+  line.session.set_line(slow);
+  EXPECT_EQ(line.session.stream_usage().limit, 768U);  // 80 % of 960
+  EXPECT_EQ(until_timeout(sbgc::msg::ReadParams3Request{}, line),
+            sbgc::wire_time(slow, 6) + sbgc::wire_time(slow, 139) + milliseconds(500));
 }
 
 // Data streams

@@ -96,6 +96,21 @@ TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   EXPECT_EQ(line.outcome(second), Outcome::confirmed);
 }
 
+TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    const std::uint8_t profile = frame.body[0] == 255 ? 3 : frame.body[0];
+    line.say(read_params_3, body_of(134, {profile}), milliseconds(100));
+  };
+  line.send(read_profile(1));
+  line.send(read_profile(255));  // the active profile, which waits because it may be 1
+  line.send(read_profile(2));
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(3));
+  EXPECT_EQ(line.written[1].body[0], 255);
+  EXPECT_EQ(line.written[2].body[0], 2);
+}
+
 TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   Simulation line;
   line.board = [&](const Written& frame) {
@@ -228,6 +243,19 @@ TEST(Session, AResetEndsWhateverIsOpen) {
   EXPECT_EQ(line.session.open_requests(), 0U);
 }
 
+TEST(Session, ARequestWaitsUntilTheBoardHasRestarted) {
+  Simulation line;
+  line.send(sbgc::msg::CalibGyro{});  // which would otherwise take up to 30 s
+  line.run_for(milliseconds(1));
+  line.say(reset, {});
+  line.run_for(milliseconds(10));
+  line.send(sbgc::msg::CalibGyro{});
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(2));
+  const sbgc::Instant told = simulation::start + milliseconds(1 + 3);
+  EXPECT_EQ(line.written[1].at, told + milliseconds(sbgc::roles::reset_delay_ms + 500));
+}
+
 TEST(Session, AResetThatWasAskedForAnswers) {
   Simulation line;
   line.board = [&](const Written& frame) {
@@ -265,7 +293,8 @@ TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
 TEST(Session, AnAbandonedLinkEndsEverything) {
   Simulation line;
   const Handle sent = line.send(sbgc::msg::MotorsOn{});
-  line.run_for(milliseconds(1));
+  line.run_for({});
+  ASSERT_THAT(line.written, SizeIs(1));
   const Handle waiting = line.send(sbgc::msg::MotorsOn{});
   line.session.abandon(line.sink());
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
@@ -275,6 +304,7 @@ TEST(Session, AnAbandonedLinkEndsEverything) {
   const Handle next = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(4));
   EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for late replies";
+  EXPECT_EQ(line.written.back().at, simulation::start) << "nor for the end of a pause";
 }
 
 }  // namespace

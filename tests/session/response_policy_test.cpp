@@ -199,6 +199,14 @@ TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
   EXPECT_EQ(responses.form_of({48, std::span(body).first(3), 0}), nullptr);
 }
 
+TEST(ResponsePolicy, FormsBeyondTheirNumberDoNotCount) {
+  sbgc::Responses responses = response_policy(sbgc::msg::ReadFileRequest{}).responses;
+  const std::vector<std::uint8_t> failure = {3};
+  EXPECT_NE(responses.form_of({53, failure, 0}), nullptr);
+  responses.form_count = 1;
+  EXPECT_EQ(responses.form_of({53, failure, 0}), nullptr);
+}
+
 TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
   const auto confused = [](const auto& one, const auto& two) {
     const sbgc::Responses first = response_policy(one).responses;

@@ -199,6 +199,20 @@ TEST(Session, WaitsWhenThereIsNoRoomForLateReplies) {
   EXPECT_GT(line.written[2].at - line.written[0].at, milliseconds(900));
 }
 
+TEST(Session, KeepsRoomForTheLateRepliesOfWhatIsInFlight) {
+  using Small =
+      sbgc::BasicSession<sbgc::SessionCapacity{.requests = 8, .late_replies = 2, .streams = 1}>;
+  simulation::Basic<Small> line;
+  line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
+  line.send(sbgc::msg::ReadParams3Request{}, {.attempts = 1});
+  line.send(sbgc::msg::GetAnglesRequest{}, {.attempts = 1});
+  line.run();
+  ASSERT_THAT(line.written, SizeIs(3));
+  EXPECT_LT(line.written[1].at - line.written[0].at, milliseconds(100));
+  EXPECT_EQ(line.written[2].at - line.written[0].at, milliseconds(500 + 500))
+      << "until no response to the first request can come";
+}
+
 TEST(Session, RefusesWhatCanNotBeEncoded) {
   Simulation line;
   sbgc::msg::DataStreamInterval request;

@@ -63,6 +63,28 @@ TEST(SmallSession, RefusesStreamsIfItHasNoRoomForThem) {
   EXPECT_TRUE(line.session.send(stream)) << "an end needs no room";
 }
 
+TEST(SmallSession, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
+  simulation::Basic<sbgc::BasicSession<sbgc::SessionCapacity{.streams = 1}>> line;
+  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  const auto stream_of = [](sbgc::msg::CommandFromBoard command, std::uint16_t interval) {
+    sbgc::msg::DataStreamInterval request;
+    request.cmd_id = command;
+    request.interval_ms = sbgc::msg::Milliseconds(interval);
+    return request;
+  };
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
+  line.run();
+  const sbgc::Handle end = line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 0));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 0));  // not running
+  line.on_event = [&](const simulation::Record& record) {
+    if (record.event.kind == sbgc::EventKind::completed && record.event.handle == end) {
+      line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 100));
+    }
+  };
+  line.run();
+  EXPECT_EQ(line.session.stream_usage().used, 1290U) << "129 bytes, 10 times a second";
+}
+
 TEST(SmallSession, CountsOnlyFramesAndNoise) {
   simulation::Basic<ControllerSession> line;
   line.board = [&](const Written&) { line.say_bytes({1, 2, 3}); };

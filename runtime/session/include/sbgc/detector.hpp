@@ -156,7 +156,7 @@ class Detector {
     phase_ = Phase::listen;
     ++probes_;
     ++trial().probes;
-    const std::size_t bytes = question.size() + frame_size(roles::introduction_size);
+    constexpr std::size_t bytes = question.size() + frame_size(roles::introduction_size);
     until_ = now_ + wire_time(trial().line, bytes) + options_.response_timeout * (round_ + 1);
     DetectorStep result = step(DetectorStep::Kind::write);
     result.bytes = question;
@@ -189,7 +189,7 @@ class Detector {
       if (++current_ == lines) {
         current_ = 0;
         ++round_;
-        if (round_ >= options_.rounds || (round_ == 2 && is_silent()) || are_all_refused()) {
+        if (round_ >= options_.rounds || (round_ == 2 && is_silent())) {
           phase_ = Phase::failed;
           return;
         }
@@ -198,15 +198,10 @@ class Detector {
   }
 
   bool is_silent() const noexcept {
-    std::uint64_t bytes = 0;
-    for (const Trial& trial : trials_) bytes += trial.bytes;
-    return bytes == 0;
-  }
-
-  bool are_all_refused() const noexcept {
-    std::size_t refused = 0;
-    for (const Trial& trial : trials_) refused += trial.is_refused ? 1U : 0U;
-    return refused == lines;
+    for (const Trial& trial : trials_) {
+      if (trial.bytes != 0) return false;
+    }
+    return true;
   }
 
   DetectorOptions options_;

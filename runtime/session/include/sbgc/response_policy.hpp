@@ -145,7 +145,6 @@ struct ConfirmationResult {
 
   /// Returns true if the confirmation reports a failure. One without data does not.
   constexpr bool is_failure(std::span<const std::uint8_t> body) const noexcept {
-    if (size == 0 || body.size() < std::size_t{offset} + size) return false;
     return !field().holds(body);
   }
 

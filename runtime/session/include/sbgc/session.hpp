@@ -549,7 +549,6 @@ class BasicSession {
   void end_trial(Outcome outcome, const Frame& frame) noexcept {
     const bool is_spoken = outcome == Outcome::answered && frame.framing == trial_.framing;
     use(is_spoken ? trial_.framing : framing_);
-    trial_ = {};
   }
 
   /// Writes and accepts only this framing from now on.

@@ -25,7 +25,7 @@ inline constexpr Ticks longest_other = 600'000'000;
 /// Returns the span of a duration: 0 if it is negative, `longest` if it is longer.
 SBGC_ALWAYS_INLINE constexpr Ticks ticks_of(Duration duration,
                                             Ticks longest = longest_other) noexcept {
-  if (duration.us < 0) return 0;
+  if (duration.us <= 0) return 0;
   return duration.us < std::int64_t{longest} ? static_cast<Ticks>(duration.us) : longest;
 }
 
