@@ -188,6 +188,20 @@ TEST(Framing, FindsWhatAPlainSearchFinds) {
   expect_the_plain_search(selected, Accepts::both);  // with starts that it must ignore
 }
 
+TEST(Framing, WhatHasNoHeaderHasNoSize) {
+  const auto expect = [](Candidate candidate, Verdict verdict) {
+    EXPECT_EQ(candidate.verdict, verdict);
+    EXPECT_EQ(candidate.size, 0U);
+  };
+  const Bytes zeros(8);
+  expect(FrameFormat<Framing::v1>::inspect(zeros.data(), zeros.size()), Verdict::no_start);
+  expect(FrameFormat<Framing::v2>::inspect(zeros.data(), zeros.size()), Verdict::no_start);
+  expect(AllFrameFormats::inspect(zeros.data(), zeros.size()), Verdict::no_start);
+  Bytes start = zeros;
+  start[0] = 0x3E;
+  expect(FrameFormat<Framing::v1>::inspect(start.data(), start.size()), Verdict::bad_header);
+}
+
 TEST(Framing, CountsManyStartsInOneSearch) {
   const Bytes starts(100'000, 0x3E);
   std::uint64_t bad_headers = 0;

@@ -217,5 +217,73 @@ TEST_P(RoundTrip, TheDefaultMessageEncodesAndDecodes) {
 INSTANTIATE_TEST_SUITE_P(Messages, RoundTrip, testing::ValuesIn(message_types()),
                          [](const auto& test) { return test.param.info->name; });
 
+TEST(EncodeBody, TellsASmallBufferFromABodyThatNoFrameCarries) {
+  msg::DebugVars3 message;
+  for (int i = 0; i < 64; ++i) message.var_value.push_back({NumberType::u32, 0});
+  ByteVector out(300);
+  const auto code = [&](std::size_t space) {
+    return encode_body(message, std::span(out).first(space)).status.code;
+  };
+  EXPECT_EQ(code(254), Code::buffer_too_small);
+  EXPECT_EQ(code(255), Code::too_long) << "the body has 256 bytes";
+  EXPECT_EQ(code(256), Code::too_long);
+}
+
+TEST(EncodeBody, RefusesANumberWithoutAType) {
+  msg::DebugVars3 message;
+  message.var_value.push_back({NumberType::i16, 5});
+  ByteVector out(10);
+  EXPECT_EQ(encode_body(message, out).size, 2U);
+  message.var_value.push_back({NumberType::none, 5});
+  EXPECT_EQ(encode_body(message, out).status.code, Code::value_out_of_range);
+}
+
+/// A list behind its counter, which counts as in no message of the specification so far.
+template <Counting counting>
+struct Counted {
+  BoundedArray<std::uint16_t, 4> list{};
+
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    std::uint8_t count{};
+    cursor.template count_as<counting>(count, self.list, "count");
+    cursor.template counted_as<counting>(self.list, count, "list");
+  }
+};
+
+template <Counting counting>
+void expect_counted(std::uint8_t count) {
+  Counted<counting> counted;
+  counted.list.push_back(0x0102);
+  counted.list.push_back(0x0304);
+  ByteVector body(5);
+  detail::Writer writer(body, 0);
+  Counted<counting>::varying_members(counted, writer);
+  ASSERT_EQ(writer.end().size, 5U);
+  EXPECT_EQ(body, (ByteVector{count, 0x02, 0x01, 0x04, 0x03}));
+  Counted<counting> copy;
+  detail::Reader reader(body, 0);
+  Counted<counting>::varying_members(copy, reader);
+  EXPECT_TRUE(reader.end());
+  EXPECT_EQ(copy.list, counted.list);
+}
+
+TEST(Counter, CanCountBytes) {
+  expect_counted<Counting::bytes>(4);
+  const ByteVector body{3, 1, 2, 3, 4};
+  Counted<Counting::bytes> counted;
+  detail::Reader reader(body, 0);
+  Counted<Counting::bytes>::varying_members(counted, reader);
+  EXPECT_EQ(reader.end().code, Code::count_mismatch) << "3 bytes are no numbers of 2";
+}
+
+TEST(Counter, CanCountAllElementsButOne) {
+  expect_counted<Counting::minus_1>(1);
+  const Counted<Counting::minus_1> none;
+  ByteVector body(5);
+  detail::Writer writer(body, 0);
+  Counted<Counting::minus_1>::varying_members(none, writer);
+  EXPECT_EQ(writer.end().status.code, Code::count_mismatch);
+}
+
 }  // namespace
 }  // namespace sbgc::test

@@ -194,6 +194,24 @@ TEST(Text, TheValueOfAVariableHasItsUnit) {
             "params[1].param_id = P_ROLL, params[1].param_value = 5}");
 }
 
+TEST(Text, NumbersOf24Bits) {
+  msg::RealtimeDataCustom data;
+  data.encoder_raw24 = Axes<U24>{U24(1), U24(0xFFFFFF), U24(0)};
+  EXPECT_EQ(to_string(data),
+            "RealtimeDataCustom{timestamp_ms = 0 ms, encoder_raw24.roll = 1, "
+            "encoder_raw24.pitch = 16777215, encoder_raw24.yaw = 0}");
+}
+
+TEST(Text, NumbersWithAnAnnouncedTypeAreInThatType) {
+  msg::DebugVars3 variables;
+  variables.var_value.push_back({NumberType::i8, 0xFB});
+  variables.var_value.push_back({NumberType::u8, 0xFB});
+  variables.var_value.push_back({NumberType::f32, 0xBFC00000});
+  std::vector<std::string> raw;
+  for_each_leaf(variables, [&](const Leaf& leaf) { raw.push_back(raw_text(leaf)); });
+  EXPECT_EQ(raw, (std::vector<std::string>{"-5", "251", "-1.5"}));
+}
+
 TEST(Text, StatusesSayWhichField) {
   EXPECT_EQ(to_string(Status{}), "No error");
   EXPECT_EQ(to_string(Status{Code::too_short, 1, "params"}),

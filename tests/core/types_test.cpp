@@ -34,6 +34,18 @@ TEST(Xyz, NamesAndIndices) {
   EXPECT_EQ(xyz, (Xyz<int>{1, 2, 13}));
 }
 
+TEST(Integer24, HoldsEveryNumberOf24Bits) {
+  EXPECT_EQ(U24(0xFFFFFF).raw(), 0xFFFFFFU);
+  EXPECT_EQ(I24(0x7FFFFF).raw(), 0x7FFFFF);
+  EXPECT_EQ(I24(-0x800000).raw(), -0x800000);
+}
+
+TEST(Integer24DeathTest, StopsTheProgramThatGivesItMore) {
+  EXPECT_DEATH(static_cast<void>(U24(0x1000000)), "");
+  EXPECT_DEATH(static_cast<void>(I24(0x800000)), "");
+  EXPECT_DEATH(static_cast<void>(I24(-0x800001)), "");
+}
+
 TEST(BoundedArray, GrowsUpToItsCapacity) {
   BoundedArray<int, 3> list;
   EXPECT_TRUE(list.empty());
@@ -67,6 +79,9 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   EXPECT_NE(b, a);
   b.push_back(2);
   EXPECT_NE(a, b);
+  a.push_back(3);
+  b.push_back(3);
+  EXPECT_NE(a, b) << "only the first elements differ";
 }
 
 TEST(BoundedArray, ResizeInitializesWhatItAdds) {
@@ -240,6 +255,29 @@ TEST(Packed, ShiftedParts) {
   EXPECT_TRUE(mix.set_rate(0));
   EXPECT_EQ(mix.raw(), 0xC0);
   EXPECT_EQ(mix.target(), msg::MixTarget::yaw);
+}
+
+TEST(Packed, PartsWithASign) {
+  msg::PackedQuaternion packed;
+  for (const std::int32_t number : {0x7FFFF, 1, 0, -1, -0x7FFFF}) {
+    EXPECT_TRUE(packed.set_b(msg::QuaternionPart(number)));
+    EXPECT_EQ(packed.b().raw(), number);
+  }
+  EXPECT_FALSE(packed.set_b(msg::QuaternionPart(0x80000)));
+  EXPECT_FALSE(packed.set_b(msg::QuaternionPart(-0x80000)));
+  EXPECT_EQ(packed.raw(), 0xFFFFF00000U) << "19 bits and the sign";
+}
+
+TEST(Packed, PartsInTwosComplement) {
+  constexpr detail::PartBits part{.mask = 0x70, .shift = 4, .is_signed = true};
+  std::uint8_t raw = 0x8F;
+  for (const int number : {-4, -1, 0, 3}) {
+    EXPECT_TRUE(detail::set_part_number(raw, number, part)) << number;
+    EXPECT_EQ(detail::part_number(raw, part), number);
+  }
+  EXPECT_FALSE(detail::set_part_number(raw, -5, part));
+  EXPECT_FALSE(detail::set_part_number(raw, 4, part));
+  EXPECT_EQ(raw, 0xBF) << "no other bits change";
 }
 
 TEST(Packed, SwitchesAndNamedValues) {

@@ -188,6 +188,18 @@ TEST(Validate, WhatAnOlderBoardDoesNotKnow) {
   EXPECT_FALSE(reported(newest));
 }
 
+TEST(Validate, FlagsThatOlderFirmwareDoesNotKnow) {
+  msg::RealtimeDataCustomRequest request;
+  const auto valid_for = [&](std::uint16_t firmware) {
+    return validate(request, {firmware, 31}, [](const Violation&) {});
+  };
+  request.flags.set(msg::RealtimeDataCustomFlag::imu_angles);
+  EXPECT_TRUE(valid_for(2679));
+  request.flags.set(msg::RealtimeDataCustomFlag::encoder_raw24);
+  EXPECT_FALSE(valid_for(2679));
+  EXPECT_TRUE(valid_for(2680));
+}
+
 TEST(Validate, EveryDefaultMessageGivesTheSameReportTwice) {
   for (const MessageType& type : message_types()) {
     const auto message = type.make();

@@ -34,7 +34,7 @@ namespace detail {
 /// A number as written in source code. Numerator and denominator are exact as doubles, so their
 /// quotient is correctly rounded.
 struct Decimal {
-  std::int64_t numerator = 0;
+  std::int64_t numerator{};
   std::int64_t denominator = 1;
   bool is_decimal = true;
   bool is_short = true;

@@ -77,7 +77,7 @@ class Detector {
         }
       }
     }
-    if (lines == 0 || options_.rounds == 0) phase_ = Phase::failed;
+    if (trials_.empty() || options_.rounds == 0) phase_ = Phase::failed;
   }
 
   /// Returns the next step.

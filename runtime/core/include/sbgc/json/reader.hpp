@@ -37,7 +37,7 @@ class JsonReader {
   template <class M>
   bool message(M& out) {
     members(out, nullptr);
-    if (ok() && counters_ != 0) Meta<M>::visit(std::as_const(out), CounterCheck{*this});
+    if (counters_ != 0) Meta<M>::visit(std::as_const(out), CounterCheck{*this});
     return ok();
   }
 

@@ -64,11 +64,11 @@ inline void put_general(TextOutput& out, double value) {
   static constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
   constexpr int one = 4;  // the index of 1e0
   const double size = value < 0 ? -value : value;
-  if (size < powers[one + 6] && size == static_cast<std::int32_t>(size) &&
+  if (size < 1e6 && size == static_cast<std::int32_t>(size) &&
       std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(-0.0)) {
     return out.put(static_cast<std::int32_t>(value));
   }
-  if (!(size >= powers[0] && size < powers[one + 6])) return out.put(printed(value, 6));
+  if (!(size >= 1e-4 && size < 1e6)) return out.put(printed(value, 6));
   // The exponent of the first digit, from that of 2: 1233 / 4096 is the logarithm of 2.
   const auto binary = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1023;
   int exponent = (binary * 1233) >> 12;
