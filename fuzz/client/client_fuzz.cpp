@@ -109,13 +109,14 @@ Task<Result<void>> wait_for(Duration time) {
 }
 
 template <class M>
-Task<bool> is_answered(M request) {
-  co_return static_cast<bool>(co_await tasks::call(request));
+Task<bool> answer_of(M request, sbgc::CallOptions options = {}) {
+  co_return static_cast<bool>(co_await tasks::call(request, options));
 }
 
 sbgc::emulator::EmulatorOptions board_options(std::uint8_t choice) {
   sbgc::emulator::EmulatorOptions options;
   options.board.gimbal.noise = 0;
+  if ((choice & 32) != 0) options.board.firmware = msg::FirmwareVersion(2439);
   if ((choice & 1) != 0) {
     options.board.firmware = msg::FirmwareVersion(sbgc::newest_firmware);
     options.board.board = msg::BoardVersion(36);
@@ -191,7 +192,7 @@ class Player {
   void step() {
     const std::uint8_t code = input_.byte();
     if (code >= 128) cancel_after_ = input_.byte() * 2U + 1;
-    switch (code % 20) {
+    switch (code % 21) {
       case 0:
       case 1: write(false); break;
       case 2: write(true); break;
@@ -214,6 +215,7 @@ class Player {
       case 16: motion(); break;
       case 17: files(); break;
       case 18: write_others(); break;
+      case 19: refused(); break;
       default: static_cast<void>(run(tasks::active_profile())); break;
     }
   }
@@ -301,7 +303,7 @@ class Player {
     const auto bound = static_cast<sbgc::MotionBound>(input_.byte() % 4);
     const auto speed = std::make_shared<sbgc::detail::HeldSpeed>(
         sbgc::detail::DeadMansSwitch(sbgc::milliseconds(500), sbgc::milliseconds(100)));
-    const Bytes changes = some_bytes(input_.byte() % 8);
+    const Bytes changes = some_bytes(input_.byte() % 32);
     std::size_t at = 0;
     Instant next = client_.now();  // a task that waits for its owner may let it sleep longer
     Instant end = Instant::never;
@@ -388,6 +390,17 @@ class Player {
     }
   }
 
+  /// Requests that the client does not send.
+  void refused() {
+    msg::BeepSound sound;
+    sound.decay_factor = 200;
+    require(!run(answer_of(sound)));
+    require(!run(answer_of(msg::SetAdjVarsVal{})));
+    require(!run(answer_of(msg::MotorsOn{}, {.timeout = std::chrono::hours(24)})));
+    const bool is_recent = (choice_ & 1) != 0;
+    require(is_recent || !run(answer_of(msg::CalibInfoRequest{})));
+  }
+
   /// Writes blocks of any kind, of which the board may not have all, and values of any kind.
   void write_others() {
     may_hold_anything_ = true;
@@ -403,11 +416,18 @@ class Player {
       if (body.size() >= start.size() + 1) std::ranges::copy(start, body.begin() + 1);
       static_cast<void>(wanted.put({id, std::move(body)}));
     }
+    for (int profile = choice % 32 / 8; profile > 0; --profile) {
+      auto block = *original_.get<msg::ReadParams3>(static_cast<std::uint8_t>(profile));
+      block.general_flags1 = msg::GeneralFlags(input_.byte());
+      block.rc.pitch.rc_min_angle = msg::Degrees(static_cast<std::int16_t>(input_.byte() * 8));
+      static_cast<void>(wanted.set(block));
+    }
     static_cast<void>(to_text(diff(wanted, original_)));
     static_cast<void>(to_text(diff(original_, wanted)));
     const sbgc::WriteOptions options{.dry_run = (choice & 64) != 0,
                                      .validate = (choice & 128) != 0};
-    static_cast<void>(to_text(run(tasks::write_parameters(wanted, options))));
+    const WriteReport report = run(tasks::write_parameters(wanted, options));
+    static_cast<void>(to_text(report));
   }
 
   void read() {
@@ -486,8 +506,8 @@ class Player {
   void recover() {
     static_cast<void>(run(wait_for(recovery_time)));
     const Instant start = client_.now();
-    require(run(is_answered(msg::BoardInfoRequest{})));
-    require(run(is_answered(msg::GetAnglesRequest{})));
+    require(run(answer_of(msg::BoardInfoRequest{})));
+    require(run(answer_of(msg::GetAnglesRequest{})));
     const Readings done = run(read_registers({0, 1, 2, 1}, std::chrono::seconds(10), 0));
     require(done.all_answered && done.all_right);
     require(client_.now() - start < sbgc::seconds(12));
@@ -495,6 +515,8 @@ class Player {
 
   /// Each sample that the board sends is delivered once, beside the responses to requests.
   void check_streams() {
+    using sbgc::is_supported;
+    if (!is_supported<msg::DataStreamInterval>(client_.identity().versions())) return;
     std::size_t sent = 0;
     std::size_t received = 0;
     client_.emulator().board().on_traffic = [&](const sbgc::emulator::Board::Traffic& traffic) {
@@ -506,15 +528,15 @@ class Player {
     msg::DataStreamInterval request;
     request.cmd_id = msg::RealtimeData3::command;
     request.interval_ms = msg::Milliseconds(20);
-    require(run(is_answered(request)));
+    require(run(answer_of(request)));
     for (int i = 0; i < 3; ++i) {
       static_cast<void>(run(wait_for(sbgc::milliseconds(200))));
-      require(run(is_answered(msg::GetAnglesRequest{})));
+      require(run(answer_of(msg::GetAnglesRequest{})));
     }
     require(received == sent);
     require(sent >= 28);
     request.interval_ms = msg::Milliseconds(0);
-    require(run(is_answered(request)));
+    require(run(answer_of(request)));
     static_cast<void>(run(wait_for(sbgc::seconds(1))));
     const std::size_t end = sent;
     static_cast<void>(run(wait_for(sbgc::seconds(1))));
