@@ -178,7 +178,7 @@ TEST(Pacing, HoldsForEveryPairOfFramesWithoutResponse) {
   }
 }
 
-/// Returns the time until a request without a response has ended, and its timeout by default.
+/// Returns the time after which a request ends if no response comes.
 template <class M>
 Duration until_timeout(const M& request, Simulation& line) {
   const Handle handle = line.send(request, {.attempts = 1});
