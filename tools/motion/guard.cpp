@@ -71,9 +71,8 @@ class GuardSetup {
 
 Guard::Guard() {
   std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    fail_to_start(errno);
-  }
+  const int failed = ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data());
+  if (failed != 0) fail_to_start(errno);
   channel_ = ends[0];
   const Closing end_of_guard(ends[1]);
   const GuardSetup setup(ends[1]);
