@@ -47,13 +47,13 @@ def areas() -> list[tuple[list[str], float]]:
     parameters += ("tasks/*param*.cpp", "tasks/restore.cpp", "tasks/profiles.cpp")
     parameters += ("tasks/variables.cpp",)
     return [
-        (_files(core), 0.1),
-        (_files("runtime/session/include/sbgc/**/*.hpp"), 0.2),
-        (_files(*(f"runtime/client/src/{name}" for name in parameters)), 0.2),
-        (_files("runtime/io/src/capture*.cpp"), 0.4),
-        *((_files(f"tools/{folder}/*.cpp"), 0.06) for folder in TOOLS),
+        (_files(core), 0.075),
+        (_files("runtime/session/include/sbgc/**/*.hpp"), 0.15),
+        (_files(*(f"runtime/client/src/{name}" for name in parameters)), 0.15),
+        (_files("runtime/io/src/capture*.cpp"), 0.3),
+        *((_files(f"tools/{folder}/*.cpp"), 0.045) for folder in TOOLS),
         # Its libraries conflict with those of the others.
-        (_files("tools/share/web_socket_server.cpp"), 0.06),
+        (_files("tools/share/web_socket_server.cpp"), 0.045),
     ]
 
 
@@ -66,17 +66,19 @@ def _files(*patterns: str) -> list[str]:
     ]
 
 
-def candidates(only: list[str]) -> list[Mutant]:
-    """Returns all mutants of some files, or the sample of all."""
+def candidates(only: list[str]) -> tuple[list[Mutant], set[str]]:
+    """Returns all mutants of some files, or the sample of all; and the keys of all in question."""
     flags = compile_flags()
     found = []
+    keys = set()
     for files, share in areas():
         if only and not set(files) & set(only):
             continue
         for mutant in mutants_of(ROOT, files, flags):
+            keys.add(mutant.key)
             if mutant.file in only if only else int(mutant.rank, 16) < share * 16**64:
                 found.append(mutant)
-    return found
+    return found, keys
 
 
 def compile_flags() -> list[str]:
@@ -156,7 +158,7 @@ def main() -> None:
     parser.add_argument("file", nargs="*")
     arguments = parser.parse_args()
     start = time.monotonic()
-    mutants = candidates(arguments.file)
+    mutants, keys = candidates(arguments.file)
     reasons = unkillable()
     if arguments.list:
         for mutant in mutants:
@@ -191,7 +193,7 @@ def main() -> None:
             [[m.file, m.line, m.context, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
         )
     )
-    sys.exit(report(mutants, outcomes, reasons, bool(arguments.file)))
+    sys.exit(report(mutants, outcomes, reasons, set() if arguments.file else reasons.keys() - keys))
 
 
 def unkillable() -> dict[str, str]:
@@ -201,20 +203,17 @@ def unkillable() -> dict[str, str]:
 
 
 def report(
-    mutants: list[Mutant], outcomes: list[str], reasons: dict[str, str], partial: bool
+    mutants: list[Mutant], outcomes: list[str], reasons: dict[str, str], outdated: set[str]
 ) -> int:
     """Prints the outcomes; returns the exit status."""
     problems = []
-    seen = set()
     for mutant, outcome in zip(mutants, outcomes):
         if outcome == "killed":
             if mutant.key in reasons:
                 problems.append(f"{mutant.file}:{mutant.line}: killed, but listed: {mutant.change}")
         elif mutant.key not in reasons:
             problems.append(f"{mutant.file}:{mutant.line}: {outcome}: {mutant.change}")
-        seen.add(mutant.key)
-    if not partial:
-        problems += [f"listed, but no mutant: {key}" for key in reasons if key not in seen]
+    problems += [f"listed, but no mutant: {key}" for key in sorted(outdated)]
     for problem in problems:
         print(problem)
     counts = Counter(outcomes)
