@@ -247,7 +247,7 @@ class Bridge(Victim):
 
     def start(self, fault: str) -> Optional[subprocess.Popen[bytes]]:
         """Starts a bridge; None if it ends before its places are open."""
-        self.release_terminal()
+        self.forget_terminal()
         process = subprocess.Popen(
             [PROGRAM, *self.command],
             stdout=subprocess.PIPE,
@@ -263,11 +263,14 @@ class Bridge(Victim):
         assert not CRASH.search(self.error), self.error
         return None
 
-    def release_terminal(self) -> None:
-        """Another program may have got the number of the killed bridge's terminal; then the link stays."""
+    def forget_terminal(self) -> None:
+        """Points the links of a killed bridge to a terminal that never exists: another program may get
+        the number of the old one, even while the next bridge starts, which would then refuse the link.
+        """
         for link in (self.link, self.link.with_name("gimbal.sbgc-new")):
-            if link.is_symlink() and link.exists():
+            if link.is_symlink():
                 link.unlink()
+                link.symlink_to("/dev/pts/999999")
 
     def attempt(self, fault: str) -> int:
         process = self.start(fault)

@@ -105,6 +105,16 @@ def test_stop_notices_that_something_else_turns_the_camera() -> None:
         assert result.status == 1 and "turns again" in result.error
 
 
+def test_a_move_that_something_else_prevents_ends() -> None:
+    """With 10 seconds more than the way takes."""
+    with emulated_gimbal() as gimbal, emulated_speed(gimbal):
+        arguments = ("move", "--yaw", "-20", "--speed", "200", "--wait", "--yes")
+        result = run(*arguments, "-p", gimbal.address)
+        assert result.status == 1
+        time_given = re.search(r"the camera did not arrive within (\d+) ms: yaw is", result.error)
+        assert time_given and 10_000 < int(time_given[1]) < 12_000, result.error
+
+
 @contextmanager
 def emulated_speed(gimbal: EmulatedGimbal) -> Iterator[None]:
     """Another program that turns the camera all the time."""

@@ -28,7 +28,7 @@ int reset(const Arming& arming, const CommandContext& context) {
   arm(arming,
       "The board restarts. The motors have no power until it is up again: the camera drops to its "
       "heavy side, then jumps to its target angle.");
-  LineChoice line = choose_line(context.gimbal);
+  const LineChoice line = choose_line(context.gimbal);
   {
     Client client = value_of(Client::connect(line.address, line.options));
     value_of(Result<void>(client.call(msg::ResetRequest{}, call_options(context.gimbal))));
@@ -37,7 +37,6 @@ int reset(const Arming& arming, const CommandContext& context) {
   ProgressBar bar;
   bar.show("the board restarts");
   const auto start = Clock::now();
-  line.options.timeout = std::min<std::chrono::milliseconds>(line.options.timeout, longest_restart);
   while (true) {
     const Result<Client> client = Client::connect(line.address, line.options);
     if (client) break;
