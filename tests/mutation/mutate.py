@@ -34,8 +34,8 @@ TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
 TOOLS = "board care command frames line memory monitor motion parameters share shell values".split()
 # Of other builds, or not to be included together with the rest of its folder.
 SEPARATE = ("offline_commands", "system_windows", "web_socket_server")
-# The tests of a mutant take these seconds, or more if it survives them and is not listed. Others are
-# left out: a mutant that only they notice deserves a quicker test.
+# The tests of a mutant take these seconds, or up to MOST_SECONDS if it survives them and is not listed.
+# Others are left out: a mutant that only they notice deserves a quicker test.
 SECONDS = 15.0
 MOST_SECONDS = 90.0
 
@@ -66,10 +66,13 @@ def _files(*patterns: str) -> list[str]:
     ]
 
 
-def candidates(only: list[str]) -> tuple[list[Mutant], set[str]]:
-    """Returns all mutants of some files, or the sample of all; and the keys of all in question."""
+def candidates(only: list[str]) -> tuple[list[Mutant], list[Mutant], set[str]]:
+    """Returns all mutants of some files, or the sample of all; others that only show which statements of a
+    file a test reaches; and the keys of all in question.
+    """
     flags = compile_flags()
     found = []
+    others = []
     keys = set()
     for files, share in areas():
         if only and not set(files) & set(only):
@@ -78,7 +81,9 @@ def candidates(only: list[str]) -> tuple[list[Mutant], set[str]]:
             keys.add(mutant.key)
             if mutant.file in only if only else int(mutant.rank, 16) < share * 16**64:
                 found.append(mutant)
-    return found, keys
+            elif mutant.file.endswith(".cpp") and mutant.kind == "statement":
+                others.append(mutant)
+    return found, others, keys
 
 
 def compile_flags() -> list[str]:
@@ -129,25 +134,30 @@ def measured(tests: Tests, pool: ThreadPoolExecutor) -> list[Suite]:
     return [part for part in parts if part.passes]
 
 
-def chosen(number: int, suites: list[Suite]) -> tuple[list[Suite], list[Suite]]:
+def chosen(
+    number: int, of_file: set[int], suites: list[Suite]
+) -> tuple[list[Suite], list[Suite]]:
     """Returns the suites to run for a mutant, and those to run if it survives them.
 
-    Quick suites, and those that reach few other mutants, come first.
+    First come quick suites, and those that reach few other mutants; then those that reach most of its file,
+    which are about its command: each call of sbgc reaches the statements that add the options of all.
     """
     reaching = [suite for suite in suites if number in suite.reached]
     reaching.sort(key=lambda suite: suite.seconds * len(suite.reached))
-    first: list[Suite] = []
-    others: list[Suite] = []
-    seconds = 0.0
-    for suite in reaching:
-        if not first or seconds + suite.seconds <= SECONDS:
-            first.append(suite)
-        elif seconds + suite.seconds <= MOST_SECONDS:
-            others.append(suite)
-        else:
-            continue
-        seconds += suite.seconds
-    return first, others
+    first = within(SECONDS, reaching) or reaching[:1]
+    others = [suite for suite in reaching if suite not in first]
+    others.sort(key=lambda suite: len(suite.reached & of_file), reverse=True)
+    return first, within(MOST_SECONDS - SECONDS, others)
+
+
+def within(seconds: float, suites: list[Suite]) -> list[Suite]:
+    """Returns those of the suites, from the first, that together take no longer than this."""
+    result = []
+    for suite in suites:
+        if suite.seconds <= seconds:
+            result.append(suite)
+            seconds -= suite.seconds
+    return result
 
 
 def main() -> None:
@@ -158,14 +168,17 @@ def main() -> None:
     parser.add_argument("file", nargs="*")
     arguments = parser.parse_args()
     start = time.monotonic()
-    mutants, keys = candidates(arguments.file)
+    mutants, others, keys = candidates(arguments.file)
     reasons = unkillable()
     if arguments.list:
         for mutant in mutants:
             print(f"{mutant.file}:{mutant.line}: {mutant.change}")
         return
     print(f"mutate: {len(mutants)} mutants; building", flush=True)
-    tests = build(mutants)
+    tests = build(mutants + others)
+    files: dict[str, set[int]] = {}
+    for number, mutant in enumerate(mutants + others):
+        files.setdefault(mutant.file, set()).add(number)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         print(
             f"mutate: running the tests without mutants (after {time.monotonic() - start:.0f} s)",
@@ -178,14 +191,15 @@ def main() -> None:
         )
 
         def tried(number: int) -> str:
-            first, others = chosen(number, suites)
+            mutant = mutants[number]
+            first, more = chosen(number, files[mutant.file], suites)
             if not first:
                 return "not reached"
             if not tests.survives(number, first):
                 return "killed"
-            if mutants[number].key in reasons or not others:
+            if mutant.key in reasons or not more:
                 return "survived"
-            return "survived" if tests.survives(number, others) else "killed"
+            return "survived" if tests.survives(number, more) else "killed"
 
         outcomes = list(pool.map(tried, range(len(mutants))))
     (BUILD / "outcomes.json").write_text(

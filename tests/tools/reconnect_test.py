@@ -71,13 +71,14 @@ def test_a_gimbal_that_is_killed_and_started_again() -> None:
 
 def test_a_gimbal_without_power_for_a_moment(tmp_path: Path) -> None:
     # The pseudo-terminal of a link has another name, as an adapter that is plugged in again.
-    link = str(tmp_path / "gimbal")
-    with emulated_gimbal("--pty", "--link", link) as gimbal:
-        streaming = Streaming(link)
+    link = tmp_path / "gimbal"
+    with emulated_gimbal("--pty", "--link", str(link)) as gimbal:
+        streaming = Streaming(str(link))
         streaming.read()
         gimbal.kill()
+        link.unlink()  # otherwise it may name the terminal of another program, and stays
         streaming.wait_for("connecting again")
-        with emulated_gimbal("--pty", "--link", link):
+        with emulated_gimbal("--pty", "--link", str(link)):
             streaming.wait_for("connected again")
             streaming.read()
             streaming.finish()
