@@ -443,6 +443,17 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   EXPECT_EQ(state(report, {"ReadParams3", 4}), ParametersState::written);
 }
 
+TEST_F(ParametersTest, AGeneralSettingDiffersInItsLowestBit) {
+  become(msg::FirmwareVersion(2740));
+  ParameterSet set = read();
+  msg::ReadParamsExt2 wanted = *set.get<msg::ReadParamsExt2>(4);
+  wanted.outer_mot_tilt_angle = msg::SignedDegrees(1);
+  ASSERT_TRUE(set.set(wanted));
+  EXPECT_EQ(client().write_parameters(set).outcome.error().message,
+            "ReadParamsExt2 of profile 5, outer_mot_tilt_angle: 1 is wanted, but 0 in "
+            "ReadParamsExt2 of profile 1; the board has only one value");
+}
+
 TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
   fill();
   ParameterSet set;

@@ -34,10 +34,10 @@ TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
 TOOLS = "board care command frames line memory monitor motion parameters share shell values".split()
 # Of other builds, or not to be included together with the rest of its folder.
 SEPARATE = ("offline_commands", "system_windows", "web_socket_server")
-# The tests of a mutant take these seconds, or up to MOST_SECONDS if it survives them and is not listed.
-# Others are left out: a mutant that only they notice deserves a quicker test.
+# The first tests of a mutant take these seconds; it meets all others if it survives them and is not listed.
 SECONDS = 15.0
-MOST_SECONDS = 90.0
+# Many tests wait rather than compute.
+AT_ONCE = 2 * (os.cpu_count() or 1)
 
 
 def areas() -> list[tuple[list[str], float]]:
@@ -144,20 +144,17 @@ def chosen(
     """
     reaching = [suite for suite in suites if number in suite.reached]
     reaching.sort(key=lambda suite: suite.seconds * len(suite.reached))
-    first = within(SECONDS, reaching) or reaching[:1]
-    others = [suite for suite in reaching if suite not in first]
-    others.sort(key=lambda suite: len(suite.reached & of_file), reverse=True)
-    return first, within(MOST_SECONDS - SECONDS, others)
-
-
-def within(seconds: float, suites: list[Suite]) -> list[Suite]:
-    """Returns those of the suites, from the first, that together take no longer than this."""
-    result = []
-    for suite in suites:
-        if suite.seconds <= seconds:
-            result.append(suite)
+    first: list[Suite] = []
+    others: list[Suite] = []
+    seconds = SECONDS
+    for suite in reaching:
+        if not first or suite.seconds <= seconds:
+            first.append(suite)
             seconds -= suite.seconds
-    return result
+        else:
+            others.append(suite)
+    others.sort(key=lambda suite: len(suite.reached & of_file), reverse=True)
+    return first, others
 
 
 def main() -> None:
@@ -179,7 +176,7 @@ def main() -> None:
     files: dict[str, set[int]] = {}
     for number, mutant in enumerate(mutants + others):
         files.setdefault(mutant.file, set()).add(number)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(AT_ONCE) as pool:
         print(
             f"mutate: running the tests without mutants (after {time.monotonic() - start:.0f} s)",
             flush=True,

@@ -113,7 +113,7 @@ class Tests:
             self._passes(
                 program,
                 [suite.name for suite in group],
-                5 + 5 * sum(suite.seconds for suite in group),
+                10 + 2 * sum(suite.seconds for suite in group),
                 {"SBGC_MUTANT": str(mutant)},
             )
             for program, group in groups.items()
