@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pty
 import re
+import resource
 import signal
 import subprocess
 import termios
@@ -158,6 +159,27 @@ def test_reset_waits_for_the_board(gimbal: EmulatedGimbal) -> None:
     result = run("reset", "--yes", "-p", gimbal.address)
     assert result.status == 0 and "The board is back" in result.error
     assert run("info", "-p", gimbal.address).status == 0
+
+
+def test_reset_waits_for_a_port_that_disappears(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    with emulated_gimbal("--link", str(link)) as gimbal:
+        before = processor_time_of_children()
+        resetting = Watched("reset", "--yes", "-p", str(link))
+        resetting.wait_for("line: 115200", 2)  # it connects again
+        gimbal.kill()
+        link.unlink()  # as an adapter without power
+    time.sleep(2)
+    with emulated_gimbal("--link", str(link)):
+        ended = resetting.end()
+        assert ended.status == 0 and "The board is back" in ended.error
+        assert processor_time_of_children() - before < 1
+
+
+def processor_time_of_children() -> float:
+    """Seconds, of those that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 @pytest.mark.parametrize(

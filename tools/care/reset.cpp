@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <sbgc/messages/system.hpp>
 
@@ -23,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 
 /// A port of the board itself disappears while it restarts.
 constexpr std::chrono::seconds longest_restart{30};
+/// Between attempts to connect: a port that is missing is reported at once.
+constexpr std::chrono::milliseconds attempt_interval{100};
 
 int reset(const Arming& arming, const CommandContext& context) {
   arm(arming,
@@ -40,6 +43,8 @@ int reset(const Arming& arming, const CommandContext& context) {
   while (true) {
     const Result<Client> client = Client::connect(line.address, line.options);
     if (client) break;
+    pollfd signal{interruption_descriptor(), POLLIN, 0};
+    ::poll(&signal, 1, static_cast<int>(attempt_interval.count()));
     if (was_interrupted()) throw CommandError("interrupted; the board restarts", interrupted);
     if (Clock::now() - start > longest_restart) {
       throw CommandError(fmt::format("the board has not come back within {} s: {}",
