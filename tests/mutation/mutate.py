@@ -134,9 +134,7 @@ def measured(tests: Tests, pool: ThreadPoolExecutor) -> list[Suite]:
     return [part for part in parts if part.passes]
 
 
-def chosen(
-    number: int, of_file: set[int], suites: list[Suite]
-) -> tuple[list[Suite], list[Suite]]:
+def chosen(number: int, of_file: set[int], suites: list[Suite]) -> tuple[list[Suite], list[Suite]]:
     """Returns the suites to run for a mutant, and those to run if it survives them.
 
     First come quick suites, and those that reach few other mutants; then those that reach most of its file,
