@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <span>
 #include <string>
 #include <utility>
@@ -331,6 +332,31 @@ TEST(CaptureWriter, SaysWhyNot) {
   EXPECT_EQ(error.code, std::errc::no_such_file_or_directory);
   EXPECT_THAT(error.message, HasSubstr("/nowhere/x.sbgc"));
   EXPECT_TRUE(CaptureWriter().write(CaptureKind::note, {}, begin));
+}
+
+TEST(RangeCrc32, IsTheCrcOfEachRange) {
+  Bytes bytes(70000);
+  std::mt19937 random(1);
+  for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+  detail::RangeCrc32 ranges;
+  ranges.append(std::span(bytes).first(300));
+  ranges.append(std::span(bytes).subspan(300));
+  const auto expect_right = [&](std::size_t begin, std::size_t count) {
+    EXPECT_EQ(ranges.of(begin, count), sbgc::detail::crc32(std::span(bytes).subspan(begin, count)))
+        << begin << ' ' << count;
+  };
+  for (std::size_t begin = 0; begin < 20; ++begin) {
+    for (std::size_t count = 0; count < 300; ++count) expect_right(begin, count);
+  }
+  for (const std::size_t count : {511U, 512U, 65535U, 65536U, 69000U}) expect_right(1000, count);
+  ranges.drop(69000);
+  bytes.erase(bytes.begin(), bytes.begin() + 69000);
+  EXPECT_EQ(ranges.size(), 1000);
+  expect_right(0, 1000);
+  ranges.drop(2000);
+  EXPECT_EQ(ranges.size(), 0);
+  ranges.append(bytes);
+  expect_right(10, 990);
 }
 
 TEST(CaptureWriter, AFullDiskIsAnError) {

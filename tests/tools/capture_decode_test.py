@@ -37,6 +37,15 @@ def test_json_lines_have_direction_and_time() -> None:
     assert lines[2] == raw
 
 
+@pytest.mark.parametrize("size", [0xA5A5 - 1, 0xA5A5, 2_000_000])
+def test_damage_that_looks_like_records_takes_linear_time(size: int) -> None:
+    """Each byte begins a record of 42 kB, as its mark and its size say; `run` waits for a minute."""
+    after = session() + record(NOTE, 1, b"after it")
+    result = run("decode", stdin=session() + b"\xa5" * size + after)
+    assert f"sbgc: {size} bytes from offset 24 are damaged." in result.error
+    assert 'note: "after it"' in result.text
+
+
 def test_raw_captures_have_no_time() -> None:
     assert "time" not in decode(ANGLES)[0]
 

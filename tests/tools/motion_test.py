@@ -18,6 +18,7 @@ import pytest
 from board_command import Watched
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
+from relay import relay_to
 from sbgc_command import PROGRAM, run
 
 SPEED_STEP = 0.1220740379
@@ -174,6 +175,16 @@ def test_reset_waits_for_a_port_that_disappears(tmp_path: Path) -> None:
         ended = resetting.end()
         assert ended.status == 0 and "The board is back" in ended.error
         assert processor_time_of_children() - before < 1
+
+
+def test_a_reset_that_the_board_does_not_confirm_is_an_error(gimbal: EmulatedGimbal) -> None:
+    def lose_reset(data: bytes) -> bytes:
+        return b"" if data[1] == 114 else data
+
+    with relay_to(gimbal.address, lose_reset) as address:
+        result = run("reset", "--yes", "-p", address)
+    assert result.status == 1 and "back" not in result.error
+    assert "the board has not confirmed that it restarts: no response to CMD_RESET" in result.error
 
 
 def processor_time_of_children() -> float:

@@ -1,6 +1,7 @@
 // sbgc reset: restarts the board.
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -22,30 +23,48 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// From the board's confirmation to its restart, so that the confirmation arrives.
+constexpr std::chrono::milliseconds restart_delay{200};
+/// After this time the board answers only if it has restarted: the delay, and what it may run late.
+constexpr std::chrono::milliseconds until_restart{500};
 /// A port of the board itself disappears while it restarts.
 constexpr std::chrono::seconds longest_restart{30};
 /// Between attempts to connect: a port that is missing is reported at once.
 constexpr std::chrono::milliseconds attempt_interval{100};
+
+void begin_restart(const LineChoice& line, const CommandContext& context) {
+  Client client = value_of(Client::connect(line.address, line.options));
+  msg::ResetRequestExt request;
+  request.confirm = msg::ResetOption::notify;
+  request.delay_ms = msg::Milliseconds(static_cast<std::uint16_t>(restart_delay.count()));
+  const auto confirmed = client.call(request, call_options(context.gimbal));
+  if (!confirmed && confirmed.error().code == ErrorCode::timeout) {
+    throw CommandError("the board has not confirmed that it restarts: " + confirmed.error().message);
+  }
+  value_of(confirmed);
+}
+
+/// Returns false if a signal ends the pause.
+bool pause(std::chrono::milliseconds time) {
+  pollfd signal{interruption_descriptor(), POLLIN, 0};
+  ::poll(&signal, 1, static_cast<int>(time.count()));
+  return !was_interrupted();
+}
 
 int reset(const Arming& arming, const CommandContext& context) {
   arm(arming,
       "The board restarts. The motors have no power until it is up again: the camera drops to its "
       "heavy side, then jumps to its target angle.");
   const LineChoice line = choose_line(context.gimbal);
-  {
-    Client client = value_of(Client::connect(line.address, line.options));
-    value_of(Result<void>(client.call(msg::ResetRequest{}, call_options(context.gimbal))));
-  }
+  begin_restart(line, context);
   const Interruption interruption;
   ProgressBar bar;
   bar.show("the board restarts");
   const auto start = Clock::now();
-  while (true) {
+  for (auto wait = until_restart;; wait = attempt_interval) {
+    if (!pause(wait)) throw CommandError("interrupted; the board restarts", interrupted);
     const Result<Client> client = Client::connect(line.address, line.options);
     if (client) break;
-    pollfd signal{interruption_descriptor(), POLLIN, 0};
-    ::poll(&signal, 1, static_cast<int>(attempt_interval.count()));
-    if (was_interrupted()) throw CommandError("interrupted; the board restarts", interrupted);
     if (Clock::now() - start > longest_restart) {
       throw CommandError(fmt::format("the board has not come back within {} s: {}",
                                      longest_restart.count(), client.error().message));
@@ -65,7 +84,8 @@ void add_reset(CLI::App& app, CommandContext& context) {
   add_arming(*command, *arming);
   add_gimbal_options(*command, context.gimbal);
   command->footer(
-      "Waits until the board answers again. Settings that are not stored are lost.\n"
+      "Waits until the board has confirmed the restart and answers again. Settings that are not\n"
+      "stored are lost.\n"
       "\n"
       "The exit status is 0 if the board is back, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
   command->callback([arming, &context] { context.status = reset(*arming, context); });

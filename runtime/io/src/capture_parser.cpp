@@ -88,6 +88,7 @@ bool may_become_capture(std::span<const std::uint8_t> begin) noexcept {
 
 void CaptureParser::feed(std::span<const std::uint8_t> bytes) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(position_));
+  checksums_.drop(position_);
   position_ = 0;
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
 }
@@ -167,12 +168,13 @@ void CaptureParser::begin_damage(CaptureDamage::Reason reason) {
 
 std::optional<CaptureItem> CaptureParser::find_item() {
   const bool hopeless = damage_->reason == Reason::not_a_capture;
+  if (!hopeless) checksums_.append(std::span(buffer_).subspan(checksums_.size()));
   for (;;) {
     advance(hopeless ? rest().size() : find_start(rest(), has_session_));
     const auto bytes = rest();
     const auto size = size_of_item(bytes);
     if (size && bytes.size() >= *size) {
-      if (is_sound(bytes.first(*size)) && continues(bytes)) break;
+      if (is_sound_next(*size) && continues(bytes)) break;
     } else if (!finished_) {
       return std::nullopt;
     }
@@ -183,6 +185,11 @@ std::optional<CaptureItem> CaptureParser::find_item() {
   if (damage_->reason == Reason::torn && !rest().empty()) damage_->reason = Reason::damaged;
   damage_->size = offset_ - damage_->offset;
   return *std::exchange(damage_, std::nullopt);
+}
+
+bool CaptureParser::is_sound_next(std::size_t size) const noexcept {
+  const std::size_t content = size - checksum_size;
+  return checksums_.of(position_, content) == wire::load<std::uint32_t>(rest().data() + content);
 }
 
 bool CaptureParser::continues(std::span<const std::uint8_t> item) noexcept {

@@ -7,11 +7,14 @@
 
 namespace sbgc::detail {
 
+/// The coefficient of x^0 is the highest bit.
+inline constexpr std::uint32_t crc32_polynomial = 0xEDB88320;
+
 inline constexpr std::array<std::uint32_t, 256> crc32_table = [] {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     std::uint32_t value = i;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xEDB88320 : 0);
+    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ crc32_polynomial * (value & 1);
     table[i] = value;
   }
   return table;

@@ -38,6 +38,7 @@
 #include <variant>
 #include <vector>
 
+#include <sbgc/io/detail/range_crc32.hpp>
 #include <sbgc/io/error.hpp>
 
 namespace sbgc::io {
@@ -109,6 +110,9 @@ class CaptureParser {
   std::optional<CaptureItem> incomplete();
   void begin_damage(CaptureDamage::Reason reason);
   std::optional<CaptureItem> find_item();
+  /// Returns true if an item of this size is next, with the right checksum. Takes constant time,
+  /// because damage may look like the beginning of an item at each byte.
+  bool is_sound_next(std::size_t size) const noexcept;
   /// Returns true if a sound item after damage is a session header, or a record of the same
   /// session. Otherwise, the header of its session was damaged.
   bool continues(std::span<const std::uint8_t> item) noexcept;
@@ -128,6 +132,7 @@ class CaptureParser {
   bool has_session_ = false;             // records belong to a known session
   CaptureTime time_{};                   // of the last record
   std::optional<CaptureDamage> damage_;  // set while searching for the next item
+  detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
 };
 
 /// Writes a capture.

@@ -1,0 +1,41 @@
+"""A relay between a host and an emulated gimbal, which can lose requests."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+Change = Callable[[bytes], bytes]
+
+
+def _pass_on(source: socket.socket, target: socket.socket, change: Change) -> None:
+    try:
+        while data := source.recv(4096):
+            target.sendall(change(data))
+        target.shutdown(socket.SHUT_RDWR)
+    except OSError:
+        pass  # the other side has closed
+
+
+def _serve(listener: socket.socket, gimbal: tuple[str, int], change: Change) -> None:
+    while True:
+        try:
+            host, _ = listener.accept()
+        except OSError:
+            return  # the test is over
+        board = socket.create_connection(gimbal)
+        for source, target, kind in ((host, board, change), (board, host, bytes)):
+            threading.Thread(target=_pass_on, args=(source, target, kind), daemon=True).start()
+
+
+@contextmanager
+def relay_to(address: str, change: Change) -> Iterator[str]:
+    """Yields an address that leads to a gimbal; `change` sees what hosts send, a frame at a time."""
+    _, place, port = address.split(":")
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        arguments = (listener, (place, int(port)), change)
+        threading.Thread(target=_serve, args=arguments, daemon=True).start()
+        yield f"tcp:127.0.0.1:{listener.getsockname()[1]}"
+        listener.shutdown(socket.SHUT_RDWR)
