@@ -3,8 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -12,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "serving/limited_text.hpp"
+#include <sbgc/client/atomic_file.hpp>
 
 namespace sbgc::serving {
 
@@ -82,17 +80,8 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
 }
 
 std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file) {
-  std::ifstream text(file);
-  if (!text) {
-    throw std::runtime_error(
-        fmt::format("cannot read {}: {}", file.string(), std::strerror(errno)));
-  }
-  const auto content = read_text(text, largest_motion);
-  if (!content) {
-    throw std::runtime_error(
-        fmt::format("{} has more than {} bytes", file.string(), largest_motion));
-  }
-  if (!text.eof() || text.bad()) throw std::runtime_error(file.string() + " cannot be read");
+  const Result<std::string> content = detail::read_whole_file(file, largest_motion);
+  if (!content) throw std::runtime_error(content.error().message);
   std::istringstream whole(*content);
   return read_motion(whole, file.string());
 }

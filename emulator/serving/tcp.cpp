@@ -12,6 +12,7 @@
 
 #include <sbgc/io/detail/stream_transport.hpp>
 
+#include "serving/fewer_reports.hpp"
 #include "serving/host.hpp"
 #include "serving/listen.hpp"
 #include "serving/without_http.hpp"
@@ -58,6 +59,7 @@ class TcpEndpoint final : public Endpoint {
         acceptor_(executor),
         timer_(executor),
         logs_(std::move(logs)),
+        refused_(with_fewer_reports(logs_.warning)),
         places_(places) {
     const tcp::endpoint endpoint(address_of(listen), listen.port);
     bind_to(acceptor_, endpoint, "tcp", logs_);
@@ -102,13 +104,12 @@ class TcpEndpoint final : public Endpoint {
       host = Host::connect(board_, without_http(std::make_unique<Connection>(std::move(socket))));
     }
     if (host == nullptr) {
-      return logs_.warning(
-          fmt::format("{} refused: all {} places for TCP are in use", name, places_));
+      return refused_(fmt::format("{} refused: all {} places for TCP are in use", name, places_));
     }
     host->on_end = [this, name, leaving = host.get()](std::error_code end) {
       std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });
       if (is_http_request(end)) {
-        return logs_.warning(name + " refused: it sent an HTTP request, as a web page does");
+        return refused_(name + " refused: it sent an HTTP request, as a web page does");
       }
       logs_.event(name + " has left");
     };
@@ -121,6 +122,7 @@ class TcpEndpoint final : public Endpoint {
   tcp::acceptor acceptor_;
   asio::steady_timer timer_;
   EndpointLogs logs_;
+  Log refused_;
   std::size_t places_;
   std::vector<std::shared_ptr<Host>> hosts_{};
 };

@@ -16,8 +16,10 @@ namespace sbgc::serving {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> beginnings{
-    "GET ", "POST ", "PUT ", "HEAD ", "OPTIONS ", "DELETE ", "PATCH ", "CONNECT ", "TRACE "};
+/// The methods that a page can use, and a TLS handshake, as for https.
+constexpr std::array<std::string_view, 10> beginnings{"GET ",     "POST ",   "PUT ",   "HEAD ",
+                                                      "OPTIONS ", "DELETE ", "PATCH ", "CONNECT ",
+                                                      "TRACE ",   "\x16\x03"};
 constexpr std::size_t longest_beginning = 8;
 
 /// Shared with the handler of a pending read.

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import resource
 import signal
 import socket
 import struct
 import subprocess
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -438,6 +441,29 @@ def test_a_web_socket_waits_for_the_response(web: Bridge) -> None:
     page = WebSocket(web_address(web), f"?token={TOKEN}", behind=frame(GET_ANGLES))
     assert page.status == 400
     page.close()
+
+
+def test_a_bridge_without_free_descriptors_waits() -> None:
+    """Accepting fails at once then, again and again. The kernel holds the connections."""
+    with emulated_gimbal() as gimbal, bridge_to(
+        gimbal.address, "--tcp", "0", "--ws", "0", "--token", TOKEN
+    ) as bridge:
+        host, port = web_address(bridge).removeprefix("ws://").split("/")[0].rsplit(":", 1)
+        process = bridge.process.pid
+        used = len(list(Path(f"/proc/{process}/fd").iterdir()))
+        resource.prlimit(process, resource.RLIMIT_NOFILE, (used + 2, used + 2))
+        idle = [socket.create_connection((host, int(port)), timeout=20) for _ in range(10)]
+        bridge.wait_for("ws: Too many open files")
+        before = processor_ticks(process)
+        time.sleep(1)
+        assert processor_ticks(process) - before < os.sysconf("SC_CLK_TCK") / 2
+        for connection in idle:
+            connection.close()
+
+
+def processor_ticks(process: int) -> int:
+    fields = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+    return int(fields[11]) + int(fields[12])
 
 
 def test_idle_connections_keep_no_web_socket_out(web: Bridge) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import resource
 import signal
@@ -127,6 +128,38 @@ def test_mistakes_in_the_configuration(
     monkeypatch.setenv("SBGC_CONFIG", str(file))
     result = run("info", "-g", "front")
     assert result.status == 1 and str(file) in result.error and reason in result.error
+
+
+def test_a_pipe_is_no_configuration(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pipe = tmp_path / "config.toml"
+    os.mkfifo(pipe)
+    monkeypatch.setenv("SBGC_CONFIG", str(pipe))
+    result = run("info", "-g", "front")
+    assert result.status == 1 and f"{pipe} is not a regular file" in result.error
+
+
+@pytest.mark.parametrize("character", ["\x1b]0;x\x07", "\x9b31m", "\x7f"])
+def test_files_do_not_control_the_terminal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, character: str
+) -> None:
+    """What a file names appears in errors and lists."""
+    monkeypatch.setenv("SBGC_CONFIG", str(tmp_path / "config.toml"))
+    (tmp_path / "config.toml").write_text(f'[gimbal.front]\n{character} = "x"\n', "utf-8")
+    results = [run("info", "-g", "front")]
+    state = tmp_path / "state.json"
+    with emulated_gimbal("--state", str(state)):
+        pass
+    document = json.loads(state.read_text("utf-8"))
+    state.write_text(json.dumps({character: 1} | document), "utf-8")
+    results.append(run("emulate", "--state", str(state), "--seconds", "1"))
+    ports = {"format": "sbgc-ports", "version": 1, "ports": [{"name": f"/dev/a{character}"}]}
+    monkeypatch.setenv("SBGC_PORTS", str(tmp_path / "ports.json"))
+    (tmp_path / "ports.json").write_text(json.dumps(ports), "utf-8")
+    results += [run("ports"), run("info")]
+    assert [result.status for result in results] == [1, 1, 0, 1]
+    for result in results:
+        said = result.error + result.text
+        assert "?" in said and character[0] not in said
 
 
 def test_verbose_prints_the_frames() -> None:

@@ -51,6 +51,19 @@ def test_a_system_without_sys_has_no_ports() -> None:
     ("content", "repeats", "words"),
     [
         (LIST % '{"name": "/dev/a"}, {"name": 5}', 1, "port 2 has unexpected values"),
+        (
+            LIST % '{"name": "/dev/a", "usb": {"vendor_id": 1e300, "product_id": 1}}',
+            1,
+            "port 1 has",
+        ),
+        (LIST % '{"name": "/dev/a", "usb": {"vendor_id": 1, "product_id": -5}}', 1, "port 1 has"),
+        (
+            LIST % '{"name": "/dev/a", "usb": {"vendor_id": 1, "product_id": 65536}}',
+            1,
+            "port 1 has",
+        ),
+        (LIST.replace("[%s]", "null"), 1, "not a list of ports"),
+        (LIST % ",".join(['{"name": "/dev/a"}'] * 257), 1, "more than 256 ports"),
         ('{"name": "/dev/a"}', 1, "not a list of ports"),
         ('[{"name": "/dev/a"}]', 1, "not a list of ports"),
         (LIST.replace("1", "2") % "", 1, "not a list of ports"),

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/client/atomic_file.hpp>
+
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
 #include "command/suggestions.hpp"
-#include "serving/limited_text.hpp"
 
 namespace sbgc::tools {
 
@@ -109,10 +109,8 @@ std::vector<NamedGimbal> named_gimbals() {
   const std::filesystem::path path = configuration_file();
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return {};
-  std::ifstream file(path);
-  const auto text = serving::read_text(file, largest_configuration);
-  if (!text) reject(fmt::format("has more than {} bytes", largest_configuration));
-  if (!file.eof() || file.bad()) reject("cannot be read");
+  const Result<std::string> text = detail::read_whole_file(path, largest_configuration);
+  if (!text) throw CommandError(text.error().message);
   return gimbals_in(*text);
 }
 

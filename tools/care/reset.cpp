@@ -39,7 +39,8 @@ void begin_restart(const LineChoice& line, const CommandContext& context) {
   request.delay_ms = msg::Milliseconds(static_cast<std::uint16_t>(restart_delay.count()));
   const auto confirmed = client.call(request, call_options(context.gimbal));
   if (!confirmed && confirmed.error().code == ErrorCode::timeout) {
-    throw CommandError("the board has not confirmed that it restarts: " + confirmed.error().message);
+    throw CommandError("the board has not confirmed that it restarts: " +
+                       confirmed.error().message);
   }
   value_of(confirmed);
 }

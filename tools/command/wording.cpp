@@ -21,6 +21,16 @@ std::string clipped(std::string_view message) {
   return message.size() > longest ? result + "..." : result;
 }
 
+std::string printable(std::string text) {
+  constexpr char c1_lead = '\xC2';  // in UTF-8, before 80 to 9F
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_c1 = i > 0 && text[i - 1] == c1_lead && static_cast<std::uint8_t>(text[i]) < 0xA0;
+    if (is_c1) text[i - 1] = '?';
+    if (is_c1 || (detail::is_control(text[i]) && text[i] != '\n')) text[i] = '?';
+  }
+  return text;
+}
+
 std::string as_message(std::string sentence) {
   constexpr std::array beginnings{"The ", "There ", "A ", "An ", "It ", "This ", "No "};
   const bool is_sentence = std::ranges::any_of(

@@ -1,6 +1,8 @@
 #include "line/listed_ports.hpp"
 
+#include <cstdint>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -22,12 +24,23 @@ io::PortList failed(const std::string& reason) {
   return {{}, {std::make_error_code(std::errc::invalid_argument), reason + "."}};
 }
 
+/// More than any machine has; each is opened at the same time.
+constexpr std::size_t most_ports = 256;
+
+/// Throws Json::exception, or std::out_of_range for a number that is no USB id.
+std::uint16_t usb_id(const Json& json) {
+  const auto& number = json.get_ref<const Json::number_unsigned_t&>();
+  if (number > 0xFFFF) throw std::out_of_range("not a USB id");
+  return static_cast<std::uint16_t>(number);
+}
+
 io::PortInfo from_json(const Json& port) {
   io::PortInfo result{port.at("name"), port.value("description", ""), std::nullopt};
   if (!port.contains("usb") || port["usb"].is_null()) return result;
   const Json& usb = port["usb"];
-  result.usb = io::UsbInfo{usb.at("vendor_id"), usb.at("product_id"), usb.value("manufacturer", ""),
-                           usb.value("product", ""), usb.value("serial_number", "")};
+  result.usb = io::UsbInfo{usb_id(usb.at("vendor_id")), usb_id(usb.at("product_id")),
+                           usb.value("manufacturer", ""), usb.value("product", ""),
+                           usb.value("serial_number", "")};
   return result;
 }
 
@@ -53,10 +66,15 @@ io::PortList read_ports(const std::string& name) {
       parsed.value.value("version", Json()) != format_version) {
     return failed(unfit);
   }
+  const Json ports = parsed.value.value("ports", Json());
+  if (!ports.is_array()) return failed(unfit);
+  if (ports.size() > most_ports) {
+    return failed(fmt::format("{}: more than {} ports", name, most_ports));
+  }
   io::PortList result;
   try {
-    for (const Json& port : parsed.value.at("ports")) result.ports.push_back(from_json(port));
-  } catch (const Json::exception&) {
+    for (const Json& port : ports) result.ports.push_back(from_json(port));
+  } catch (const std::exception&) {
     return failed(unfit + fmt::format("; port {} has unexpected values", result.ports.size() + 1));
   }
   return result;

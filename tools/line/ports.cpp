@@ -12,6 +12,7 @@
 #include <sbgc/text/values.hpp>
 
 #include "command/commands.hpp"
+#include "command/wording.hpp"
 #include "line/listed_ports.hpp"
 
 namespace sbgc::tools {
@@ -23,8 +24,8 @@ struct PortsOptions {
 };
 
 void print_text(const io::PortInfo& port) {
-  // Quote text from the device: it may contain anything.
-  fmt::print("{}", port.name);
+  // Text from a device or a file may contain anything.
+  fmt::print("{}", printable(port.name));
   if (!port.description.empty()) fmt::print("  {}", detail::quoted(port.description));
   fmt::print("\n");
   if (!port.usb) return;

@@ -11,9 +11,12 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+
+#include "serving/fewer_reports.hpp"
 
 namespace sbgc::tools {
 
@@ -28,11 +31,11 @@ using Tcp = net::ip::tcp;
 constexpr std::size_t max_sessions = 16;
 /// Connections that have not said yet what they want. If there are more, the oldest must leave.
 constexpr std::size_t max_strangers = 64;
-/// Refusals that are reported in a second.
-constexpr int max_reports = 5;
 constexpr std::size_t max_message = 16384;
 constexpr std::size_t max_header = 8192;
 constexpr std::chrono::seconds handshake_time{3};
+/// The pause after a failed accept, for example because of too many open files.
+constexpr std::chrono::milliseconds wait_after_failure{200};
 
 std::string place_of(const Tcp::endpoint& endpoint) {
   const std::string host = endpoint.address().to_string();
@@ -50,6 +53,11 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+WebSocketServer::Events with_fewer_refusals(WebSocketServer::Events events) {
+  events.refused = serving::with_fewer_reports(std::move(events.refused));
+  return events;
+}
+
 class Session;
 
 }  // namespace
@@ -58,7 +66,7 @@ class Session;
 class WebSocketServer::Impl : public std::enable_shared_from_this<WebSocketServer::Impl> {
  public:
   Impl(WebSocketAccess who, Events all_events)
-      : access(std::move(who)), events(with_fewer_reports(std::move(all_events))) {}
+      : access(std::move(who)), events(with_fewer_refusals(std::move(all_events))) {}
 
   /// Throws std::runtime_error.
   void listen(const std::string& host, std::uint16_t port);
@@ -72,19 +80,20 @@ class WebSocketServer::Impl : public std::enable_shared_from_this<WebSocketServe
   void left(SessionId id) { sessions_.erase(id); }
 
   /// True if another WebSocket may connect.
-  bool has_place() const;
+  bool has_place() const { return accepted() < max_sessions; }
 
   const WebSocketAccess access;
   const Events events;
 
  private:
-  static Events with_fewer_reports(Events events);
+  std::size_t accepted() const;
   void drop_oldest_stranger();
   void accept();
   void welcome(Tcp::socket socket);
 
   net::io_context context_{1};
   Tcp::acceptor acceptor_{context_};
+  net::steady_timer retry_{context_};
   std::map<SessionId, std::shared_ptr<Session>> sessions_;  // the oldest first
   SessionId last_id_ = 0;
   std::thread thread_;
@@ -275,14 +284,21 @@ void WebSocketServer::Impl::stop() {
 void WebSocketServer::Impl::accept() {
   acceptor_.async_accept([this](beast::error_code error, Tcp::socket socket) {
     if (error == net::error::operation_aborted) return;
-    if (!error) welcome(std::move(socket));
-    accept();
+    if (!error) {
+      welcome(std::move(socket));
+      return accept();
+    }
+    events.refused("ws: " + error.message());
+    retry_.expires_after(wait_after_failure);
+    retry_.async_wait([this](beast::error_code aborted) {
+      if (!aborted) accept();
+    });
   });
 }
 
-bool WebSocketServer::Impl::has_place() const {
+std::size_t WebSocketServer::Impl::accepted() const {
   const auto is_accepted = [](const auto& one) { return one.second->is_accepted(); };
-  return std::ranges::count_if(sessions_, is_accepted) < std::ptrdiff_t{max_sessions};
+  return static_cast<std::size_t>(std::ranges::count_if(sessions_, is_accepted));
 }
 
 void WebSocketServer::Impl::drop_oldest_stranger() {
@@ -293,29 +309,13 @@ void WebSocketServer::Impl::drop_oldest_stranger() {
   sessions_.erase(oldest);
 }
 
-/// Anyone can make a server refuse connections as fast as they like.
-WebSocketServer::Events WebSocketServer::Impl::with_fewer_reports(Events events) {
-  struct Count {
-    std::chrono::steady_clock::time_point begin{};
-    int reports = 0;
-  };
-  events.refused = [count = std::make_shared<Count>(),
-                    report = std::move(events.refused)](const std::string& text) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - count->begin > std::chrono::seconds(1)) *count = {now, 0};
-    if (++count->reports <= max_reports) report(text);
-    if (count->reports == max_reports) report("further refusals in this second are not reported");
-  };
-  return events;
-}
-
 void WebSocketServer::Impl::welcome(Tcp::socket socket) {
   beast::error_code error;
   const Tcp::endpoint peer = socket.remote_endpoint(error);
   if (error) return;  // it has left
   socket.set_option(Tcp::no_delay(true), error);
   const std::string name = "ws:" + place_of(peer);
-  if (sessions_.size() >= max_sessions + max_strangers) drop_oldest_stranger();
+  if (sessions_.size() - accepted() >= max_strangers) drop_oldest_stranger();
   const SessionId id = ++last_id_;
   const auto session =
       std::make_shared<Session>(std::move(socket), this->shared_from_this(), id, name);

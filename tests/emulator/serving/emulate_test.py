@@ -286,6 +286,9 @@ def test_motion_files(tmp_path: Path) -> None:
     result = run("emulate", "--motion", str(motion))
     assert result.status == 2
     assert f"{motion}:4: 'zero' is not a number" in result.error
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    assert f"{pipe} is not a regular file" in run("emulate", "--motion", str(pipe)).error
     motion.write_text("0,0,0,0\n1,10,0,0\n2,0,0,0\n")
     with Emulator("--motion", str(motion)):
         pass

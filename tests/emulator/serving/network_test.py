@@ -95,7 +95,31 @@ def test_a_web_page_is_no_host(split: int) -> None:
         page.close()
 
 
-@pytest.mark.parametrize("noise", [b"G", b"GET", b"POSE ", b"DELET\x00"])
+def test_an_https_request_is_no_host() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        page = Connection(emulator.places[0])
+        page.socket.settimeout(PATIENCE)
+        page.socket.sendall(b"\x16\x03\x01\x02\x00\x01" + frame(BOARD_INFO))
+        try:
+            assert page.socket.recv(1) == b""
+        except ConnectionError:
+            pass  # closed before it has read all
+        page.close()
+
+
+def test_refused_hosts_do_not_fill_the_log() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        for _ in range(100):
+            Connection(emulator.places[0]).close()
+        for host in hosts:
+            host.close()
+        emulator.end()
+    assert 5 <= emulator.error.count("refused: all 8 places for TCP") < 50
+    assert "further refusals in this second are not reported" in emulator.error
+
+
+@pytest.mark.parametrize("noise", [b"G", b"\x16\x02\x03", b"GET", b"POSE ", b"DELET\x00"])
 def test_noise_is_no_web_page(noise: bytes) -> None:
     with Emulator("--tcp", "0") as emulator:
         host = Connection(emulator.places[0])
