@@ -63,7 +63,7 @@ def test_a_system_without_sys_has_no_ports() -> None:
             "port 1 has",
         ),
         (LIST.replace("[%s]", "null"), 1, "not a list of ports"),
-        (LIST % ",".join(['{"name": "/dev/a"}'] * 257), 1, "more than 256 ports"),
+        (LIST % ",".join(['{"name": "/dev/a"}'] * 129), 1, "more than 128 ports"),
         ('{"name": "/dev/a"}', 1, "not a list of ports"),
         ('[{"name": "/dev/a"}]', 1, "not a list of ports"),
         (LIST.replace("1", "2") % "", 1, "not a list of ports"),

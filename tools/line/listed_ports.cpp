@@ -25,7 +25,7 @@ io::PortList failed(const std::string& reason) {
 }
 
 /// More than any machine has; each is opened at the same time.
-constexpr std::size_t most_ports = 256;
+constexpr std::size_t most_ports = 128;
 
 /// Throws Json::exception, or std::out_of_range for a number that is no USB id.
 std::uint16_t usb_id(const Json& json) {
