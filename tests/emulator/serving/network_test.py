@@ -103,8 +103,14 @@ def test_a_web_page_is_no_host(request_of_page: bytes, split: int) -> None:
 def test_refused_hosts_do_not_fill_the_log() -> None:
     with Emulator("--tcp", "0") as emulator:
         hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        for host in hosts:
+            host.send(BOARD_INFO)
+            assert len(host.body(BOARD_INFO)) == 18
         for _ in range(100):
-            Connection(emulator.places[0]).close()
+            refused_host = Connection(emulator.places[0])
+            refused_host.socket.settimeout(PATIENCE)
+            assert refused_host.socket.recv(1) == b""
+            refused_host.close()
         for host in hosts:
             host.close()
         emulator.end()
