@@ -41,6 +41,7 @@ TEST(Session, RepeatsWhatIsSafeToRepeat) {
   EXPECT_EQ(statistics.retries, 2U);
   EXPECT_EQ(statistics.timeouts, 2U);
   EXPECT_EQ(statistics.sent_frames, 3U);
+  EXPECT_EQ(statistics.sent_bytes, 3U * sbgc::frame_size(0));
 }
 
 TEST(Session, GivesUpAfterAllAttempts) {

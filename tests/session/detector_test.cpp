@@ -168,6 +168,27 @@ TEST(Detector, ReportsWhatItTried) {
   EXPECT_EQ(lines.size(), Detector::lines) << "each once";
 }
 
+TEST(Detector, CountsABadFrameWhereverItIs) {
+  Port port;
+  port.hear = [](const LineSettings& line, const Body&) {
+    // Behind a header that announces 250 bytes, which do not come: only the end of the wait tells.
+    if (line == LineSettings{9600, Parity::none}) return Body{'>', 9, 250, 3, '>', 3, 4, 5};
+    if (line != LineSettings{9600, Parity::even}) return Body{};
+    Body bytes = {'>', 3, 4, 5};
+    const Body frame = frame_of(86, body_of(18));
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    return bytes;
+  };
+  sbgc::DetectorOptions options;
+  options.probes = 1;
+  Detector detector(options);
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::found);
+  for (const sbgc::Trial& trial : detector.trials()) {
+    EXPECT_EQ(trial.bad_frames, trial.line.baud_rate == 9600 && trial.bytes != 0 ? 1U : 0U);
+    if (trial.bytes != 0) EXPECT_EQ(trial.probes, 1);
+  }
+}
+
 TEST(Detector, AsksAgainWhenQuestionsAreLost) {
   Port port;
   const auto board = board_at({57600, Parity::even});

@@ -202,6 +202,17 @@ TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
   }
 }
 
+TEST(Timeout, AResponseWithoutBodyTakesOnlyItsFrame) {
+  sbgc::SessionOptions options;
+  options.line = {9600, Parity::none};
+  Simulation line(options);
+  sbgc::msg::ResetRequestExt request;
+  request.confirm = sbgc::msg::ResetOption::notify;
+  EXPECT_EQ(until_timeout(request, line), sbgc::wire_time(options.line, sbgc::frame_size(3)) +
+                                              sbgc::wire_time(options.line, sbgc::frame_size(0)) +
+                                              milliseconds(500));
+}
+
 TEST(Timeout, FollowsTheLine) {
   Simulation line;
   EXPECT_EQ(until_timeout(sbgc::msg::MotorsOn{}, line), milliseconds(500));

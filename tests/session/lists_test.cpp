@@ -1,0 +1,79 @@
+// Tests of the lists of a session, alone: what has been removed from one has no effect, and nothing
+// behind its end is touched.
+
+#include <array>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/session/late_replies.hpp>
+#include <sbgc/session/streams.hpp>
+
+namespace {
+
+using sbgc::Handle;
+using sbgc::Responses;
+using sbgc::SendStatus;
+using sbgc::StreamChange;
+using sbgc::detail::LateReplies;
+using sbgc::detail::Streams;
+
+constexpr auto any = [](const Responses&) { return true; };
+
+/// The responses to a command.
+constexpr Responses answers_to(std::uint8_t command) { return {.command = command}; }
+
+TEST(LateReplies, AreTakenOnlyOnce) {
+  LateReplies<2> late;
+  late.add(Handle{1}, answers_to(5), 1, 1000);
+  EXPECT_TRUE(late.has(any));
+  EXPECT_TRUE(late.take(any, 0));
+  EXPECT_FALSE(late.has(any));
+  EXPECT_FALSE(late.take(any, 0));
+}
+
+TEST(LateReplies, AreNotTakenAfterTheirTime) {
+  LateReplies<2> late;
+  late.add(Handle{1}, answers_to(5), 1, 1000);
+  late.add(Handle{2}, answers_to(6), 1, 2000);
+  late.pass(1000);
+  late.expire();
+  EXPECT_TRUE(late.take(any, 0)) << "that of the second request";
+  EXPECT_FALSE(late.take(any, 0));
+}
+
+TEST(LateReplies, AFullListEndsAtItsLastEntry) {
+  LateReplies<1> late;
+  late.add(Handle{1}, answers_to(5), 1, 1000);
+  late.extend(Handle{1}, 2000);
+  late.extend(Handle{2}, 3000);
+  EXPECT_EQ(late.next_end(), 2000U);
+  const auto of_another = [](const Responses& responses) { return responses.command == 6; };
+  EXPECT_FALSE(late.has(of_another));
+  EXPECT_FALSE(late.take(of_another, 0));
+  late.limit(500);
+  EXPECT_EQ(late.next_end(), 500U);
+  late.pass(500);
+  late.expire();
+  EXPECT_EQ(late.size(), 0U);
+}
+
+TEST(Streams, AStoppedOneIsUnknown) {
+  StreamChange change{.command = 25, .size = 68, .interval_us = 10'000};
+  const std::array<std::uint8_t, 68> body{};
+  const sbgc::Frame sample{25, body, 0};
+  Streams<2> streams;
+  ASSERT_EQ(streams.check(change, 0), SendStatus::ok);
+  ASSERT_TRUE(streams.ask(change));
+  streams.settle(change, true);
+  EXPECT_TRUE(streams.has(25));
+  EXPECT_TRUE(streams.has_size_of_sample(sample));
+  change.interval_us = 0;
+  ASSERT_TRUE(streams.ask(change));
+  streams.settle(change, true);
+  EXPECT_FALSE(streams.has(25));
+  EXPECT_FALSE(streams.has_size_of_sample(sample));
+  EXPECT_EQ(streams.used(), 0U);
+}
+
+}  // namespace
