@@ -227,6 +227,27 @@ static_assert((*Radians::from_real(1.5)).raw() == 3.0F);
 static_assert((*Radians::from_real(-0.125)).raw() == -0.25F);
 static_assert(!Radians::from_real(1e39));
 
+TEST(Conversion, ToFloatingPointIsLimitedToItsRange) {
+  constexpr float raw = std::numeric_limits<float>::max();
+  constexpr double highest = static_cast<double>(raw) / 2;
+  constexpr double above = highest * (1 + std::numeric_limits<double>::epsilon());
+  EXPECT_EQ(Radians::from_real(highest).value_or(Radians()), Radians(raw));
+  EXPECT_EQ(Radians::from_real(-highest).value_or(Radians()), Radians(-raw));
+  EXPECT_FALSE(Radians::from_real(above));
+  EXPECT_FALSE(Radians::from_real(-above));
+  EXPECT_FALSE(Radians::from_real(std::nan("")));
+}
+
+TEST(Conversion, RoundsHalvesAwayFromZero) {
+  const auto whole = [](double degrees) {
+    return msg::Degrees::from_degrees(degrees).value_or(msg::Degrees(77)).raw();
+  };
+  EXPECT_EQ(whole(0.5), 1);
+  EXPECT_EQ(whole(-0.5), -1);
+  EXPECT_EQ(whole(2.5), 3);
+  EXPECT_EQ(whole(-2.5), -3);
+}
+
 TEST(Conversion, OfARunTimeValueHasToBeTested) {
   const auto convert = [](double degrees) { return msg::Angle14::from_degrees(degrees); };
   volatile double degrees = 45;

@@ -2,11 +2,13 @@
 // other body is an error with a position, and no byte outside the buffers is touched.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -284,6 +286,40 @@ TEST(Counter, CanCountAllElementsButOne) {
   Counted<Counting::minus_1>::varying_members(none, writer);
   EXPECT_EQ(writer.end().status.code, Code::count_mismatch);
 }
+
+/// A member whose size varies, as no axis of a message of the specification has so far.
+struct Named {
+  BoundedText<3> name{};
+
+  bool operator==(const Named&) const = default;
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.value(self.name, "name");
+  }
+};
+
+template <class T>
+void expect_three_names() {
+  T names;
+  ASSERT_TRUE(names[0].name.assign(std::string_view("a")));
+  ASSERT_TRUE(names[2].name.assign(std::string_view("xyz")));
+  const ByteVector expected{1, 'a', 0, 3, 'x', 'y', 'z'};
+  ByteVector body(expected.size());
+  detail::Writer writer(body, 0);
+  writer.value(names, "names");
+  EXPECT_TRUE(writer.end());
+  EXPECT_EQ(body, expected);
+  T copy;
+  detail::Reader reader(body, 0);
+  reader.value(copy, "names");
+  EXPECT_TRUE(reader.end());
+  EXPECT_TRUE(copy == names);
+}
+
+TEST(VaryingSize, OfEachAxis) { expect_three_names<Axes<Named>>(); }
+
+TEST(VaryingSize, OfEachCoordinate) { expect_three_names<Xyz<Named>>(); }
+
+TEST(VaryingSize, OfEachElement) { expect_three_names<std::array<Named, 3>>(); }
 
 }  // namespace
 }  // namespace sbgc::test

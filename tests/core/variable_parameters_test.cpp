@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <tuple>
@@ -156,6 +157,17 @@ TEST(VariableSettings, ASmallLimitOfTheAccelerationIsNotNone) {
     const std::uint8_t steps = value == 0 ? msg::ReadParams3::acc_limiter_disabled : 1;
     EXPECT_EQ(settings.of<msg::ReadParams3>().acc_limiter_all.raw(), steps) << value;
     EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.pitch.raw(), steps) << value;
+  }
+}
+
+TEST(VariableSettings, AreTheNearest) {
+  for (std::int64_t denominator = 1; denominator <= 6; ++denominator) {
+    for (std::int64_t numerator = -20; numerator <= 20; ++numerator) {
+      // std::lround() rounds halves away from 0, too; halves are exact.
+      EXPECT_EQ(sbgc::detail::nearest(numerator, denominator),
+                std::lround(static_cast<double>(numerator) / static_cast<double>(denominator)))
+          << numerator << " / " << denominator;
+    }
   }
 }
 
