@@ -1,12 +1,18 @@
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include <linux/capability.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
 #include <sbgc/json_dom.hpp>
 
@@ -19,6 +25,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
@@ -139,7 +146,16 @@ TEST_F(BackupTest, AFileTellsWhichBoardItIsOf) {
   EXPECT_EQ(document["board"]["info"]["fields"]["firmware_ver"], 2590);
   EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"],
             detail::to_hex(board.options().mcu_id));
+  EXPECT_EQ(document["board"].value("serial_number", ""), client().identity().serial_number());
   EXPECT_EQ(document["settings"].size(), 18U);
+}
+
+TEST_F(BackupTest, ABoardWithoutDetailsHasNoSerialNumber) {
+  Backup backup = make();
+  backup.board.details.reset();
+  const Json document = Json::parse(to_json_text(backup));
+  EXPECT_THAT(document["board"], SizeIs(3)) << "model, firmware and info";
+  EXPECT_FALSE(document["board"].contains("serial_number"));
 }
 
 TEST_F(BackupTest, AnExistingFileIsKept) {
@@ -217,6 +233,47 @@ TEST_F(BackupTest, LinksThatFormACycleStay) {
   EXPECT_TRUE(fs::is_symlink(file("b.json")));
 }
 
+/// While it lives, this thread is bound by the modes of files even if it is of root.
+class BoundByModes {
+ public:
+  BoundByModes() {
+    EXPECT_EQ(::syscall(SYS_capget, &header_, before_.data()), 0);
+    auto none = before_;
+    for (auto& part : none) part.effective = 0;
+    EXPECT_EQ(::syscall(SYS_capset, &header_, none.data()), 0);
+  }
+  BoundByModes(const BoundByModes&) = delete;
+  BoundByModes& operator=(const BoundByModes&) = delete;
+  ~BoundByModes() { EXPECT_EQ(::syscall(SYS_capset, &header_, before_.data()), 0); }
+
+ private:
+  __user_cap_header_struct header_{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> before_{};
+};
+
+TEST_F(BackupTest, AFolderThatCannotBeReadIsNotFlushed) {
+  const fs::path folder = file("closed");
+  const Backup backup = make();
+  ASSERT_EQ(::mkdir(folder.c_str(), 0300), 0);
+  const Result<void> saved = [&] {
+    const BoundByModes bound;
+    return save_backup(backup, folder / "a.json");
+  }();
+  ASSERT_EQ(::chmod(folder.c_str(), 0700), 0);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr("cannot flush to disk: "));
+  EXPECT_THAT(saved.error().message, HasSubstr("Permission denied"));
+  EXPECT_TRUE(load_backup(folder / "a.json")) << "it is written all the same";
+}
+
+TEST_F(BackupTest, AFileMayHaveExactlyTheLargestSize) {
+  std::ofstream(file("five")) << "12345";
+  EXPECT_FALSE(detail::read_whole_file(file("five"), 4));
+  const Result<std::string> text = detail::read_whole_file(file("five"), 5);
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(*text, "12345");
+}
+
 TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
   EXPECT_EQ(load_backup(file("pipe")).error().code, ErrorCode::bad_file);
@@ -252,6 +309,8 @@ TEST_F(BackupTest, AFileThatIsMadeToDoHarmIsRefused) {
 }
 
 TEST_F(BackupTest, EverythingInAFileIsChecked) {
+  EXPECT_THAT(wrong([](Json& json) { json["format"] = "sbgc-other"; }).message,
+              HasSubstr("this is not an sbgc backup"));
   EXPECT_EQ(wrong([](Json& json) { json["version"] = 2; }).code, ErrorCode::incompatible);
   EXPECT_THAT(wrong([](Json& json) { json["version"] = "1"; }).message, HasSubstr("version"));
   EXPECT_THAT(wrong([](Json& json) { json.erase("board"); }).message,
@@ -271,6 +330,17 @@ TEST_F(BackupTest, EverythingInAFileIsChecked) {
               HasSubstr("duplicate"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"][0]["message"] = "Beep"; }).message,
               HasSubstr("Beep"));
+}
+
+TEST_F(BackupTest, ABodyHasAtMostTheBytesOfAFrame) {
+  const auto message = [&](std::size_t size) {
+    return wrong([&](Json& json) {
+             json["board"]["info"]["body"] = detail::to_hex(std::vector<std::uint8_t>(size));
+           })
+        .message;
+  };
+  EXPECT_THAT(message(max_body_size + 1), HasSubstr("at most 255 bytes"));
+  EXPECT_THAT(message(max_body_size), Not(HasSubstr("at most 255 bytes")));
 }
 
 TEST_F(BackupTest, FieldsThatWereEditedAreRefusedBecauseOnlyTheBodyCounts) {
