@@ -86,6 +86,19 @@ def test_firmware_that_does_not_know_it() -> None:
     assert run("decode", "--firmware", "new", stdin=control).status == 2
 
 
+def test_values_that_are_not_allowed() -> None:
+    (one,) = (m["id"] for m in MODEL["messages"] if m["name"] == "ReadParams3Request")
+    lines = decode(frame(one, b"\x05") + frame(one, b"\x04"), "--from", "host", "--firmware", "2.59")
+    assert [line["objections"] for line in lines] == [{"profile_id": "is above 4"}, {}]
+    (two,) = (m["id"] for m in MODEL["messages"] if m["name"] == "EepromReadRequest")
+    bad = frame(two, struct.pack("<IH", 1, 256))
+    for line in decode(bad + bad, "--from", "host", "--firmware", "2.59"):
+        assert line["objections"] == {
+            "addr": "is not a multiple of 64",
+            "size": "is above 192 byte",
+        }
+
+
 def test_fields_nest_as_the_struct_does() -> None:
     control = frame(67, bytes([0, 1, 2]) + struct.pack("<6h", 1, -2, 3, -4, 5, -6))
     assert decode_one(control)["fields"] == {
