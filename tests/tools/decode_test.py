@@ -88,7 +88,9 @@ def test_firmware_that_does_not_know_it() -> None:
 
 def test_values_that_are_not_allowed() -> None:
     (one,) = (m["id"] for m in MODEL["messages"] if m["name"] == "ReadParams3Request")
-    lines = decode(frame(one, b"\x05") + frame(one, b"\x04"), "--from", "host", "--firmware", "2.59")
+    lines = decode(
+        frame(one, b"\x05") + frame(one, b"\x04"), "--from", "host", "--firmware", "2.59"
+    )
     assert [line["objections"] for line in lines] == [{"profile_id": "is above 4"}, {}]
     (two,) = (m["id"] for m in MODEL["messages"] if m["name"] == "EepromReadRequest")
     bad = frame(two, struct.pack("<IH", 1, 256))
