@@ -206,7 +206,8 @@ int fchmod(int fd, mode_t mode) noexcept {
 
 int close(int fd) {
   const auto real = [&] { return ::syscall(SYS_close, fd); };
-  if (!counts(fd)) return static_cast<int>(real());
+  const bool changes = (::fcntl(fd, F_GETFL) & O_ACCMODE) != O_RDONLY;
+  if (!changes || !counts(fd)) return static_cast<int>(real());
   // The descriptor is gone even if closing fails.
   const long result = perform_whole(real);
   if (result != 0) {
