@@ -1,0 +1,26 @@
+// Tests of the wording of messages.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "command/wording.hpp"
+
+namespace sbgc::tools {
+namespace {
+
+TEST(Wording, NoControlCharacterReachesTheTerminal) {
+  EXPECT_EQ(printable("\x1B[31m\a\t\x7F"), "?[31m???");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m\xC2\x80"),
+            "??31m??");
+}
+
+TEST(Wording, OtherCharactersStay) {
+  for (const std::string text : {"", "two\nlines", "45\xC2\xB0", "\xC3\x84\xE2\x82\xAC"}) {
+    EXPECT_EQ(printable(text), text);
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::tools
