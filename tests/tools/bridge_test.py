@@ -118,7 +118,7 @@ class Host:
 @pytest.fixture(scope="module", params=["tcp", "pty"])
 def bridge(request: pytest.FixtureRequest) -> Iterator[Bridge]:
     options = ("--pty",) if request.param == "pty" else ()
-    with emulated_gimbal(*options) as gimbal, bridge_to(gimbal.address) as running:
+    with emulated_gimbal(*options) as gimbal, bridge_to(gimbal.address_with_rate) as running:
         yield running
 
 

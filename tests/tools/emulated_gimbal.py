@@ -23,6 +23,12 @@ class EmulatedGimbal:
         # "emulated gimbal 1: tcp:127.0.0.1:5000", "emulated gimbal 1: /dev/pts/7 (also ...)"
         self.address = line.split(": ", 1)[1].split()[0]
 
+    @property
+    def address_with_rate(self) -> str:
+        """Detection finds a slower rate on a busy machine: a pseudo-terminal works at any."""
+        is_terminal = self.address.startswith("/dev/")
+        return f"serial:{self.address}?baud=115200" if is_terminal else self.address
+
     def kill(self) -> None:
         if self.process.poll() is None:
             self.process.kill()

@@ -19,6 +19,7 @@ from sbgc_command import PROGRAM, decode, run
 def gimbal(request: pytest.FixtureRequest) -> Iterator[EmulatedGimbal]:
     options = ("--pty",) if request.param == "pty" else ()
     with emulated_gimbal(*options) as running:
+        running.address = running.address_with_rate
         yield running
 
 

@@ -1,10 +1,10 @@
 // Tests of the wording of messages.
 
+#include "command/wording.hpp"
+
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include "command/wording.hpp"
 
 namespace sbgc::tools {
 namespace {
