@@ -8,7 +8,8 @@
 
 namespace sbgc::serving {
 
-/// Returns a function that passes on at most five texts in a second. Not thread-safe.
+/// Returns a function that passes on at most five texts in a second. Not thread-safe; copies of it
+/// count on their own.
 inline std::function<void(const std::string&)> with_fewer_reports(
     std::function<void(const std::string&)> report) {
   using Clock = std::chrono::steady_clock;

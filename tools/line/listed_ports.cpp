@@ -17,15 +17,14 @@ namespace sbgc::tools {
 namespace {
 
 constexpr std::size_t largest_list = 1 << 20;
+/// More than any machine has; each is opened at the same time.
+constexpr std::size_t most_ports = 128;
 constexpr const char* format_name = "sbgc-ports";
 constexpr int format_version = 1;
 
 io::PortList failed(const std::string& reason) {
   return {{}, {std::make_error_code(std::errc::invalid_argument), reason + "."}};
 }
-
-/// More than any machine has; each is opened at the same time.
-constexpr std::size_t most_ports = 128;
 
 /// Throws Json::exception, or std::out_of_range for a number that is no USB id.
 std::uint16_t usb_id(const Json& json) {
