@@ -8,7 +8,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { addressOf, inParallel, launch, model, pages, site } from "./support.mjs";
+import { addressOf, forEachItem, launch, model, pages, site } from "./support.mjs";
 
 const all = pages();
 let browser;
@@ -79,7 +79,7 @@ for (const [width, names] of [
     assert.ok(names.length > 1);
     const problems = [];
     const look = { viewport: { width, height: 600 } };
-    await inParallel(browser, names, look, async (page, name) => {
+    await forEachItem(browser, names, look, async (page, name) => {
       const { problems: found } = await visit(page, name);
       const wide = await page.evaluate(overflowing, width);
       found.push(...wide.map((what) => `too wide for ${width} pixels: ${what}`));
@@ -114,7 +114,7 @@ for (const [colorScheme, width, names, rules] of [
     const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
     const problems = [];
     const look = { colorScheme, viewport: { width, height: 900 } };
-    await inParallel(browser, names, look, async (page, name) => {
+    await forEachItem(browser, names, look, async (page, name) => {
       await visit(page, name);
       await page.addScriptTag({ path: axe });
       // Preloading would load the style sheets again, which is not allowed for file URLs.
@@ -329,7 +329,7 @@ test("without JavaScript there is the content and a menu", async () => {
 
 test("on paper there is the content without bars and menus", async () => {
   const problems = [];
-  await inParallel(browser, samples(), { colorScheme: "dark" }, async (page, name) => {
+  await forEachItem(browser, samples(), { colorScheme: "dark" }, async (page, name) => {
     await page.emulateMedia({ media: "print" });
     await visit(page, name);
     const looks = await page.evaluate(() => {

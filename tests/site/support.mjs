@@ -58,14 +58,9 @@ export async function launch() {
   return chromium.launch({ executablePath, chromiumSandbox: false });
 }
 
-/** Calls `work(page, item)` for each item, with a few pages at once. */
-export async function inParallel(browser, items, options, work) {
-  const left = items.values();
-  const worker = async () => {
-    const page = await browser.newPage(options);
-    for (const item of left) await work(page, item);
-    await page.close();
-  };
-  // A fixed number, because a container may use only a few of the machine's processors.
-  await Promise.all(Array.from({ length: 3 }, worker));
+/** Calls `work(page, item)` for each item, in one window: several share the processors badly. */
+export async function forEachItem(browser, items, options, work) {
+  const page = await browser.newPage(options);
+  for (const item of items) await work(page, item);
+  await page.close();
 }
