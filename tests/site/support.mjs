@@ -47,12 +47,13 @@ export function frame(id, body) {
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
 }
 
-/** Launches Debian's Chromium, or the one in CHROMIUM. */
+/** Launches Debian's browser without windows, another Chromium, or the one in CHROMIUM. */
 export async function launch() {
   const { chromium } = await import("playwright-core");
-  const names = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser"];
-  const executablePath = names.find((name) => name && fs.existsSync(name));
-  if (executablePath === undefined) throw new Error("there is no /usr/bin/chromium: package chromium");
+  const programs = ["chromium-headless-shell", "chromium", "chromium-browser"];
+  const paths = [process.env.CHROMIUM, ...programs.map((name) => `/usr/bin/${name}`)];
+  const executablePath = paths.find((path) => path && fs.existsSync(path));
+  if (executablePath === undefined) throw new Error("no browser: package chromium-headless-shell");
   // Without its sandbox, which is unavailable to root and in many containers. It opens only our own
   // pages.
   return chromium.launch({ executablePath, chromiumSandbox: false });
