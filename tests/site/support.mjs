@@ -47,7 +47,7 @@ export function frame(id, body) {
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
 }
 
-/** Launches Debian's browser without windows, another Chromium, or the one in CHROMIUM. */
+/** Launches the Chromium in CHROMIUM, Debian's headless one, or another. */
 export async function launch() {
   const { chromium } = await import("playwright-core");
   const programs = ["chromium-headless-shell", "chromium", "chromium-browser"];
@@ -59,7 +59,7 @@ export async function launch() {
   return chromium.launch({ executablePath, chromiumSandbox: false });
 }
 
-/** Calls `work(page, item)` for each item, in one window: several share the processors badly. */
+/** Calls `work(page, item)` for each item, in one page: pages side by side take more processor time. */
 export async function forEachItem(browser, items, options, work) {
   const page = await browser.newPage(options);
   for (const item of items) await work(page, item);
