@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -12,45 +13,54 @@
 namespace {
 
 using sbgc::Handle;
-using sbgc::Responses;
 using sbgc::SendStatus;
 using sbgc::StreamChange;
 using sbgc::detail::LateReplies;
+using sbgc::detail::LateRequest;
 using sbgc::detail::Streams;
 
-constexpr auto any = [](const Responses&) { return true; };
+constexpr auto any = [](const LateRequest&) { return true; };
 
-/// The responses to a command.
-constexpr Responses answers_to(std::uint8_t command) { return {.command = command}; }
+/// A request of a command.
+constexpr LateRequest request(std::uint64_t number, std::uint8_t command) {
+  return {.handle = {number}, .host = 3, .responses = {.command = command}};
+}
+
+/// Takes a late reply; returns the host of its request, or nothing.
+template <class List, class Fits>
+std::optional<std::uint16_t> take(List& late, const Fits& fits) {
+  std::uint16_t host = 0;
+  return late.take(fits, 0, host) ? std::optional(host) : std::nullopt;
+}
 
 TEST(LateReplies, AreTakenOnlyOnce) {
   LateReplies<2> late;
-  late.add(Handle{1}, answers_to(5), 1, 1000);
-  EXPECT_TRUE(late.has(any));
-  EXPECT_TRUE(late.take(any, 0));
-  EXPECT_FALSE(late.has(any));
-  EXPECT_FALSE(late.take(any, 0));
+  late.add(request(1, 5), 1, 1000);
+  EXPECT_EQ(late.count(any), 1U);
+  EXPECT_EQ(take(late, any), 3);
+  EXPECT_EQ(late.count(any), 0U);
+  EXPECT_EQ(take(late, any), std::nullopt);
 }
 
 TEST(LateReplies, AreNotTakenAfterTheirTime) {
   LateReplies<2> late;
-  late.add(Handle{1}, answers_to(5), 1, 1000);
-  late.add(Handle{2}, answers_to(6), 1, 2000);
+  late.add(request(1, 5), 1, 1000);
+  late.add(request(2, 6), 1, 2000);
   late.pass(1000);
   late.expire();
-  EXPECT_TRUE(late.take(any, 0)) << "that of the second request";
-  EXPECT_FALSE(late.take(any, 0));
+  EXPECT_EQ(take(late, any), 3) << "that of the second request";
+  EXPECT_EQ(take(late, any), std::nullopt);
 }
 
 TEST(LateReplies, AFullListEndsAtItsLastEntry) {
   LateReplies<1> late;
-  late.add(Handle{1}, answers_to(5), 1, 1000);
+  late.add(request(1, 5), 1, 1000);
   late.extend(Handle{1}, 2000);
   late.extend(Handle{2}, 3000);
   EXPECT_EQ(late.next_end(), 2000U);
-  const auto of_another = [](const Responses& responses) { return responses.command == 6; };
-  EXPECT_FALSE(late.has(of_another));
-  EXPECT_FALSE(late.take(of_another, 0));
+  const auto of_another = [](const LateRequest& one) { return one.responses.command == 6; };
+  EXPECT_EQ(late.count(of_another), 0U);
+  EXPECT_EQ(take(late, of_another), std::nullopt);
   late.limit(500);
   EXPECT_EQ(late.next_end(), 500U);
   late.pass(500);

@@ -16,6 +16,7 @@ using commands::confirm;
 using commands::control;
 using commands::eeprom_write;
 using commands::error;
+using commands::i2c_read;
 using commands::motors_on;
 using commands::read_file;
 using commands::read_params_3;
@@ -86,14 +87,16 @@ TEST(Session, AWrongAnswerIsNone) {
 
 TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(100)); };
-  line.send(sbgc::msg::WriteParams3{});
-  const Handle second = line.send(sbgc::msg::WriteParams3{});
-  line.send(sbgc::msg::MotorsOn{});
+  line.board = [&](const Written& frame) {
+    line.say(frame.id, body_of(frame.id == board_info ? 18 : 4), milliseconds(100));
+  };
+  line.send(sbgc::msg::I2cReadRegBufRequest{.reg_addr = 1});
+  const Handle second = line.send(sbgc::msg::I2cReadRegBufRequest{.reg_addr = 2});
+  line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
-  EXPECT_THAT(ids(line.written), ElementsAre(write_params_3, motors_on, write_params_3));
+  EXPECT_THAT(ids(line.written), ElementsAre(i2c_read, board_info, i2c_read));
   EXPECT_GE(line.written[2].at - line.written[0].at, milliseconds(100));
-  EXPECT_EQ(line.outcome(second), Outcome::confirmed);
+  EXPECT_EQ(line.outcome(second), Outcome::answered);
 }
 
 TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
@@ -245,11 +248,11 @@ TEST(Session, AResetEndsWhateverIsOpen) {
 
 TEST(Session, ARequestWaitsUntilTheBoardHasRestarted) {
   Simulation line;
-  line.send(sbgc::msg::CalibGyro{});  // which would otherwise take up to 30 s
+  line.send(sbgc::msg::I2cReadRegBufRequest{}, {.timeout = sbgc::seconds(30)});
   line.run_for(milliseconds(1));
   line.say(reset, {});
   line.run_for(milliseconds(10));
-  line.send(sbgc::msg::CalibGyro{});
+  line.send(sbgc::msg::I2cReadRegBufRequest{}, {.attempts = 1});
   line.run();
   ASSERT_THAT(line.written, SizeIs(2));
   const sbgc::Instant told = simulation::start + milliseconds(1 + 3);

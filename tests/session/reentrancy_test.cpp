@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -368,7 +369,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachCall,
 class RandomCalls : public ::testing::TestWithParam<unsigned> {};
 
 /// The session's view of the running streams matches that of a board that restarts from time to
-/// time.
+/// time, if it knows the result of the last change of each.
 TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
   std::mt19937 random(GetParam());
   const auto below = [&](int end) {
@@ -376,6 +377,8 @@ TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
   };
   Simulation line;
   std::map<std::uint8_t, std::uint32_t> running;  // loads on the board by command
+  std::map<Handle, std::uint8_t> asked;
+  std::set<std::uint8_t> unknown;
   line.board = [&](const Written& frame) {
     if (below(6) == 0) {
       running.clear();
@@ -393,10 +396,14 @@ TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
   const auto ask = [&] {
     if (left-- <= 0) return;
     const std::uint8_t command = below(2) == 0 ? realtime_data_4 : realtime_data_3;
-    static_cast<void>(
-        line.session.send(stream_of(command, static_cast<std::uint16_t>(below(3) * 100))));
+    const auto sent =
+        line.session.send(stream_of(command, static_cast<std::uint16_t>(below(3) * 100)));
+    if (sent) asked[sent.handle] = command;
   };
-  line.on_event = [&](const Record&) {
+  line.on_event = [&](const Record& record) {
+    if (record.event.outcome == Outcome::confirmed) unknown.erase(asked[record.event.handle]);
+    if (record.event.outcome == Outcome::timeout) unknown.insert(asked[record.event.handle]);
+    if (record.event.kind == EventKind::reset) unknown.clear();
     for (int calls = below(3); calls > 0; --calls) ask();
   };
   while (left > 0) {
@@ -406,7 +413,9 @@ TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
   line.run();
   std::uint32_t used = 0;
   for (const auto& [command, load] : running) used += load;
-  EXPECT_EQ(line.session.stream_usage().used, used);
+  if (unknown.empty()) {
+    EXPECT_EQ(line.session.stream_usage().used, used);
+  }
   EXPECT_EQ(line.session.open_requests(), 0U);
 }
 

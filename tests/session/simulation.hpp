@@ -73,6 +73,7 @@ class Basic {
   std::function<void(const Record&)> on_event = [](const Record&) {};
   std::vector<Record> events;
   std::vector<Written> written;
+  sbgc::Duration late{};  ///< how late the owner of the session is
 
   /// Delivers bytes of the peer after `delay`.
   void say_bytes(const Body& bytes, sbgc::Duration delay = sbgc::milliseconds(3)) {
@@ -118,7 +119,7 @@ class Basic {
         if (end != sbgc::Instant::never) now = end;
         return;
       }
-      now = next;
+      now = earlier(next + late, end);
       while (!incoming_.empty() && incoming_.begin()->first <= now.us) {
         const Body bytes = incoming_.begin()->second;
         incoming_.erase(incoming_.begin());

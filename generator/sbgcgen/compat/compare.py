@@ -266,6 +266,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
         )
     _compare_answers(what, old, new, renamed, changes)
     _compare_effects(what, old.effect, new.effect, new.at, changes)
+    changes.compare(Level.MEANING, f"{what}: stops", old.stops, new.stops, new.at)
     _compare_roles(what, old, new, changes)
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)

@@ -48,7 +48,7 @@ from sbgcgen.model.answers import (
     Result,
     Role,
 )
-from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
+from sbgcgen.model.effects import EFFECTS, Effect, EffectCase, StopPattern, StopValue
 from sbgcgen.model.messages import (
     COMMAND_IDS,
     Command,

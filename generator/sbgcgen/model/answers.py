@@ -13,7 +13,7 @@ from sbgcgen.model.values import EnumValue
 class CorrelationField:
     """An integer field of the request that the response repeats, `offset` bytes from its start.
 
-    A special value of the request's `field` is not repeated.
+    A special value of the request's `field` is not repeated. Of a list, it is the first element.
     """
 
     field: Field

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from sbgcgen.model.bodies import Condition
+from sbgcgen.model.bodies import Condition, Type
 
 # Every effect of the spec language, the most harmless first, with its description.
 EFFECTS: dict[str, str] = {
@@ -39,3 +41,27 @@ class Effect:
         if len(said) > 1:
             said.discard("reads")
         return tuple(word for word in EFFECTS if word in said)
+
+    def having(self, words: Sequence[str]) -> tuple[bool, tuple[Condition, ...]]:
+        """Whether a request has one of these effects, and the conditions for the opposite.
+
+        The conditions of cases do not overlap, see SBGC062.
+        """
+        has = [not set(words).isdisjoint(case.words) for case in self.cases]
+        unless = (case.when for case, one in zip(self.cases, has) if one != has[-1])
+        return has[-1], tuple(when for when in unless if when)
+
+
+@dataclass(frozen=True)
+class StopValue:
+    """A raw value of a request that stops all motion; of a packed value, the bits in `mask`."""
+
+    path: str
+    type: Type
+    value: Any
+    mask: int = 0
+    may_be_missing: bool = False
+
+
+# The values with which a request stops all motion; without any, it always does.
+StopPattern = tuple[StopValue, ...]

@@ -9,7 +9,7 @@ from typing import Any
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
-from sbgcgen.model.effects import Effect
+from sbgcgen.model.effects import Effect, StopPattern
 from sbgcgen.model.values import Alias, Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
@@ -24,7 +24,8 @@ class Message:
     `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
     `min_size` up is this message; of several forms, only the longest can be open. `example` has the
     values by path in which the worked example is not typical; a message with the body of another
-    inherits that message's. `preparation` is what to do before the request is sent.
+    inherits that message's. `preparation` is what to do before the request is sent. A request stops all
+    motion if it has the values of one of the patterns in `stops`.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Message:
     leaves: tuple[Leaf, ...]
     effect: Effect | None = None
     preparation: str = ""
+    stops: tuple[StopPattern, ...] = ()
     example: dict[str, Any] = field(default_factory=dict, hash=False)
     unconfirmed: bool = False
     has_own_name: bool = False

@@ -15,16 +15,19 @@ constexpr ResponsePolicy response_policy(const SetAdjVarsVal&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const GetAdjVarsVal&) noexcept {
+constexpr ResponsePolicy response_policy(const GetAdjVarsVal& request) noexcept {
   return {.responses = {.command = 64,
               .form_count = 1,
               .forms = {{{.id = 31,
                .min_size = 1,
                .max_size = max_body_size,
-               .size = 201}}}},
+               .size = 201,
+               .correlation = {{{.offset = 1, .size = request.param_id.empty() ? std::uint8_t{0} : std::uint8_t{1}, .value = request.param_id.empty() ? 0 : static_cast<std::uint32_t>(static_cast<std::uint8_t>(request.param_id[0]))}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -47,6 +50,8 @@ constexpr ResponsePolicy response_policy(const WriteAdjVarsCfg&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -103,16 +108,19 @@ constexpr ResponsePolicy response_policy(const SetAdjVarsValF&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const GetAdjVarsValF&) noexcept {
+constexpr ResponsePolicy response_policy(const GetAdjVarsValF& request) noexcept {
   return {.responses = {.command = 135,
               .form_count = 1,
               .forms = {{{.id = 134,
                .min_size = 1,
                .max_size = max_body_size,
-               .size = 201}}}},
+               .size = 201,
+               .correlation = {{{.offset = 1, .size = request.id.empty() ? std::uint8_t{0} : std::uint8_t{1}, .value = request.id.empty() ? 0 : static_cast<std::uint32_t>(static_cast<std::uint8_t>(request.id[0]))}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

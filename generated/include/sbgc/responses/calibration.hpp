@@ -14,6 +14,7 @@ constexpr ResponsePolicy response_policy(const CalibAcc&) noexcept {
   return {.responses = {.command = 65,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
       .timeout_ms = 500,
       .finish_ms = 30000};
 }
@@ -24,18 +25,30 @@ constexpr ResponsePolicy response_policy(const CalibAccExt& request) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
   if (request.action == CalibAction::temperature) {
     return {.responses = {.command = 65,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500,
       .finish_ms = 3600000};
   }
   return {.responses = {.command = 65,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500,
       .finish_ms = 30000};
 }
@@ -44,6 +57,7 @@ constexpr ResponsePolicy response_policy(const CalibGyro&) noexcept {
   return {.responses = {.command = 103,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
       .timeout_ms = 500,
       .finish_ms = 30000};
 }
@@ -54,18 +68,30 @@ constexpr ResponsePolicy response_policy(const CalibGyroExt& request) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
   if (request.action == CalibAction::temperature) {
     return {.responses = {.command = 103,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500,
       .finish_ms = 3600000};
   }
   return {.responses = {.command = 103,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500,
       .finish_ms = 30000};
 }
@@ -74,6 +100,7 @@ constexpr ResponsePolicy response_policy(const CalibMag&) noexcept {
   return {.responses = {.command = 59,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -83,11 +110,19 @@ constexpr ResponsePolicy response_policy(const CalibMagExt& request) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 59,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
 }
 
@@ -95,6 +130,8 @@ constexpr ResponsePolicy response_policy(const CalibExtGain&) noexcept {
   return {.responses = {.command = 71,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 30000};
 }
 
@@ -102,6 +139,8 @@ constexpr ResponsePolicy response_policy(const CalibPoles&) noexcept {
   return {.responses = {.command = 80,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 30000};
 }
 
@@ -109,6 +148,8 @@ constexpr ResponsePolicy response_policy(const CalibOffset&) noexcept {
   return {.responses = {.command = 79,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -116,6 +157,7 @@ constexpr ResponsePolicy response_policy(const CalibBat&) noexcept {
   return {.responses = {.command = 66,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -136,6 +178,7 @@ constexpr ResponsePolicy response_policy(const CalibMotorMagLinkRequest&) noexce
   return {.responses = {.command = 74,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -143,6 +186,7 @@ constexpr ResponsePolicy response_policy(const EncodersCalibOffset4&) noexcept {
   return {.responses = {.command = 26,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -150,6 +194,8 @@ constexpr ResponsePolicy response_policy(const EncodersCalibFldOffset4&) noexcep
   return {.responses = {.command = 27,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -157,13 +203,18 @@ constexpr ResponsePolicy response_policy(const AutoPidRequest&) noexcept {
   return {.responses = {.command = 35,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const AutoPid2&) noexcept {
+constexpr ResponsePolicy response_policy(const AutoPid2& request) noexcept {
   return {.responses = {.command = 108,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = !(request.action == AutoPid2Action::read),
+      .moves = !(request.action == AutoPid2Action::save ||
+          request.action == AutoPid2Action::read),
       .timeout_ms = 2000};
 }
 
@@ -171,13 +222,17 @@ constexpr ResponsePolicy response_policy(const CalibOrientCorr&) noexcept {
   return {.responses = {.command = 91,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 30000};
 }
 
-constexpr ResponsePolicy response_policy(const CalibCogging&) noexcept {
+constexpr ResponsePolicy response_policy(const CalibCogging& request) noexcept {
   return {.responses = {.command = 93,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = !(request.action == CoggingAction::erase),
       .timeout_ms = 30000};
 }
 
@@ -185,6 +240,7 @@ constexpr ResponsePolicy response_policy(const CalibAccExtRef&) noexcept {
   return {.responses = {.command = 94,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 30000};
 }
 
@@ -192,6 +248,7 @@ constexpr ResponsePolicy response_policy(const BodeTestStartStopRequest&) noexce
   return {.responses = {.command = 37,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -199,6 +256,7 @@ constexpr ResponsePolicy response_policy(const BodeTestDataRequest&) noexcept {
   return {.responses = {.command = 38,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -206,6 +264,7 @@ constexpr ResponsePolicy response_policy(const CoggingCalibInfoRequest&) noexcep
   return {.responses = {.command = 92,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -213,6 +272,7 @@ constexpr ResponsePolicy response_policy(const CanDrvHardParamsRequest&) noexcep
   return {.responses = {.command = 97,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -220,6 +280,7 @@ constexpr ResponsePolicy response_policy(const CanDrvCalibrateRequest&) noexcept
   return {.responses = {.command = 99,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -227,6 +288,7 @@ constexpr ResponsePolicy response_policy(const CalibEncoderLutRequest&) noexcept
   return {.responses = {.command = 117,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -234,6 +296,7 @@ constexpr ResponsePolicy response_policy(const CalibEncoderLutResRequest&) noexc
   return {.responses = {.command = 118,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -241,6 +304,7 @@ constexpr ResponsePolicy response_policy(const CalibCurSensRequest&) noexcept {
   return {.responses = {.command = 120,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -248,6 +312,7 @@ constexpr ResponsePolicy response_policy(const EncIntCalibRequest&) noexcept {
   return {.responses = {.command = 122,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -255,6 +320,7 @@ constexpr ResponsePolicy response_policy(const VibrationTestStartStopRequest&) n
   return {.responses = {.command = 125,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -262,6 +328,7 @@ constexpr ResponsePolicy response_policy(const VibrationTestDataRequest&) noexce
   return {.responses = {.command = 126,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

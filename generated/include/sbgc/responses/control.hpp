@@ -10,27 +10,55 @@
 
 namespace sbgc::msg {
 
-constexpr ResponsePolicy response_policy(const Control&) noexcept {
+constexpr ResponsePolicy response_policy(const Control& request) noexcept {
   return {.responses = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.control_mode.raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed.raw() == 0 &&
+          request.axes.pitch.speed.raw() == 0 &&
+          request.axes.yaw.speed.raw() == 0,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const ControlExt&) noexcept {
+constexpr ResponsePolicy response_policy(const ControlExt& request) noexcept {
   return {.responses = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.control_mode.roll.raw() & 0x0F) == 0x01 &&
+          (request.control_mode.pitch.raw() & 0x0F) == 0x01 &&
+          (request.control_mode.yaw.raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed.raw() == 0 &&
+          request.axes.pitch.speed.raw() == 0 &&
+          request.axes.yaw.speed.raw() == 0,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const ControlExtCommand&) noexcept {
+constexpr ResponsePolicy response_policy(const ControlExtCommand& request) noexcept {
   return {.responses = {.command = 121,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.roll_mode && (request.roll_mode->raw() & 0x0F) == 0x01 &&
+          request.pitch_mode && (request.pitch_mode->raw() & 0x0F) == 0x01 &&
+          request.yaw_mode && (request.yaw_mode->raw() & 0x0F) == 0x01 &&
+          request.roll_speed && request.roll_speed->raw() == 0 &&
+          request.pitch_speed && request.pitch_speed->raw() == 0 &&
+          request.yaw_speed && request.yaw_speed->raw() == 0) ||
+          (request.roll_mode && (request.roll_mode->raw() & 0x0F) == 0x01 &&
+          request.pitch_mode && (request.pitch_mode->raw() & 0x0F) == 0x01 &&
+          request.yaw_mode && (request.yaw_mode->raw() & 0x0F) == 0x01 &&
+          request.roll_speed_32 && request.roll_speed_32->raw() == 0 &&
+          request.pitch_speed_32 && request.pitch_speed_32->raw() == 0 &&
+          request.yaw_speed_32 && request.yaw_speed_32->raw() == 0),
       .timeout_ms = 500};
 }
 
@@ -40,12 +68,16 @@ constexpr ResponsePolicy response_policy(const ControlConfig& request) noexcept 
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 90,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -55,9 +87,13 @@ constexpr ResponsePolicy response_policy(const ControlQuatDisabled& request) noe
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -67,9 +103,19 @@ constexpr ResponsePolicy response_policy(const ControlQuatSpeed& request) noexce
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = request.target_speed.x.raw() == 0.0F &&
+          request.target_speed.y.raw() == 0.0F &&
+          request.target_speed.z.raw() == 0.0F,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
+      .stops = request.target_speed.x.raw() == 0.0F &&
+          request.target_speed.y.raw() == 0.0F &&
+          request.target_speed.z.raw() == 0.0F,
       .timeout_ms = 500};
 }
 
@@ -78,6 +124,8 @@ constexpr ResponsePolicy response_policy(const ControlQuatAttitude& request) noe
     return {.responses = {.command = 140,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500,
       .finish_ms = 11000};
   }
@@ -86,15 +134,21 @@ constexpr ResponsePolicy response_policy(const ControlQuatAttitude& request) noe
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   if (request.flags.has(ControlQuatFlag::auto_task)) {
     return {.responses = {.command = 140,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 11000};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -103,6 +157,8 @@ constexpr ResponsePolicy response_policy(const ControlQuatAttitudePacked& reques
     return {.responses = {.command = 140,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500,
       .finish_ms = 11000};
   }
@@ -111,15 +167,21 @@ constexpr ResponsePolicy response_policy(const ControlQuatAttitudePacked& reques
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   if (request.flags.has(ControlQuatFlag::auto_task)) {
     return {.responses = {.command = 140,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 11000};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -129,9 +191,13 @@ constexpr ResponsePolicy response_policy(const ControlQuatSpeedAttitude& request
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -141,9 +207,13 @@ constexpr ResponsePolicy response_policy(const ControlQuatSpeedAttitudePacked& r
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 140},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -165,6 +235,7 @@ constexpr ResponsePolicy response_policy(const ControlQuatConfig&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -197,6 +268,8 @@ constexpr ResponsePolicy response_policy(const MotorsOn&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -205,6 +278,9 @@ constexpr ResponsePolicy response_policy(const MotorsOff&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = true,
       .timeout_ms = 500};
 }
 
@@ -213,6 +289,9 @@ constexpr ResponsePolicy response_policy(const MotorsOffExt&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = true,
       .timeout_ms = 500};
 }
 
@@ -220,13 +299,29 @@ constexpr ResponsePolicy response_policy(const SyncMotors&) noexcept {
   return {.responses = {.command = 123,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const ExecuteMenu&) noexcept {
+constexpr ResponsePolicy response_policy(const ExecuteMenu& request) noexcept {
   return {.responses = {.command = 69,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 500};
 }
 
@@ -235,6 +330,20 @@ constexpr ResponsePolicy response_policy(const ExecuteMenuExt& request) noexcept
     return {.responses = {.command = 69,
               .confirmed = Confirmed::always},
       .confirmations = 2,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 500,
       .finish_ms = 60000};
   }
@@ -242,17 +351,59 @@ constexpr ResponsePolicy response_policy(const ExecuteMenuExt& request) noexcept
     return {.responses = {.command = 69,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 500};
   }
   if (request.param.has(ExecuteMenuFlag::confirm_on_finish)) {
     return {.responses = {.command = 69,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 60000};
   }
   return {.responses = {.command = 69,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 500};
 }
 
@@ -260,6 +411,8 @@ constexpr ResponsePolicy response_policy(const HelperData&) noexcept {
   return {.responses = {.command = 72,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -267,6 +420,8 @@ constexpr ResponsePolicy response_policy(const HelperDataExt&) noexcept {
   return {.responses = {.command = 72,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 

@@ -45,6 +45,7 @@ constexpr ResponsePolicy response_policy(const SetDebugPortRequest&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

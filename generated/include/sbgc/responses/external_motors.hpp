@@ -16,9 +16,13 @@ constexpr ResponsePolicy response_policy(const ExtMotorsAction& request) noexcep
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 128},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -27,6 +31,8 @@ constexpr ResponsePolicy response_policy(const ExtMotorsControl&) noexcept {
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -36,9 +42,11 @@ constexpr ResponsePolicy response_policy(const ExtMotorsControlConfig& request) 
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 130},
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

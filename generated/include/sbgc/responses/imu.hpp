@@ -15,6 +15,7 @@ constexpr ResponsePolicy response_policy(const SelectImu3&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -23,6 +24,7 @@ constexpr ResponsePolicy response_policy(const SelectImu3Ext&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -32,11 +34,19 @@ constexpr ResponsePolicy response_policy(const SelectImu3Calibrate& request) noe
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 24,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
 }
 
@@ -70,6 +80,8 @@ constexpr ResponsePolicy response_policy(const AhrsHelperRequestExt& request) no
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = request.mode.has(AhrsHelperModeBit::set),
+      .moves = request.mode.has(AhrsHelperModeBit::set),
       .timeout_ms = 500};
   }
   return {.responses = {.command = 56,
@@ -80,6 +92,8 @@ constexpr ResponsePolicy response_policy(const AhrsHelperRequestExt& request) no
                .size = 24}}}},
       .response_required = true,
       .retry_is_safe = true,
+      .has_effect = request.mode.has(AhrsHelperModeBit::set),
+      .moves = request.mode.has(AhrsHelperModeBit::set),
       .timeout_ms = 500};
 }
 
@@ -89,6 +103,8 @@ constexpr ResponsePolicy response_policy(const AhrsHelperRequestExtWide& request
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = request.mode.has(AhrsHelperWideModeBit::set),
+      .moves = request.mode.has(AhrsHelperWideModeBit::set),
       .timeout_ms = 500};
   }
   return {.responses = {.command = 56,
@@ -99,6 +115,8 @@ constexpr ResponsePolicy response_policy(const AhrsHelperRequestExtWide& request
                .size = 24}}}},
       .response_required = true,
       .retry_is_safe = true,
+      .has_effect = request.mode.has(AhrsHelperWideModeBit::set),
+      .moves = request.mode.has(AhrsHelperWideModeBit::set),
       .timeout_ms = 500};
 }
 
@@ -106,6 +124,8 @@ constexpr ResponsePolicy response_policy(const GyroCorrection&) noexcept {
   return {.responses = {.command = 75,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -125,13 +145,19 @@ constexpr ResponsePolicy response_policy(const ExtImuCmd&) noexcept {
   return {.responses = {.command = 110,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const ExtSensCmdRequest&) noexcept {
+constexpr ResponsePolicy response_policy(const ExtSensCmdRequest& request) noexcept {
   return {.responses = {.command = 150,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = !(request.cmd_id == ExtSensCommand::get_device_info || request.cmd_id == ExtSensCommand::get_data || request.cmd_id == ExtSensCommand::get_user_conf_log),
+      .moves = !(request.cmd_id == ExtSensCommand::get_device_info ||
+          request.cmd_id == ExtSensCommand::get_data ||
+          request.cmd_id == ExtSensCommand::get_user_conf_log),
       .timeout_ms = 500};
 }
 
@@ -139,6 +165,7 @@ constexpr ResponsePolicy response_policy(const ImuAdvancedCalibRequest&) noexcep
   return {.responses = {.command = 115,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

@@ -36,6 +36,8 @@ constexpr ResponsePolicy response_policy(const CanDeviceScanRequest&) noexcept {
 
 constexpr ResponsePolicy response_policy(const TransparentSapiRequest&) noexcept {
   return {.responses = {.command = 151},
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -43,6 +45,7 @@ constexpr ResponsePolicy response_policy(const UartBypassRequest&) noexcept {
   return {.responses = {.command = 60,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -50,6 +53,7 @@ constexpr ResponsePolicy response_policy(const SetDeviceAddrRequest&) noexcept {
   return {.responses = {.command = 107,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -57,6 +61,7 @@ constexpr ResponsePolicy response_policy(const SerialProxyRequest&) noexcept {
   return {.responses = {.command = 113,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

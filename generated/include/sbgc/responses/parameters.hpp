@@ -28,6 +28,8 @@ constexpr ResponsePolicy response_policy(const WriteParams3&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -49,6 +51,8 @@ constexpr ResponsePolicy response_policy(const WriteParams&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -70,6 +74,8 @@ constexpr ResponsePolicy response_policy(const WriteParamsExt&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -91,6 +97,8 @@ constexpr ResponsePolicy response_policy(const WriteParamsExt2&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -99,6 +107,8 @@ constexpr ResponsePolicy response_policy(const WriteParamsSet&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 
@@ -119,13 +129,17 @@ constexpr ResponsePolicy response_policy(const WriteProfileNames&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000};
 }
 
-constexpr ResponsePolicy response_policy(const ProfileSet&) noexcept {
+constexpr ResponsePolicy response_policy(const ProfileSet& request) noexcept {
   return {.responses = {.command = 95,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = !(request.action == ProfileSetAction::save ||
+          request.action == ProfileSetAction::clear),
       .timeout_ms = 5000};
 }
 
@@ -134,6 +148,7 @@ constexpr ResponsePolicy response_policy(const SaveParams3&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000};
 }
 
@@ -141,6 +156,8 @@ constexpr ResponsePolicy response_policy(const UseDefaults&) noexcept {
   return {.responses = {.command = 70,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 5000};
 }
 

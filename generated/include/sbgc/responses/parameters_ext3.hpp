@@ -28,6 +28,8 @@ constexpr ResponsePolicy response_policy(const WriteParamsExt3&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 2000};
 }
 

@@ -14,6 +14,7 @@ constexpr ResponsePolicy response_policy(const BeepSound&) noexcept {
   return {.responses = {.command = 89,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -22,6 +23,7 @@ constexpr ResponsePolicy response_policy(const TriggerPin&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -30,12 +32,16 @@ constexpr ResponsePolicy response_policy(const ServoOut&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
 constexpr ResponsePolicy response_policy(const ServoOutExt&) noexcept {
   return {.responses = {.command = 133},
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -43,6 +49,7 @@ constexpr ResponsePolicy response_policy(const I2cWriteRegBuf&) noexcept {
   return {.responses = {.command = 39,
               .confirmed = Confirmed::always},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -84,16 +91,20 @@ constexpr ResponsePolicy response_policy(const ApiVirtChControl&) noexcept {
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
 constexpr ResponsePolicy response_policy(const ApiVirtChHighRes&) noexcept {
   return {.responses = {.command = 116},
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
-constexpr ResponsePolicy response_policy(const ReadRcInputsRequest&) noexcept {
+constexpr ResponsePolicy response_policy(const ReadRcInputsRequest& request) noexcept {
   return {.responses = {.command = 100,
               .form_count = 1,
               .forms = {{{.id = 100,
@@ -102,6 +113,7 @@ constexpr ResponsePolicy response_policy(const ReadRcInputsRequest&) noexcept {
                .size = 254}}}},
       .response_required = true,
       .retry_is_safe = true,
+      .has_effect = request.cfg_flags.has(RcInputOption::init_if_needed),
       .timeout_ms = 500};
 }
 

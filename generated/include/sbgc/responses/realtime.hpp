@@ -195,6 +195,7 @@ constexpr ResponsePolicy response_policy(const DataStreamInterval& request) noex
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500,
       .stream = stream_change(request)};
 }
@@ -203,6 +204,7 @@ constexpr ResponsePolicy response_policy(const CanDrvStateRequest&) noexcept {
   return {.responses = {.command = 98,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -210,6 +212,7 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCanDrvRequest&) noexc
   return {.responses = {.command = 101,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

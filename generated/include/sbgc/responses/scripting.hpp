@@ -14,6 +14,8 @@ constexpr ResponsePolicy response_policy(const RunScript&) noexcept {
   return {.responses = {.command = 57,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 

@@ -16,6 +16,8 @@ constexpr ResponsePolicy response_policy(const EepromWrite& request) noexcept {
               .confirmation = {.offset = 1, .size = 4, .value = static_cast<std::uint32_t>(request.addr)}},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -42,6 +44,7 @@ constexpr ResponsePolicy response_policy(const WriteFile&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000,
       .result = {1, 1, 0}};
 }
@@ -51,6 +54,7 @@ constexpr ResponsePolicy response_policy(const FsClearAll&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000,
       .result = {1, 1, 0}};
 }
@@ -85,6 +89,7 @@ constexpr ResponsePolicy response_policy(const WriteExternalData&) noexcept {
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000};
 }
 

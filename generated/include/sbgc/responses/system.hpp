@@ -43,6 +43,7 @@ constexpr ResponsePolicy response_policy(const BoardInfoRequestExt&) noexcept {
                .size = 18}}}},
       .response_required = true,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -61,6 +62,8 @@ constexpr ResponsePolicy response_policy(const BoardInfo3Request&) noexcept {
 constexpr ResponsePolicy response_policy(const ResetRequest&) noexcept {
   return {.responses = {.command = 114},
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -74,16 +77,22 @@ constexpr ResponsePolicy response_policy(const ResetRequestExt& request) noexcep
                .size = 0}}}},
       .response_required = true,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 114},
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
 constexpr ResponsePolicy response_policy(const BootMode3&) noexcept {
   return {.responses = {.command = 51},
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -97,10 +106,14 @@ constexpr ResponsePolicy response_policy(const BootMode3Ext& request) noexcept {
                .size = 0}}}},
       .response_required = true,
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
   }
   return {.responses = {.command = 51},
       .restarts_board = true,
+      .has_effect = true,
+      .moves = true,
       .timeout_ms = 500};
 }
 
@@ -121,6 +134,7 @@ constexpr ResponsePolicy response_policy(const WriteStateVars&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
+      .has_effect = true,
       .timeout_ms = 2000};
 }
 
@@ -140,6 +154,7 @@ constexpr ResponsePolicy response_policy(const QueueParamsInfo3Request&) noexcep
   return {.responses = {.command = 30,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -147,6 +162,7 @@ constexpr ResponsePolicy response_policy(const SystemStateRequest&) noexcept {
   return {.responses = {.command = 52,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -154,6 +170,7 @@ constexpr ResponsePolicy response_policy(const MavlinkInfoRequest&) noexcept {
   return {.responses = {.command = 250,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -161,6 +178,7 @@ constexpr ResponsePolicy response_policy(const MavlinkDebugRequest&) noexcept {
   return {.responses = {.command = 251,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 
@@ -168,6 +186,7 @@ constexpr ResponsePolicy response_policy(const ExtLicenseInfoRequest&) noexcept 
   return {.responses = {.command = 124,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .has_effect = true,
       .timeout_ms = 500};
 }
 

@@ -21,6 +21,7 @@ from sbgcgen.model import (
     Packed,
     Quantity,
     Role,
+    StopValue,
     Struct,
     Until,
     element_of,
@@ -215,6 +216,11 @@ def _effect(effect: Effect | None) -> dict[str, Any] | None:
     return {"does": list(effect.words), "cases": cases}
 
 
+def _stop_value(value: StopValue) -> dict[str, Any]:
+    result = {"path": value.path, "value": value.value}
+    return {**result, "mask": value.mask} if value.mask else result
+
+
 def _context(context: Context) -> dict[str, Any]:
     common = {"name": context.name, "summary": context.summary}
     if context.announced is None:
@@ -299,6 +305,8 @@ def message_json(message: Message) -> dict[str, Any]:
         "response": _answer(message.answer),
         "layout": [_leaf_in(leaf, absent) for leaf in message.leaves],
     }
+    if message.stops:
+        result["stops"] = [[_stop_value(value) for value in pattern] for pattern in message.stops]
     if message.preparation:
         result["preparation"] = message.preparation
     if message.unconfirmed:

@@ -17,6 +17,9 @@ def lint_effects(layout: Layout, found: Diagnostics) -> None:
                     f"nothing needs to be prepared for {message.name}, which comes from the board"
                 )
                 hint = "'preparation' belongs to 'to_board'"
+            elif message.stops:
+                text = f"{message.name} comes from the board, so it stops no motion"
+                hint = "'stops' belongs to 'to_board'"
             elif message.effect is not None:
                 text = f"{message.name} comes from the board, so it has no effect on it"
                 hint = "'effect' belongs to 'to_board'"
@@ -43,7 +46,24 @@ def _problem(message: Message, effect: Effect, is_undocumented: bool) -> tuple[s
             if word in case.words and len(case.words) > 1:
                 text = f"{message.name} combines '{word}' with another effect"
                 return text, f"'{word}' excludes all others"
+    if _overlap(effect):
+        text = f"cases of the effect of {message.name} overlap"
+        return text, "several cases need different values of one field"
+    if message.stops and "moves" not in effect.words:
+        text = f"{message.name} stops all motion, but its effect is not 'moves'"
+        return text, "what stops the motors moves them"
     if "unknown" in effect.words and not is_undocumented:
         text = f"{message.name} is described, so its effect is known"
         return text, "'unknown' is for commands with 'undocumented: true'"
     return "", ""
+
+
+def _overlap(effect: Effect) -> bool:
+    """True if the conditions of two cases may hold for the same request."""
+    conditions = [case.when for case in effect.cases if case.when]
+    if len(conditions) < 2:
+        return False
+    numbers = [number for when in conditions for number in when.numbers]
+    are_values = all(when.numbers and not when.negated for when in conditions)
+    is_one_field = len({when.source for when in conditions}) == 1
+    return not (are_values and is_one_field and len(numbers) == len(set(numbers)))

@@ -148,7 +148,7 @@ class AnswerResolver:
                 if offset is None:
                     continue
                 found = True
-                repeated = CorrelationField(field, offset, field.size or 0)
+                repeated = CorrelationField(field, offset, _size_of_one(field))
                 responses[index] = replace(
                     responses[index], correlation=(*responses[index].correlation, repeated)
                 )
@@ -174,14 +174,29 @@ def _why_not_repeated(field: Field | None) -> str:
     if field is None:
         return "does not exist"
     scalar = scalar_of(field.type)
-    if field.dim != "one" or scalar is None or scalar.is_float or field.may_be_absent:
+    is_one = field.dim in ("one", "counted") and not field.is_counter
+    if not is_one or scalar is None or scalar.is_float or field.may_be_absent:
         return "is not an integer that is always present"
     return ""
 
 
+def _size_of_one(field: Field) -> int:
+    """The size of an integer, or of one of a list."""
+    scalar = scalar_of(field.type)
+    return scalar.size if scalar else 0
+
+
 def _place(field: Field, fields: tuple[Field, ...]) -> int | None:
-    """The offset of the response's field with this name and size; None unless always present."""
+    """The offset of the response's field with this name and size; None unless always present.
+
+    The first element of a list is repeated in the first entry of the response's list.
+    """
     for other in fields:
+        if other.dim == field.dim == "counted" and isinstance(other.type, Struct):
+            inner = next((f for f in other.type.fields if f.spec_name == field.spec_name), None)
+            if inner and inner.dim == "one" and inner.size == _size_of_one(field):
+                known = other.offset is not None and inner.offset is not None
+                return (other.offset or 0) + (inner.offset or 0) if known else None
         if (other.spec_name, other.dim, other.size) == (field.spec_name, "one", field.size):
             return None if other.may_be_absent else other.offset
     return None

@@ -22,6 +22,8 @@ from sbgcgen.model import (
     Position,
     Quantity,
     Scalar,
+    StopPattern,
+    StopValue,
     Struct,
     Type,
 )
@@ -83,6 +85,31 @@ class ExampleReader:
                 text = f"'{path}' of the example of {name} {unfit.problem}"
                 self.found.add(node.at(path), _VALUE, text, unfit.hint)
         return result
+
+    def stops(
+        self, fields: tuple[Field, ...], node: Any, name: str
+    ) -> tuple[StopPattern, ...]:
+        """The patterns of `stops`: "always", the values of one pattern by path, or a list of these."""
+        if node is None:
+            return ()
+        nodes = node if isinstance(node, list) else [{} if node == "always" else node]
+        return tuple(self._stop_pattern(fields, one, name) for one in nodes)
+
+    def _stop_pattern(self, fields: tuple[Field, ...], node: Any, name: str) -> StopPattern:
+        pattern = []
+        for path, value in self.example(fields, node, name).items():
+            found = _find(fields, path)
+            assert found is not None
+            field = found[0]
+            mask = 0
+            if isinstance(field.type, Packed) and isinstance(node[path], Map):
+                parts = {part.name: part for part in field.type.parts}
+                mask = sum(parts[part].mask for part in node[path])
+            each = value.items() if isinstance(value, dict) else [("", value)]
+            for key, one in each:
+                full = f"{path}.{key}" if key else path
+                pattern.append(StopValue(full, field.type, one, mask, field.may_be_absent))
+        return tuple(pattern)
 
     def _is_broken(self, type_: Type) -> bool:
         """True if values of a type cannot be read because the type has a finding."""

@@ -202,6 +202,7 @@ class MessageResolver:
             role=self.answers.roles.role(draft.get("role"), draft.direction, body.fields),
             stores=str(draft.get("stores", "")),
             effect=self._effect(draft.get("effect"), body.fields),
+            stops=self.fields.examples.stops(body.fields, draft.get("stops"), draft.name),
             preparation=" ".join(str(draft.get("preparation", "")).split()),
             example={
                 **(original.example if original else {}),

@@ -13,11 +13,14 @@ namespace sbgc::detail {
 
 namespace {
 
+/// So long after its request, a reply still belongs to the host that sent it.
+constexpr Duration longest_reply_memory = seconds(10);
 constexpr const char* refused_words = ": the board refused: ";
 
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
   if (!options.pacing) result.pacing = {.shortest = {}, .longest = {}};
+  result.memory = longest_reply_memory;
   result.duplicate_window = milliseconds(options.duplicate_window.count());
   result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share_percent, 100U));
   return result;

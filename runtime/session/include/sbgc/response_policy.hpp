@@ -172,12 +172,20 @@ struct ResponsePolicy {
   bool response_required{};      ///< a message answers, unless the request fails
   bool retry_is_safe{};          ///< sending it twice has the same effect as sending it once
   bool restarts_board{};         ///< the board restarts after executing it
+  bool has_effect{};             ///< it sets, stores, moves, restarts or erases something
+  bool moves{};                  ///< the camera or the motors can move, now or after a restart
+  bool stops{};                  ///< it stops all motion
   /// The timeout of the response message or the first confirmation. Assumption: the values of this
   /// and of finish_ms; the specification states no times.
   std::uint32_t timeout_ms{};
   std::uint32_t finish_ms{};  ///< for the last confirmation, from the request on; 0: the same
   ConfirmationResult result{};
   StreamChange stream{};
+
+  /// Returns true if this request must not follow a later one of the same host.
+  constexpr bool is_superseded_by(const ResponsePolicy& later) const noexcept {
+    return moves && later.stops;
+  }
 
   /// Returns true if a response comes unless it is lost or the request fails.
   constexpr bool is_certain() const noexcept {

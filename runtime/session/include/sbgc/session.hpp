@@ -45,11 +45,16 @@ struct SessionCapacity {
 ///     session.feed(received, now, sink);                // sink(const Event&)
 ///
 /// - Every request that send() accepts completes with exactly one event.
-/// - Requests are sent in order, with the pauses that the protocol requires; a response ends the
-///   pause. A request waits while its response could be confused with that of a request in flight;
-///   unrelated ones overtake it.
-/// - If a request has ended but its response may still arrive, a later request that this response
-///   would match also waits. So a late reply is never matched to the next request.
+/// - Requests are sent with the pauses that the protocol requires; a response ends the pause.
+/// - A request with an effect is never sent, first or again, after a later one of the same host, and
+///   waits for no response. Of several in flight with the same response, the oldest gets it.
+/// - A request that stops all motion is sent next. Motion that its host has requested before and that
+///   is still queued is not sent: it completes with `superseded`. Other requests follow the stop.
+/// - A request that only reads waits while its response could be confused with that of an earlier
+///   one, in flight or late; unrelated ones overtake it. So a late reply never answers a later request.
+/// - The pause after a request whose response nobody waits for begins with its first byte, and a
+///   pause that the caller has extended by a late poll() shortens the next one: so requests sent at
+///   an even rate stay even.
 /// - The sink may call send(), cancel(), set_line() and the const functions, but not feed(),
 ///   poll(), written() or abandon(). It must not throw. When the session reports an event, its
 ///   state is up to date: the event does not affect a request that the sink sends.
@@ -65,7 +70,7 @@ class BasicSession {
  public:
   /// Not constexpr, because a static object that is initialized at compile time occupies flash too.
   SBGC_ALWAYS_INLINE explicit BasicSession(const SessionOptions& options = {}) noexcept
-      : settings_(options) {
+      : settings_(options), late_replies_(settings_.memory) {
     use(Formats::first);
   }
 
@@ -144,6 +149,7 @@ class BasicSession {
       if (Request* const next = next_request()) size = transmit(*next, sink);
     }
     Ticks left = next_action();
+    is_due_after_pause_ = pause_left_ != 0 && left == pause_left_;
     if (left == 0 && size == 0) left = 1;
     return {{out_.data(), size},
             left == detail::never ? Instant::never : now_ + microseconds(left)};
@@ -215,6 +221,7 @@ class BasicSession {
  private:
   using Ticks = detail::Ticks;
   using Request = detail::SessionRequest<capacity.body>;
+  using LateRequest = detail::LateRequest;
   using State = detail::RequestState;
 
   // Accepting requests
@@ -258,12 +265,12 @@ class BasicSession {
 
   // Sending
 
-  /// Returns the oldest request that may be sent, or null.
+  /// Returns the request that is to be sent next, or null.
   Request* next_request() noexcept {
     Request* next = nullptr;
     for (Request& request : requests_) {
-      const bool is_older = next == nullptr || request.is_older_than(next->handle);
-      if (request.is_open() && is_older && may_be_sent(request)) next = &request;
+      const bool is_before = next == nullptr || request.precedes(*next);
+      if (request.is_open() && is_before && may_be_sent(request)) next = &request;
     }
     return next;
   }
@@ -274,6 +281,7 @@ class BasicSession {
     const bool is_older = other.is_older_than(request.handle);
     if (is_trial(other) && is_older) return true;
     if (is_trial(request) && other.is_in_flight()) return true;
+    if (request.policy.has_effect) return false;
     return (other.is_in_flight() || is_older) &&
            (other.awaits_response || request.awaits_response) &&
            request.policy.responses.can_be_confused_with(other.policy.responses);
@@ -281,6 +289,7 @@ class BasicSession {
 
   bool may_be_sent(const Request& request) const noexcept {
     if (request.state != State::queued) return request.state == State::resend;
+    if (request.policy.stops) return true;
     const Responses& responses = request.policy.responses;
     std::size_t in_flight = 0;
     if constexpr (capacity.requests > 1) {
@@ -290,11 +299,28 @@ class BasicSession {
         if (blocks(other, request)) return false;
       }
     }
-    const auto can_be_confused = [&](const Responses& late) {
-      return responses.can_be_confused_with(late);
+    if (request.policy.has_effect) return true;
+    const auto can_be_confused = [&](const LateRequest& late) {
+      return responses.can_be_confused_with(late.responses);
     };
-    if (request.awaits_response && late_replies_.has(can_be_confused)) return false;
-    return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
+    if (request.awaits_response && late_replies_.count(can_be_confused) != 0) return false;
+    return !responses.are_possible() || late_replies_.has_room(in_flight);
+  }
+
+  /// Ends, or does not repeat, what must not follow a request with an effect that was just sent.
+  template <class Sink>
+  void end_older(Handle sent, std::uint16_t host, const ResponsePolicy& policy, Sink& sink) {
+    for (Request& request : requests_) {
+      const bool is_of_host = request.is_open() && request.host == host;
+      if (!is_of_host || !request.is_older_than(sent) || !request.policy.has_effect) continue;
+      if (request.state == State::in_flight) {
+        request.attempts = 0;
+      } else if (request.policy.is_superseded_by(policy)) {
+        complete(request, Outcome::superseded, no_frame, sink);
+      } else if (request.state == State::resend) {
+        complete(request, Outcome::timeout, no_frame, sink);
+      }
+    }
   }
 
   /// Writes the frame of a request to `out_`; returns its size.
@@ -316,13 +342,26 @@ class BasicSession {
     sent_.finish = request.finish;
     const Ticks left = settings_.frame_time(size);
     const Ticks response_left = left + response_time;
-    pause_left_ = left + sent_.pause;
+    if (request.awaits_response) {
+      pause_left_ = left + sent_.pause;
+    } else {
+      pause_left_ = detail::longer(left, sent_.pause - detail::shorter(overdue_, sent_.pause));
+      sent_.pause /= 2;
+    }
+    overdue_ = 0;
+    is_due_after_pause_ = false;
     request.state = State::in_flight;
     --request.attempts;
     ++request.transmissions;
     request.attempt_left = response_left + request.timeout;
     request.late_left = late_after(response_left, request.finish);
+    const Handle sent = request.handle;
+    const std::uint16_t host = request.host;
+    const ResponsePolicy policy = request.policy;
     if (!request.awaits_response) complete(request, Outcome::sent, no_frame, sink);
+    if constexpr (capacity.requests > 1) {
+      if (policy.has_effect) end_older(sent, host, policy, sink);
+    }
     return size;
   }
 
@@ -346,6 +385,9 @@ class BasicSession {
     const Ticks elapsed = detail::between(now_, now);
     if (elapsed == 0) return;
     now_ = now;
+    if (is_due_after_pause_ && elapsed > pause_left_) {
+      overdue_ = detail::shorter(overdue_ + elapsed - pause_left_, most_overdue);
+    }
     detail::pass(pause_left_, elapsed);
     detail::pass(silence_left_, elapsed);
     for (Request& request : requests_) {
@@ -423,25 +465,31 @@ class BasicSession {
     if (is_error) count(&SessionStatistics::board_errors);
     if (is_reset) count(&SessionStatistics::resets);
     if (is_reset) forget_streams();
+    const auto means = [&](const LateRequest& late) { return meaning(late.responses); };
     Request* meant = nullptr;
-    bool is_unclear = is_error && late_replies_.has(meaning);
+    std::size_t candidates = late_replies_.count(means);
     for (Request& request : requests_) {
       if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
       if (is_sample(request, frame)) continue;
-      if (meant != nullptr) is_unclear = true;
-      meant = &request;
-      if (!is_error) break;
+      ++candidates;
+      if (meant == nullptr || request.is_answered_before(*meant)) meant = &request;
     }
+    const bool has_effect = meant != nullptr && meant->policy.has_effect;
+    // To an earlier request, unless that is about the end of what takes long.
+    const bool is_owed =
+        has_effect && meant->policy.confirmations < 2 && late_replies_.count(means, 1) != 0;
+    const bool is_unclear = is_error && candidates > 1 && (meaning.is_anonymous() || !has_effect);
     const bool is_confirmation = meaning.kind == EventKind::confirmation;
     const bool is_repeated = is_confirmation && meant != nullptr && meant->duplicate_left != 0;
+    const bool is_late = meant == nullptr || is_owed || is_repeated;
     Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
-    if (meant != nullptr && !is_unclear && !is_repeated) {
+    if (!is_late && !is_unclear) {
       if (!is_reset) end_pause(*meant);
       if (is_confirmation) return confirm(*meant, event, sink);
       complete(*meant, is_error ? Outcome::board_error : outcome_of(*meant, frame), frame, sink);
       if (!is_reset) return;
-    } else if (!is_reset && !(is_error && meant != nullptr)) {
-      event.is_late = late_replies_.take(meaning, settings_.duplicates);
+    } else if (!is_reset && !is_unclear) {
+      event.is_late = late_replies_.take(means, settings_.duplicates, event.host);
     }
     if (event.is_late) count(&SessionStatistics::late_replies);
     const bool is_unsolicited = meaning.kind == EventKind::unsolicited && !event.is_late;
@@ -572,14 +620,12 @@ class BasicSession {
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
     Ticks left = expected != 0 ? request.late_left : 0;
-    const Ticks duplicates = settings_.duplicates;
-    if ((is_answered || outcome == Outcome::confirmed) && duplicates != 0) {
-      ++expected;
-      left = detail::longer(left, duplicates);
-    }
+    const bool may_be_repeated =
+        (is_answered || outcome == Outcome::confirmed) && settings_.duplicates != 0;
+    if (may_be_repeated) left = detail::longer(left, settings_.duplicates);
     // Even if no time is left: the frame may not have been written yet, see written().
-    if (expected != 0) {
-      late_replies_.add(request.handle, policy.responses, expected, left);
+    if (expected != 0 || may_be_repeated) {
+      late_replies_.add({request.handle, request.host, policy.responses}, expected, left);
     }
   }
 
@@ -596,6 +642,8 @@ class BasicSession {
   };
 
   static constexpr Frame no_frame{};
+  /// A pause is shortened by so much at most.
+  static constexpr Ticks most_overdue = 5000;
 
   struct NoStatistics {};
   static constexpr bool has_statistics = capacity.optimize == Optimize::speed;
@@ -609,14 +657,16 @@ class BasicSession {
   Instant now_{std::numeric_limits<std::int64_t>::min()};
   std::uint64_t last_handle_{};
   Ticks pause_left_{};    // until the next request may be sent
+  Ticks overdue_{};       // how late the next request is
   Ticks silence_left_{};  // until an incomplete frame is discarded
   detail::Transmission sent_{};
+  bool is_due_after_pause_{};  // a request waits for nothing but the pause
   Trial trial_{};
   Framing framing_ = Formats::first;
   detail::Settings settings_;
   [[no_unique_address]] Statistics statistics_{};
   std::array<Request, capacity.requests> requests_{};
-  detail::LateReplies<capacity.late_replies> late_replies_{};
+  detail::LateReplies<capacity.late_replies> late_replies_;
   [[no_unique_address]] detail::Streams<capacity.streams> streams_{};
   BasicParser<Formats, capacity.optimize> parser_{};
   std::array<std::uint8_t, capacity.body + max_frame_size - max_body_size> out_{};

@@ -36,6 +36,7 @@ enum class Outcome : std::uint8_t {
   timeout,      ///< no response in time after all attempts, or the request's deadline passed
   reset,        ///< the board announced a restart first
   cancelled,    ///< by cancel()
+  superseded,   ///< not written, because a later request of the same host stops all motion
   link_lost,    ///< by abandon()
 };
 
@@ -59,6 +60,7 @@ struct Event {
   std::uint8_t confirmation{};  ///< of `confirmation`: its number, from 1
   std::uint8_t confirmations{};  ///< of `confirmation`: the expected number of them
   bool is_late{};                ///< a late reply
+  std::uint16_t host{};          ///< of a late reply: the host of its request
   bool may_be_sample{};          ///< of `completed`: a stream of the same message is also running
   Frame frame{};                 ///< from the board; id 0 if there is none
 };
@@ -87,6 +89,9 @@ struct SendResult {
 
 /// Options of one request.
 struct SendOptions {
+  /// Whose request it is, for a session that several hosts share: requests of one host keep their
+  /// order.
+  std::uint16_t host = 0;
   /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
   bool expect_confirmation = false;
   bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
@@ -98,8 +103,9 @@ struct SendOptions {
 
 /// The pause after each command, so that the board's input buffer does not overflow.
 struct PacingOptions {
-  Duration shortest = milliseconds(shortest_pause_ms);  ///< after a small request and response
-  Duration longest = milliseconds(longest_pause_ms);    ///< after the largest
+  /// After a request and response of at most 48 bytes together.
+  Duration shortest = milliseconds(shortest_pause_ms);
+  Duration longest = milliseconds(longest_pause_ms);  ///< after the largest
   bool until_response = true;  ///< a response ends the pause: the board has read the command
 };
 
@@ -110,6 +116,7 @@ struct SessionOptions {
   PacingOptions pacing{};             ///< both 0: none
   std::uint8_t attempts = 3;          ///< maximum transmissions of a request whose retry is safe
   Duration late = milliseconds(500);  ///< how late a response may still arrive
+  Duration memory{};                  ///< how long it is recognized after that, at most 60 s
   Duration duplicate_window{};        ///< how long a duplicate frame may arrive (UDP); 0: never
   Duration idle = milliseconds(100);  ///< silence that ends an incomplete frame
   std::uint8_t stream_percent = 80;   ///< the share of the line that data streams may use

@@ -17,6 +17,11 @@ struct Meaning {
   EventKind kind;
   std::uint8_t command;
 
+  /// Returns true for an error that does not say which request has failed.
+  bool is_anonymous() const noexcept {
+    return kind == EventKind::board_error && command == 0;
+  }
+
   /// Returns true if the frame can be one of these responses.
   bool operator()(const Responses& responses) const noexcept {
     if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);

@@ -16,6 +16,7 @@ namespace sbgc::detail {
 class Settings {
  public:
   Ticks late;
+  Ticks memory;
   Ticks duplicates;
   Ticks idle;
   std::uint32_t stream_limit{};  // in bytes per second, 0: unlimited
@@ -25,6 +26,7 @@ class Settings {
   // Inlined, so that the compiler converts constant options.
   SBGC_ALWAYS_INLINE explicit Settings(const SessionOptions& options) noexcept
       : late(ticks_of(options.late)),
+        memory(ticks_of(options.memory, longest_memory)),
         duplicates(ticks_of(options.duplicate_window)),
         idle(ticks_of(options.idle)),
         attempts(options.attempts),
@@ -58,12 +60,13 @@ class Settings {
                     Ticks response_time) const noexcept {
     if (longest_pause_ == 0) return 0;
     const auto both = static_cast<std::uint32_t>(request_size + response_size);
-    const Ticks pause = shortest_pause_ + pause_per_byte_ * both;
+    const Ticks pause = shortest_pause_ + (both > small ? pause_per_byte_ * (both - small) : 0);
     return longer(shorter(pause, longest_pause_), response_time);
   }
 
  private:
-  static constexpr std::uint32_t both_largest = 2 * max_frame_size;
+  static constexpr std::uint32_t small = 48;  // both frames: after these, the pause is shortest
+  static constexpr std::uint32_t both_largest = 2 * max_frame_size - small;
 
   std::uint8_t stream_percent_;
   Ticks us_per_256_bytes_{};

@@ -32,6 +32,7 @@ struct SessionRequest {
   std::uint8_t confirmations{};
   std::uint8_t id{};
   std::uint8_t size{};  // of the body
+  std::uint16_t host{};
   Ticks timeout{};
   Ticks finish{};          // timeout of the last confirmation
   Ticks attempt_left{};    // until the attempt times out
@@ -54,6 +55,19 @@ struct SessionRequest {
                                      static_cast<std::uint32_t>(other.number)) < 0;
   }
 
+  /// Returns true if this request is sent before the other, if both may be sent.
+  constexpr bool precedes(const SessionRequest& other) const noexcept {
+    if (policy.stops != other.policy.stops) return policy.stops;
+    return is_older_than(other.handle);
+  }
+
+  /// Returns true if a response that can belong to both belongs to this one: the board answers in
+  /// order, but ends what takes long later than it begins the next.
+  constexpr bool is_answered_before(const SessionRequest& other) const noexcept {
+    if (confirmations != other.confirmations) return confirmations < other.confirmations;
+    return is_older_than(other.handle);
+  }
+
   /// Queues the request whose body and policy are in place. `most_attempts` applies unless the
   /// options override it.
   constexpr void open(Handle new_handle, std::uint8_t command, std::size_t body_size,
@@ -69,6 +83,7 @@ struct SessionRequest {
     attempts = is_certain && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
     transmissions = confirmations = 0;
     id = command;
+    host = options.host;
     size = static_cast<std::uint8_t>(body_size);
     timeout = response_timeout != 0 ? response_timeout : ticks_of_ms(policy.timeout_ms);
     finish = longer(ticks_of_ms(policy.finish_ms), timeout);

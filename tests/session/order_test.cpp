@@ -1,0 +1,296 @@
+// Tests of the order in which requests with an effect are sent, and of stops.
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/responses/all.hpp>
+#include <sbgc/session.hpp>
+
+#include "commands.hpp"
+#include "simulation.hpp"
+
+namespace {
+
+using commands::board_info;
+using commands::control;
+using commands::i2c_read;
+using commands::motors_off;
+using commands::motors_on;
+using commands::write_params_3;
+using sbgc::Duration;
+using sbgc::Handle;
+using sbgc::Instant;
+using sbgc::milliseconds;
+using sbgc::Outcome;
+using simulation::body_of;
+using simulation::ids;
+using simulation::Simulation;
+using simulation::Written;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
+
+/// The longest pause after a small command, and the time of its frame on a line of the default speed.
+constexpr Duration pause = milliseconds(11);
+
+sbgc::msg::Control turn(int speed) {
+  sbgc::msg::Control request;
+  request.control_mode.set_mode(sbgc::msg::ControlModeKind::speed);
+  request.axes.yaw.speed = sbgc::msg::ControlSpeed(static_cast<std::int16_t>(speed));
+  return request;
+}
+
+sbgc::msg::WriteParams3 write(std::uint8_t profile) {
+  sbgc::msg::WriteParams3 request;
+  request.profile_id = profile;
+  return request;
+}
+
+TEST(Order, WhatHasAnEffectWaitsForNoResponse) {
+  Simulation line;
+  line.send(sbgc::msg::MotorsOn{});
+  line.send(sbgc::msg::MotorsOn{});
+  line.send(write(1));
+  line.run_for(milliseconds(100));
+  EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_on, write_params_3));
+  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+}
+
+TEST(Order, NothingIsRepeatedAfterALaterRequest) {
+  Simulation line;  // whose board never responds
+  const Handle on = line.send(sbgc::msg::MotorsOn{});
+  line.run_for(milliseconds(400));
+  const Handle again = line.send(sbgc::msg::MotorsOn{});
+  line.run_for(milliseconds(50));
+  const Handle off = line.send(sbgc::msg::MotorsOff{});
+  line.run();
+  EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_on, motors_off, motors_off, motors_off));
+  for (const Handle handle : {on, again, off}) EXPECT_EQ(line.outcome(handle), Outcome::timeout);
+}
+
+TEST(Order, OfAnotherHostDoesNotMatter) {
+  Simulation line;
+  line.send(sbgc::msg::MotorsOn{}, {.host = 1});
+  line.send(write(1), {.host = 2});
+  line.run();
+  EXPECT_THAT(ids(line.written),
+              UnorderedElementsAre(motors_on, write_params_3, motors_on, write_params_3, motors_on,
+                                   write_params_3));
+}
+
+TEST(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == board_info) line.say(board_info, body_of(18));
+  };
+  line.send(write(1));
+  line.send(sbgc::msg::BoardInfoRequest{});
+  line.run();
+  EXPECT_THAT(ids(line.written),
+              ElementsAre(write_params_3, board_info, write_params_3, write_params_3));
+}
+
+TEST(Order, AReadAfterAWriteIsNotSentBefore) {
+  Simulation line;
+  std::uint8_t stored = 0;
+  line.board = [&](const Written& frame) {
+    if (frame.id == write_params_3) stored = frame.body[1];  // and all confirmations are lost
+    if (frame.id == 21) line.say(21, body_of(134, {0, stored}));
+  };
+  auto request = write(0);
+  for (const auto value : {std::uint8_t{1}, std::uint8_t{2}}) {
+    request.axes.roll.p = value;
+    line.send(request);
+  }
+  const Handle read = line.send(sbgc::msg::ReadParams3Request{});
+  line.run();
+  ASSERT_EQ(line.outcome(read), Outcome::answered);
+  EXPECT_EQ(line.completion(read)->body[1], 2);
+  EXPECT_EQ(stored, 2);
+}
+
+TEST(Stop, IsSentNextAndSupersedesQueuedMotion) {
+  Simulation line;
+  std::vector<Handle> motions;
+  for (int speed = 1; speed < 6; ++speed) motions.push_back(line.send(turn(speed)));
+  line.run_for(Duration{});
+  const Handle stop = line.send(turn(0));
+  line.run();
+  EXPECT_THAT(line.written, SizeIs(2));
+  EXPECT_EQ(line.outcome(motions[0]), Outcome::sent);
+  for (std::size_t i = 1; i < motions.size(); ++i) {
+    EXPECT_EQ(line.outcome(motions[i]), Outcome::superseded);
+  }
+  EXPECT_EQ(line.outcome(stop), Outcome::sent);
+  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+}
+
+TEST(Stop, LeavesWhatIsNoMotionAndOtherHostsAlone) {
+  Simulation line;
+  line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
+  line.run_for(Duration{});
+  const Handle beep = line.send(sbgc::msg::BeepSound{}, {.host = 1});
+  const Handle other = line.send(turn(7), {.host = 2});
+  line.send(sbgc::msg::MotorsOff{}, {.host = 1});
+  const Handle later = line.send(turn(8), {.host = 1});
+  line.run_for(milliseconds(200));
+  ASSERT_GE(line.written.size(), 5U);
+  EXPECT_EQ(line.written[1].id, motors_off);
+  for (const Handle handle : {beep, other, later}) {
+    EXPECT_EQ(line.outcome(handle), Outcome::sent);
+  }
+}
+
+TEST(Stop, IsNotHeldUpByAnything) {
+  Simulation line;
+  line.send(sbgc::msg::I2cReadRegBufRequest{});
+  line.send(sbgc::msg::I2cReadRegBufRequest{});
+  line.run_for(milliseconds(1));
+  line.send(sbgc::msg::MotorsOff{});
+  line.run_for(milliseconds(30));
+  EXPECT_THAT(ids(line.written), ElementsAre(i2c_read, motors_off));
+}
+
+TEST(Stop, ThatIsCancelledSupersedesNothing) {
+  Simulation line;
+  line.send(turn(1));
+  line.run_for(Duration{});
+  const Handle motion = line.send(turn(2));
+  const Handle stop = line.send(sbgc::msg::MotorsOff{});
+  line.session.cancel(stop, line.sink());
+  line.run();
+  EXPECT_EQ(line.outcome(motion), Outcome::sent);
+}
+
+TEST(Stop, IsWhatTheSpecificationSays) {
+  const auto stops = [](const auto& request) { return response_policy(request).stops; };
+  EXPECT_TRUE(stops(sbgc::msg::MotorsOff{}));
+  EXPECT_TRUE(stops(sbgc::msg::MotorsOffExt{}));
+  EXPECT_TRUE(stops(turn(0)));
+  EXPECT_FALSE(stops(turn(1)));
+  EXPECT_FALSE(stops(sbgc::msg::Control{})) << "the axes are no longer controlled";
+  sbgc::msg::ControlExt extended;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extended.control_mode[axis].set_mode(sbgc::msg::ControlModeKind::speed);
+  }
+  EXPECT_TRUE(stops(extended));
+  extended.control_mode.roll.set_mode(sbgc::msg::ControlModeKind::angle);
+  EXPECT_FALSE(stops(extended));
+  EXPECT_TRUE(stops(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::motor_off}));
+  EXPECT_FALSE(stops(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::motor_on}));
+  EXPECT_FALSE(stops(sbgc::msg::ControlExtCommand{}));
+  EXPECT_TRUE(stops(sbgc::msg::ControlQuatSpeed{}));
+}
+
+TEST(Pacing, AStreamOfControlsIsSentAtItsRate) {
+  Simulation line({.line = {115200, sbgc::Parity::none}});  // its board confirms nothing
+  constexpr int count = 500;
+  std::mt19937 random(1);
+  for (int i = 0; i < count; ++i) {
+    line.send(turn(i + 1));
+    // The thread that polls is up to 2 ms late.
+    line.late = milliseconds(std::uniform_int_distribution<int>(0, 2)(random));
+    line.run_until(simulation::start + milliseconds(10 * (i + 1)));
+    ASSERT_GE(line.written.size(), static_cast<std::size_t>(i)) << "more than one frame late";
+  }
+  line.run();
+  EXPECT_THAT(line.written, SizeIs(count));
+}
+
+/// What a board does because of the last request that it got.
+enum class Motion : std::uint8_t { unknown, on, off, turning, still };
+
+Motion motion_of(const Written& frame) {
+  if (frame.id == motors_on) return Motion::on;
+  if (frame.id == motors_off) return Motion::off;
+  if (frame.id != control) return Motion::unknown;
+  return frame.body[9] == 0 && frame.body[10] == 0 ? Motion::still : Motion::turning;
+}
+
+/// A host whose line loses, delays and repeats the frames of the board.
+class Host {
+ public:
+  explicit Host(unsigned seed) : random_(seed) {
+    line.board = [this](const Written& frame) { hear(frame); };
+  }
+
+  /// Sends some requests, and checks that the board does what the last one said.
+  void run_once() {
+    for (int i = 0; i < 12; ++i) {
+      ask();
+      line.run_for(milliseconds(chance(20) ? upto(900) : upto(30)));
+    }
+    line.run();
+    EXPECT_EQ(state_, asked_);
+    EXPECT_EQ(line.session.open_requests(), 0U);
+  }
+
+  Simulation line{{.line = {115200, sbgc::Parity::none}}};
+
+ private:
+  int upto(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+  bool chance(int percent) { return upto(99) < percent; }
+
+  template <class M>
+  void send(const M& request, Motion motion = Motion::unknown) {
+    if (line.session.send(request) && motion != Motion::unknown) asked_ = motion;
+  }
+
+  void ask() {
+    switch (upto(6)) {
+      case 0: return send(sbgc::msg::MotorsOn{}, Motion::on);
+      case 1: return stop(sbgc::msg::MotorsOff{}, Motion::off);
+      case 2: return stop(turn(0), Motion::still);
+      case 3: return send(turn(1 + upto(100)), Motion::turning);
+      case 4: return send(sbgc::msg::I2cReadRegBufRequest{});
+      case 5: return send(sbgc::msg::BoardInfoRequest{});
+      default: return send(write(static_cast<std::uint8_t>(upto(4))));
+    }
+  }
+
+  /// A stop is written within the time of a frame and the pause that the protocol asks for.
+  template <class M>
+  void stop(const M& request, Motion motion) {
+    const std::size_t before = line.written.size();
+    const Instant asked = line.now;
+    if (!line.session.send(request)) return;
+    asked_ = motion;
+    line.run_for(milliseconds(40));
+    ASSERT_GT(line.written.size(), before);
+    EXPECT_EQ(motion_of(line.written[before]), motion) << "it is the next frame";
+    constexpr int frame_of_parameters = 13;  // 139 bytes at 115200 baud
+    EXPECT_LE(line.written[before].at - asked, milliseconds(frame_of_parameters + 20));
+  }
+
+  void hear(const Written& frame) {
+    if (motion_of(frame) != Motion::unknown) state_ = motion_of(frame);
+    for (int times = chance(10) ? 2 : 1; times > 0; --times) {
+      if (chance(25)) continue;
+      const Duration delay = milliseconds(1 + upto(chance(20) ? 900 : 20));
+      switch (frame.id) {
+        case board_info: line.say(board_info, body_of(18), delay); break;
+        case i2c_read: line.say(i2c_read, body_of(4), delay); break;
+        default: line.confirm(frame.id, delay); break;
+      }
+    }
+  }
+
+  std::mt19937 random_;
+  Motion state_ = Motion::unknown;
+  Motion asked_ = Motion::unknown;
+};
+
+class Lines : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(Lines, TheBoardDoesWhatTheLastRequestSaid) {
+  Host host(GetParam());
+  for (int i = 0; i < 30; ++i) host.run_once();
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Lines, ::testing::Range(1U, 41U));
+
+}  // namespace
