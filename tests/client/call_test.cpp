@@ -397,7 +397,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
   msg::GetAdjVarsVal request;
   request.param_id.push_back({});
   board.on<msg::GetAdjVarsVal>([&](const msg::GetAdjVarsVal&) {
-    const std::vector<std::uint8_t> body{5, 1};  // announces five values
+    const std::vector<std::uint8_t> body{5, 0};  // announces five values
     std::array<std::uint8_t, max_frame_size> frame{};
     const auto written =
         write_frame(static_cast<std::uint8_t>(msg::CommandToBoard::set_adj_vars_val), body, frame);

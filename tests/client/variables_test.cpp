@@ -116,9 +116,9 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
 TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
   board.tamper([](Packets& answers) {
     if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
-    answers[0].body[1] = static_cast<std::uint8_t>(msg::VariableId::d_yaw);
+    answers[0].body[6] = static_cast<std::uint8_t>(msg::VariableId::d_yaw);  // of the second one
   });
-  EXPECT_EQ(client().get_variable("P_ROLL").error().code, ErrorCode::mismatch);
+  EXPECT_EQ(client().get_variables({"P_ROLL", "P_PITCH"}).error().code, ErrorCode::mismatch);
   board.tamper([](Packets& answers) {
     if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
     answers[0].body = {0};

@@ -34,7 +34,8 @@ using ::testing::ElementsAre;
 using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
-/// The longest pause after a small command, and the time of its frame on a line of the default speed.
+/// The longest pause after a small command, and the time of its frame on a line of the default
+/// speed.
 constexpr Duration pause = milliseconds(11);
 
 sbgc::msg::Control turn(int speed) {
@@ -68,7 +69,8 @@ TEST(Order, NothingIsRepeatedAfterALaterRequest) {
   line.run_for(milliseconds(50));
   const Handle off = line.send(sbgc::msg::MotorsOff{});
   line.run();
-  EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_on, motors_off, motors_off, motors_off));
+  EXPECT_THAT(ids(line.written),
+              ElementsAre(motors_on, motors_on, motors_off, motors_off, motors_off));
   for (const Handle handle : {on, again, off}) EXPECT_EQ(line.outcome(handle), Outcome::timeout);
 }
 
@@ -77,9 +79,8 @@ TEST(Order, OfAnotherHostDoesNotMatter) {
   line.send(sbgc::msg::MotorsOn{}, {.host = 1});
   line.send(write(1), {.host = 2});
   line.run();
-  EXPECT_THAT(ids(line.written),
-              UnorderedElementsAre(motors_on, write_params_3, motors_on, write_params_3, motors_on,
-                                   write_params_3));
+  EXPECT_THAT(ids(line.written), UnorderedElementsAre(motors_on, write_params_3, motors_on,
+                                                      write_params_3, motors_on, write_params_3));
 }
 
 TEST(Order, AReadDoesNotEndTheRepetitionOfAWrite) {

@@ -209,8 +209,8 @@ class Chaos {
     return record.body[end - 2] + (std::size_t{record.body[end - 1]} << 8);
   }
 
-  /// True for what has an effect, and therefore waits neither until another calibration has ended nor
-  /// until a frame cannot be repeated any more.
+  /// True for what has an effect, and therefore waits neither until another calibration has ended
+  /// nor until a frame cannot be repeated any more.
   bool may_be_confused(const sbgc::Event& event) const {
     constexpr std::uint8_t calibration = 103;
     const bool is_confirmation = event.kind == EventKind::confirmation || event.frame.id == 67;

@@ -106,9 +106,15 @@ class Bridge : public ::testing::Test {
   }
   /// The board sends a message by itself.
   template <class M>
-  void send(const M& message, bool is_late = false) {
+  void send(const M& message) {
     const Bytes bytes = frame_of(message);
-    ports.arrived({.frame = frame_at(bytes.data()), .is_late = is_late});
+    ports.arrived({.frame = frame_at(bytes.data())});
+  }
+  /// The board answers a request that has ended.
+  template <class M>
+  void send_late(const Sent& request, const M& message) {
+    const Bytes bytes = frame_of(message);
+    ports.arrived({.frame = frame_at(bytes.data()), .is_late = true, .host = request.request.host});
   }
   Bytes read(std::size_t port) {
     const auto waiting = ports.output(port);
@@ -202,20 +208,43 @@ TEST_F(Bridge, UnsolicitedMessagesGoToAll) {
   send(msg::Reset{});
   EXPECT_EQ(read(first), frame_of(msg::Reset{}));
   EXPECT_EQ(read(second), frame_of(msg::Reset{}));
-  send(msg::GetAngles{}, true);
-  EXPECT_THAT(read(first), IsEmpty()) << "a late response concerns nobody";
 }
 
-TEST_F(Bridge, AConfirmationGoesToTheOneWhoAsked) {
+TEST_F(Bridge, ALateAnswerGoesToTheOneWhoAsked) {
   const std::size_t first = join();
   const std::size_t second = join();
-  ask(first, msg::MotorsOn{});
+  ask(first, msg::Control{});
   ports.ended(line.sent.at(0).tag, false);  // its confirmation is not certain
+  ask(second, msg::Control{});
   msg::Confirm confirmation;
-  confirmation.cmd = msg::MotorsOn::command;
-  send(confirmation);
+  confirmation.cmd = msg::Control::command;
+  send_late(line.sent.at(0), confirmation);
   EXPECT_EQ(read(first), frame_of(confirmation));
   EXPECT_THAT(read(second), IsEmpty());
+}
+
+TEST_F(Bridge, AnAnswerForAHostThatHasLeftIsNotForTheNext) {
+  const std::size_t first = join();
+  ask(first, msg::GetAnglesRequest{});
+  ports.ended(line.sent.at(0).tag, true);
+  ports.disconnect(first);
+  const std::size_t next = join();
+  ASSERT_EQ(next, first);
+  send_late(line.sent.at(0), msg::GetAngles{});
+  EXPECT_THAT(read(next), IsEmpty());
+}
+
+TEST_F(Bridge, AnAnswerThatSeveralHostsCouldHaveAskedForIsForNobody) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, msg::GetAnglesRequest{});
+  ports.ended(line.sent.at(0).tag, true);
+  send(msg::GetAngles{});
+  EXPECT_THAT(read(first), IsEmpty());
+  EXPECT_THAT(read(second), IsEmpty());
+  ports.disconnect(second);
+  send(msg::GetAngles{});
+  EXPECT_EQ(read(first), frame_of(msg::GetAngles{})) << "it is alone, as on a line to the board";
 }
 
 TEST_F(Bridge, TheBoardGetsTheShortestInterval) {

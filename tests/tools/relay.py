@@ -1,4 +1,4 @@
-"""A relay between a host and an emulated gimbal, which can lose requests."""
+"""A relay between a host and an emulated gimbal, which can lose or delay what passes."""
 
 from __future__ import annotations
 
@@ -19,23 +19,28 @@ def _pass_on(source: socket.socket, target: socket.socket, change: Change) -> No
         pass  # the other side has closed
 
 
-def _serve(listener: socket.socket, gimbal: tuple[str, int], change: Change) -> None:
+def _serve(
+    listener: socket.socket, gimbal: tuple[str, int], change: Change, answers: Change
+) -> None:
     while True:
         try:
             host, _ = listener.accept()
         except OSError:
             return  # the test is over
         board = socket.create_connection(gimbal)
-        for source, target, kind in ((host, board, change), (board, host, bytes)):
+        for source, target, kind in ((host, board, change), (board, host, answers)):
             threading.Thread(target=_pass_on, args=(source, target, kind), daemon=True).start()
 
 
 @contextmanager
-def relay_to(address: str, change: Change) -> Iterator[str]:
-    """Yields an address that leads to a gimbal; `change` sees what hosts send, a frame at a time."""
+def relay_to(address: str, change: Change, answers: Change = bytes) -> Iterator[str]:
+    """Yields an address that leads to a gimbal.
+
+    `change` sees what hosts send, a frame at a time; `answers` sees what the gimbal sends.
+    """
     _, place, port = address.split(":")
     with socket.create_server(("127.0.0.1", 0)) as listener:
-        arguments = (listener, (place, int(port)), change)
+        arguments = (listener, (place, int(port)), change, answers)
         threading.Thread(target=_serve, args=arguments, daemon=True).start()
         yield f"tcp:127.0.0.1:{listener.getsockname()[1]}"
         listener.shutdown(socket.SHUT_RDWR)

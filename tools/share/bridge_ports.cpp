@@ -64,6 +64,8 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
   if (free == hosts_.end()) return std::nullopt;
   *free = std::make_unique<Host>();
   const auto port = static_cast<std::size_t>(free - hosts_.begin());
+  if (++last_host_ == 0) ++last_host_;  // 0 is the bridge itself
+  (*free)->id = last_host_;
   (*free)->wake = std::move(wake);
   (*free)->counters.port = port;
   return port;
@@ -72,7 +74,6 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
 void BridgePorts::disconnect(std::size_t port) {
   hosts_[port].reset();
   std::erase_if(calls_, [&](const auto& one) { return one.second.port == port; });
-  std::erase_if(last_sender_, [&](const auto& one) { return one.second == port; });
   for (auto place = streams_.begin(); place != streams_.end();) {
     Stream& stream = place->second;
     const std::int64_t before = stream.interval();
@@ -237,7 +238,6 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
     exclusive_->first.insert(exclusive_->first.end(), whole.begin(), whole.end());
     return begin_exclusive();
   }
-  last_sender_[frame.id] = port;
   if (as_stream_request(*request)) return take_stream_request(port, *request);
   send(port, *std::move(request));
 }
@@ -308,6 +308,12 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
   if (port) {
     calls_[tag] = {*port, request.id, {}};
     ++hosts_[*port]->pending;
+    request.host = hosts_[*port]->id;
+    const Responses& responses = request.policy.responses;
+    asked_[{true, request.id}] = now();
+    for (std::size_t i = 0; i < responses.form_count; ++i) {
+      asked_[{false, responses.forms[i].id}] = now();
+    }
   }
   line_.send(tag, std::move(request));
   return tag;
@@ -350,7 +356,7 @@ void BridgePorts::arrived(const BoardFrame& message) {
   const Frame& frame = message.frame;
   heard_ = now();
   unanswered_ = 0;
-  if (message.is_late) return;
+  if (message.is_late) return give_late(frame, message.host);
   if (message.belongs_to_call) {
     if (message.may_be_sample) give_sample(frame, true);
     return;
@@ -358,13 +364,30 @@ void BridgePorts::arrived(const BoardFrame& message) {
   if (is_streamed(frame.id)) return give_sample(frame, false);
   const auto ended = ended_streams_.find(frame.id);
   if (ended != ended_streams_.end() && now() - ended->second < end_of_stream_time) return;
-  // A response that is not certain to come arrives when its request has ended.
-  std::uint8_t command = 0;
-  if (roles::is_confirmation(frame)) command = roles::confirmed_command(frame);
-  if (roles::is_error(frame)) command = roles::failed_command(frame);
-  const auto sender = last_sender_.find(command);
-  if (sender != last_sender_.end()) return give(sender->second, frame, false);
-  give_all(frame);
+  give_unclaimed(frame);
+}
+
+auto BridgePorts::answer_key(const Frame& frame) -> AnswerKey {
+  if (roles::is_confirmation(frame)) return {true, roles::confirmed_command(frame)};
+  if (roles::is_error(frame)) return {true, roles::failed_command(frame)};
+  return {false, frame.id};
+}
+
+void BridgePorts::give_late(const Frame& frame, std::uint16_t host) {
+  for (std::size_t port = 0; port < hosts_.size(); ++port) {
+    if (hosts_[port] && hosts_[port]->id == host) give(port, frame, false);
+  }
+}
+
+/// A message that answers no known request: unsolicited, or an answer that comes much too late.
+void BridgePorts::give_unclaimed(const Frame& frame) {
+  const AnswerKey key = answer_key(frame);
+  const auto asked = asked_.find(key);
+  const bool is_anonymous = key == AnswerKey{true, 0};
+  const bool is_answer =
+      !roles::is_reset(frame) &&
+      (is_anonymous || (asked != asked_.end() && now() - asked->second < longest_answer));
+  if (!is_answer || counters().size() == 1) give_all(frame);
 }
 
 void BridgePorts::restart_streams() {

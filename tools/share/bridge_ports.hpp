@@ -50,6 +50,9 @@ class BridgeLine {
 /// Gives each host the responses to its own requests, the samples of the data streams that it has
 /// asked for, and all unsolicited messages.
 ///
+/// - A late response still goes to the host that asked. If several hosts could have asked for it,
+/// it
+///   goes to nobody.
 /// - The bodies of requests and responses pass unchanged; frames are rewritten in the framing that
 ///   the host uses.
 /// - The board gets the shortest interval that a host wants for a data stream; each host gets every
@@ -85,6 +88,9 @@ class BridgePorts final : public serving::HostPorts {
   static constexpr Duration longest_silence = sbgc::seconds(60);
   /// The board is asked for a sign of life after so many requests without any response.
   static constexpr int most_unanswered = 3;
+  /// A message that a host has asked for within this time is an answer, even if it is not known to
+  /// which request.
+  static constexpr Duration longest_answer = sbgc::seconds(60);
   /// Bytes of a host that has the line for itself that wait to be sent.
   static constexpr std::size_t max_raw = 4096;
 
@@ -140,6 +146,7 @@ class BridgePorts final : public serving::HostPorts {
 
  private:
   struct Host {
+    std::uint16_t id{};  // of no earlier host
     std::function<void()> wake{};
     ParserOfAll parser{};
     Framing framing = basic_framing;
@@ -201,6 +208,11 @@ class BridgePorts final : public serving::HostPorts {
   void wake(std::size_t port);
   bool is_streamed(std::uint8_t id) const;
   bool awaits(std::size_t port, std::uint8_t id) const;
+  /// What an answer is recognized by: its id, or the command that it confirms or reports as failed.
+  using AnswerKey = std::pair<bool, std::uint8_t>;
+  static AnswerKey answer_key(const Frame& frame);
+  void give_late(const Frame& frame, std::uint16_t host);
+  void give_unclaimed(const Frame& frame);
 
   BridgeLine& line_;
   std::function<Instant()> clock_;
@@ -208,7 +220,8 @@ class BridgePorts final : public serving::HostPorts {
   std::array<std::unique_ptr<Host>, max_hosts> hosts_{};
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;
-  std::map<std::uint8_t, std::size_t> last_sender_;  // of each command
+  std::uint16_t last_host_ = 0;
+  std::map<AnswerKey, Instant> asked_;  // when a host asked last
   std::map<StreamKey, Stream> streams_;
   std::map<std::uint8_t, Instant> ended_streams_{};  // when the last host left, by message
   Instant heard_{};                                  // the last frame of the board

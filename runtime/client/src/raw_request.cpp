@@ -22,6 +22,7 @@ ResponsePolicy cautious_policy(std::uint8_t id) {
                                .size = static_cast<std::uint8_t>(max_body_size)};
   policy.confirmations = 1;
   policy.response_required = true;
+  policy.has_effect = true;
   policy.timeout_ms = unknown_timeout_ms;
   return policy;
 }

@@ -86,9 +86,7 @@ class ExampleReader:
                 self.found.add(node.at(path), _VALUE, text, unfit.hint)
         return result
 
-    def stops(
-        self, fields: tuple[Field, ...], node: Any, name: str
-    ) -> tuple[StopPattern, ...]:
+    def stops(self, fields: tuple[Field, ...], node: Any, name: str) -> tuple[StopPattern, ...]:
         """The patterns of `stops`: "always", the values of one pattern by path, or a list of these."""
         if node is None:
             return ()

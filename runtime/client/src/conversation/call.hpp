@@ -30,6 +30,8 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
                       Instant now, Conversation::ReplyHandler handler);
 /// Returns whole milliseconds, rounded up: "150 ms".
 std::string milliseconds_text(Duration duration);
+/// The error of a call that a stop has superseded.
+ClientError superseded_error(const Call& call);
 /// The error of a call whose deadline has passed.
 ClientError overdue_error(const Call& call);
 

@@ -37,6 +37,7 @@ Request Conversation::prepare(const RawRequest& request) {
   return {.id = request.id,
           .body = request.body,
           .policy = request.policy,
+          .host = request.host,
           .command = raw_name,
           .on_frame = request.on_frame};
 }

@@ -69,9 +69,8 @@ void Dialogue::feed(std::span<const std::uint8_t> bytes, Instant now) {
 }
 
 void Dialogue::send_waiting() {
-  while (in_session_.size() < capacity.requests) {
-    const CallPointer call = calls_.next_waiting();
-    if (!call) return;
+  while (const CallPointer call =
+             calls_.next_waiting([this](const Call& next) { return has_room(next); })) {
     const Request& request = call->request;
     const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
     const SendResult sent = request.tried_framing
@@ -88,6 +87,14 @@ void Dialogue::send_waiting() {
       calls_.complete(*call, refusal(*call, sent));
     }
   }
+}
+
+bool Dialogue::has_room(const Call& call) const noexcept {
+  const ResponsePolicy& policy = call.request.policy;
+  const std::size_t most = policy.stops        ? capacity.requests
+                           : policy.has_effect ? most_effects
+                                               : most_reads;
+  return in_session_.size() < most;
 }
 
 ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const {
@@ -132,7 +139,7 @@ void Dialogue::show(const Event& event) {
   const auto place = in_session_.find(event.handle.number);
   const CallPointer call = place == in_session_.end() ? nullptr : place->second;
   if (call && call->request.on_frame) call->request.on_frame(frame);
-  delivery_.show({frame, call != nullptr, event.is_late, event.may_be_sample});
+  delivery_.show({frame, call != nullptr, event.is_late, event.host, event.may_be_sample});
 }
 
 void Dialogue::handle(const Event& event) {
@@ -203,6 +210,7 @@ Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {
     case Outcome::failed: return refused(" has failed: ");
     case Outcome::board_error: return refused(refused_words);
     case Outcome::timeout: return no_answer(call);
+    case Outcome::superseded: return superseded_error(call);
     case Outcome::reset:
       return ClientError{ErrorCode::board_reset,
                          "the board restarted before " + command + " was done"};

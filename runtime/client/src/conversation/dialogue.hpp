@@ -40,9 +40,13 @@ class Dialogue {
   StreamUsage stream_usage() const noexcept { return session_.stream_usage(); }
 
  private:
-  static constexpr SessionCapacity capacity{.requests = 32, .late_replies = 64, .streams = 10};
+  static constexpr SessionCapacity capacity{.requests = 64, .late_replies = 64, .streams = 10};
+  /// Places of the session that reads and others with an effect can take; the rest is for stops.
+  static constexpr std::size_t most_reads = 32;
+  static constexpr std::size_t most_effects = capacity.requests - 4;
 
   void send_waiting();
+  bool has_room(const Call& call) const noexcept;
   void end_overdue(Instant now);
   void handle(const Event& event);
   /// Passes the frame of an event to those who want frames as they are.

@@ -28,7 +28,8 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
   }
   auto call = std::make_shared<Call>();
   call->request = std::move(request);
-  call->send = {.expect_confirmation = options.expect_confirmation,
+  call->send = {.host = call->request.host,
+                .expect_confirmation = options.expect_confirmation,
                 .attempts = static_cast<std::uint8_t>(attempts),
                 .timeout = attempt};
   call->allowed = allowed;
@@ -36,6 +37,11 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
   call->on_confirmation = options.on_confirmation;
   call->handler = std::move(handler);
   return call;
+}
+
+ClientError superseded_error(const Call& call) {
+  return {ErrorCode::superseded, std::string(call.request.command) +
+                                     " was not sent, because a later command stops all motion"};
 }
 
 ClientError overdue_error(const Call& call) {
@@ -49,14 +55,17 @@ std::optional<ClientError> PendingCalls::add(const CallPointer& call) {
   ++begun_;
   const std::lock_guard lock(mutex_);
   if (refusal_) return refusal_;
-  if (waiting_.size() >= most_waiting_) {
-    return ClientError{ErrorCode::overload,
-                       std::to_string(waiting_.size()) + " calls are already waiting"};
+  const ResponsePolicy& policy = call->request.policy;
+  const std::size_t waiting = waiting_effects_.size() + waiting_reads_.size();
+  if (waiting >= most_waiting_ && !policy.stops) {
+    return ClientError{ErrorCode::overload, std::to_string(waiting) + " calls are already waiting"};
   }
   call->ticket = ++last_ticket_;
   calls_.emplace(call->ticket, call);
   deadlines_.emplace(call->deadline, call->ticket);
-  waiting_.push_back(call);
+  std::deque<CallPointer>& queue = policy.has_effect ? waiting_effects_ : waiting_reads_;
+  const auto is_stop = [](const CallPointer& one) { return one->request.policy.stops; };
+  queue.insert(policy.stops ? std::ranges::find_if_not(queue, is_stop) : queue.end(), call);
   return std::nullopt;
 }
 
@@ -86,17 +95,34 @@ std::vector<CallPointer> PendingCalls::take_all(ClientError refusal) {
   std::vector<CallPointer> all;
   for (auto& [ticket, call] : calls_) all.push_back(std::move(call));
   calls_.clear();
-  waiting_.clear();
+  waiting_effects_.clear();
+  waiting_reads_.clear();
   deadlines_.clear();
   return all;
 }
 
-CallPointer PendingCalls::next_waiting() {
+std::vector<CallPointer> PendingCalls::take_superseded(const Call& later) {
+  std::vector<CallPointer> superseded;
   const std::lock_guard lock(mutex_);
-  while (!waiting_.empty()) {
-    CallPointer call = std::move(waiting_.front());
-    waiting_.pop_front();
-    if (calls_.contains(call->ticket)) return call;
+  for (const CallPointer& call : waiting_effects_) {
+    const Request& request = call->request;
+    const bool is_it = request.host == later.request.host && call->ticket < later.ticket &&
+                       request.policy.is_superseded_by(later.request.policy);
+    if (!is_it || calls_.erase(call->ticket) == 0) continue;
+    deadlines_.erase({call->deadline, call->ticket});
+    superseded.push_back(call);
+  }
+  return superseded;
+}
+
+CallPointer PendingCalls::next_waiting(const std::function<bool(const Call&)>& has_room) {
+  const std::lock_guard lock(mutex_);
+  for (std::deque<CallPointer>* const queue : {&waiting_effects_, &waiting_reads_}) {
+    while (!queue->empty() && !calls_.contains(queue->front()->ticket)) queue->pop_front();
+    if (queue->empty() || !has_room(*queue->front())) continue;
+    CallPointer call = std::move(queue->front());
+    queue->pop_front();
+    return call;
   }
   return nullptr;
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -20,7 +21,7 @@ class PendingCalls {
  public:
   using Ticket = Conversation::Ticket;
 
-  /// At most `most_waiting` calls wait for room in the session.
+  /// At most `most_waiting` calls wait for room in the session, besides stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
   /// Adds the call and assigns its ticket, or returns the reason for rejecting it.
@@ -32,8 +33,12 @@ class PendingCalls {
   /// Takes all calls out and rejects later ones with this error.
   std::vector<CallPointer> take_all(ClientError refusal);
 
-  /// Returns the next call that waits for the session; null if there is none. It stays pending.
-  CallPointer next_waiting();
+  /// Takes out the calls that wait for the session and must not follow this one.
+  std::vector<CallPointer> take_superseded(const Call& later);
+
+  /// Returns the next call that waits for the session, stops first, then others with an effect;
+  /// null if it is none for which `has_room(call)`. It stays pending.
+  CallPointer next_waiting(const std::function<bool(const Call&)>& has_room);
   /// The earliest deadline of all calls.
   Instant deadline() const;
 
@@ -53,7 +58,9 @@ class PendingCalls {
   std::optional<ClientError> refusal_;
   Ticket last_ticket_{};
   std::unordered_map<Ticket, CallPointer> calls_;
-  std::deque<CallPointer> waiting_;  // may hold calls that have ended
+  // These may hold calls that have ended.
+  std::deque<CallPointer> waiting_effects_;
+  std::deque<CallPointer> waiting_reads_;
   std::set<std::pair<Instant, Ticket>> deadlines_;
 };
 

@@ -95,6 +95,9 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
     calls_.complete(*call, *std::move(refusal));
     return {};
   }
+  for (const CallPointer& superseded : calls_.take_superseded(*call)) {
+    calls_.complete(*superseded, superseded_error(*superseded));
+  }
   const StartedCall begun{call->ticket, call->deadline};
   wake();
   return begun;

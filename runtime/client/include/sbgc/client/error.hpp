@@ -25,6 +25,7 @@ enum class ErrorCode : std::uint8_t {
   bad_response,   ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
+  superseded,     ///< not sent, because a later call stops all motion
 };
 
 /// The name of a code, such as "link_lost".
@@ -45,6 +46,7 @@ constexpr const char* name(ErrorCode code) noexcept {
     case ErrorCode::bad_response: return "bad_response";
     case ErrorCode::bad_file: return "bad_file";
     case ErrorCode::incompatible: return "incompatible";
+    case ErrorCode::superseded: return "superseded";
   }
   return "unknown_error";
 }

@@ -17,6 +17,7 @@ struct RawRequest {
   std::uint8_t id{};
   BoundedBytes<max_body_size> body{};
   ResponsePolicy policy{};
+  std::uint16_t host{};  ///< whose request it is; see SendOptions::host
   /// Called on the client's thread with each frame from the board that belongs to this request: its
   /// response, its confirmations, and errors.
   std::function<void(const Frame&)> on_frame{};
@@ -32,6 +33,7 @@ struct BoardFrame {
   Frame frame{};           ///< a view, valid during the call
   bool belongs_to_call{};  ///< of this client
   bool is_late{};          ///< the response to a call that has ended
+  std::uint16_t host{};    ///< of a late response: the host that sent its request
   bool may_be_sample{};    ///< a response, or a sample of a data stream of the same message
 };
 

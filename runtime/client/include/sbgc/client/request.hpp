@@ -23,6 +23,7 @@ struct Request {
   std::uint8_t id{};
   BoundedBytes<max_body_size> body{};
   ResponsePolicy policy{};
+  std::uint16_t host{};
   const char* command = "";  ///< for example "CMD_CONTROL"
   /// Stores the facts of the request that decoding later messages needs; empty for most.
   std::function<void(Contexts&)> teach{};

@@ -19,8 +19,8 @@ struct LateRequest {
 };
 
 /// The late replies that may still arrive. They consume matching frames, so that no frame is
-/// matched to a later request. During the last part of its time, the memory of the session, an entry
-/// only tells whose request a frame answers.
+/// matched to a later request. During the last part of its time, the memory of the session, an
+/// entry only tells whose request a frame answers.
 template <std::size_t capacity>
 class LateReplies {
  public:
@@ -56,7 +56,8 @@ class LateReplies {
   /// long.
   constexpr void extend(Handle request, Ticks left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (entries_[i].request.handle == request) entries_[i].left = longer(entries_[i].left, left + memory_);
+      if (entries_[i].request.handle == request)
+        entries_[i].left = longer(entries_[i].left, left + memory_);
     }
   }
 
@@ -71,9 +72,9 @@ class LateReplies {
     }
   }
 
-  /// Consumes one frame of the oldest entry for which `fits(request)` holds, or of the only one that is
-  /// remembered, and sets `host` to that of its request; returns false if there is none. On a line that repeats frames within
-  /// `repeats`, if not 0, the entry stays at least that long.
+  /// Consumes one frame of the oldest entry for which `fits(request)` holds, or of the only one
+  /// that is remembered, and sets `host` to that of its request; returns false if there is none. On
+  /// a line that repeats frames within `repeats`, if not 0, the entry stays at least that long.
   template <class Fits>
   constexpr bool take(const Fits& fits, Ticks repeats, std::uint16_t& host) noexcept {
     std::size_t oldest = size_;
@@ -124,7 +125,8 @@ class LateReplies {
 
   /// Makes all entries expire after `most` at the latest.
   constexpr void limit(Ticks most) noexcept {
-    for (std::size_t i = 0; i < size_; ++i) entries_[i].left = shorter(entries_[i].left, most + memory_);
+    for (std::size_t i = 0; i < size_; ++i)
+      entries_[i].left = shorter(entries_[i].left, most + memory_);
   }
 
   constexpr void clear() noexcept { size_ = 0; }

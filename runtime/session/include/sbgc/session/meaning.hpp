@@ -18,9 +18,7 @@ struct Meaning {
   std::uint8_t command;
 
   /// Returns true for an error that does not say which request has failed.
-  bool is_anonymous() const noexcept {
-    return kind == EventKind::board_error && command == 0;
-  }
+  bool is_anonymous() const noexcept { return kind == EventKind::board_error && command == 0; }
 
   /// Returns true if the frame can be one of these responses.
   bool operator()(const Responses& responses) const noexcept {

@@ -1,0 +1,150 @@
+"""Tests of sbgc bridge on a line that stalls or loses answers: each host gets what it asked for."""
+
+from __future__ import annotations
+
+import struct
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+
+from bridge_test import Host, bridge_to
+from emulated_gimbal import emulated_gimbal
+from relay import relay_to
+from sbgc_command import frame
+
+READ_PARAMS_3, WRITE_PARAMS_3 = 21, 22
+GET_ADJ_VARS_VAL, SET_ADJ_VARS_VAL = 64, 31
+CONFIRM = CONTROL = 67
+MOTORS_ON, MOTORS_OFF = 77, 109
+
+
+class Line:
+    """A line to a gimbal. It can stall, and loses answers with these ids."""
+
+    def __init__(self) -> None:
+        self.requests: list[tuple[float, int, bytes]] = []
+        self.lost: set[tuple[int, int]] = set()  # id, first byte of the body
+        self.flows = threading.Event()
+        self.flows.set()
+
+    def note(self, data: bytes) -> bytes:
+        now, rest = time.monotonic(), data
+        while rest:
+            self.requests.append((now, rest[1], rest[: rest[2] + 5]))
+            rest = rest[rest[2] + 5 :]
+        return data
+
+    def answer(self, data: bytes) -> bytes:
+        self.flows.wait()
+        for command, first in self.lost:
+            data = data.replace(frame(command, bytes([first])), b"")
+        return data
+
+    def frames(self, *commands: int) -> list[int]:
+        return [command for _, command, _ in self.requests if command in commands]
+
+
+@contextmanager
+def hosts_at(line: Line, count: int) -> Iterator[list[Host]]:
+    with emulated_gimbal() as gimbal, relay_to(gimbal.address, line.note, line.answer) as address:
+        with bridge_to(address) as bridge:
+            hosts = [Host(bridge.address) for _ in range(count)]
+            try:
+                yield hosts
+            finally:
+                line.flows.set()
+                for host in hosts:
+                    host.close()
+
+
+def received(host: Host, seconds: float = 0.3) -> list[tuple[int, bytes]]:
+    """What has arrived, or arrives in this time."""
+    host.socket.settimeout(seconds)
+    frames = []
+    try:
+        while True:
+            frames.append(host.receive())
+    except TimeoutError:
+        return frames
+
+
+def stall(line: Line, seconds: float) -> None:
+    line.flows.clear()
+    threading.Timer(seconds, line.flows.set).start()
+
+
+@pytest.mark.parametrize("command", [GET_ADJ_VARS_VAL, READ_PARAMS_3])
+def test_late_answers_go_to_those_who_asked(command: int) -> None:
+    line = Line()
+    with hosts_at(line, 3) as (first, second, idle):
+        bodies = (b"\x01\x05", b"\x01\x09") if command == GET_ADJ_VARS_VAL else (b"\0", b"\x01")
+        stall(line, 1.6)
+        first.send(command, bodies[0])
+        second.send(command, bodies[1])
+        time.sleep(2)
+        for host, body in ((first, bodies[0]), (second, bodies[1])):
+            ((_, answer),) = received(host)
+            assert answer[: len(body)] == body
+        assert received(idle) == []
+
+
+def test_motors_are_off_at_last() -> None:
+    line = Line()
+    with hosts_at(line, 1) as (host,):
+        line.lost = {(CONFIRM, MOTORS_ON)}
+        host.send(MOTORS_ON)
+        time.sleep(0.5)
+        host.send(MOTORS_ON)
+        time.sleep(0.05)
+        host.send(MOTORS_OFF)
+        assert received(host, 1.5) == [(CONFIRM, bytes([MOTORS_OFF]))]
+        assert line.frames(MOTORS_ON, MOTORS_OFF) == [MOTORS_ON, MOTORS_ON, MOTORS_OFF]
+
+
+def test_a_read_after_two_writes_gets_the_second() -> None:
+    line = Line()
+    with hosts_at(line, 1) as (host,):
+        line.lost = {(CONFIRM, SET_ADJ_VARS_VAL)}
+        for value in (11, 22):
+            host.send(SET_ADJ_VARS_VAL, struct.pack("<BBi", 1, 0, value))
+        host.send(GET_ADJ_VARS_VAL, b"\x01\x00")
+        ((command, answer),) = received(host, 2)
+        assert (command, struct.unpack("<BBi", answer)) == (SET_ADJ_VARS_VAL, (1, 0, 22))
+
+
+def control(speed: int) -> bytes:
+    return struct.pack("<B6h", 1, 0, 0, 0, 0, speed, 0)
+
+
+def test_a_stop_overtakes_queued_motion() -> None:
+    line = Line()
+    with hosts_at(line, 1) as (host,):
+        requests = b"".join(frame(CONTROL, control(speed)) for speed in range(1, 13))
+        host.socket.sendall(requests + frame(CONTROL, control(0)))
+        time.sleep(0.5)
+        sent = [body[12] for _, command, body in line.requests if command == CONTROL]
+        assert sent[-1] == 0
+        assert len(sent) < 8, "most of the motion is superseded"
+
+
+def test_controls_that_nobody_confirms_keep_their_rate() -> None:
+    """100 per second arrive at 100 per second, each at most the time of one late."""
+    line = Line()
+    with hosts_at(line, 1) as (host,):
+        line.lost = {(CONFIRM, CONTROL)}
+        begin = time.monotonic()
+        asked = []
+        for count in range(300):
+            time.sleep(max(0, begin + count * 0.01 - time.monotonic()))
+            asked.append(time.monotonic())
+            host.send(CONTROL, control(count + 1))
+        time.sleep(0.1)
+        arrived = [when for when, command, _ in line.requests if command == CONTROL]
+        assert len(arrived) == len(asked)
+        # The median is free of what a busy machine adds.
+        late = sorted(there - here for there, here in zip(arrived, asked))
+        assert late[len(late) // 2] < 0.01
+        assert arrived[-1] - arrived[0] < 3.1
