@@ -13,53 +13,97 @@
 namespace {
 
 using sbgc::Handle;
+using sbgc::Responses;
 using sbgc::SendStatus;
 using sbgc::StreamChange;
 using sbgc::detail::LateReplies;
-using sbgc::detail::LateRequest;
 using sbgc::detail::Streams;
 
-constexpr auto any = [](const LateRequest&) { return true; };
+constexpr auto any = [](const Responses&) { return true; };
 
-/// A request of a command.
-constexpr LateRequest request(std::uint64_t number, std::uint8_t command) {
-  return {.handle = {number}, .host = 3, .responses = {.command = command}};
-}
+/// The responses to a command.
+constexpr Responses answers_to(std::uint8_t command) { return {.command = command}; }
 
 /// Takes a late reply; returns the host of its request, or nothing.
 template <class List, class Fits>
 std::optional<std::uint16_t> take(List& late, const Fits& fits) {
-  std::uint16_t host = 0;
-  return late.take(fits, 0, host) ? std::optional(host) : std::nullopt;
+  const auto found = late.match(fits);
+  if (found.entry == nullptr) return std::nullopt;
+  const std::uint16_t host = found.entry->request.host;
+  late.take(*found.entry, 0);
+  return host;
 }
 
 TEST(LateReplies, AreTakenOnlyOnce) {
   LateReplies<2> late;
-  late.add(request(1, 5), 1, 1000);
-  EXPECT_EQ(late.count(any), 1U);
+  late.add(Handle{1}, 3, answers_to(5), 1, 1000);
+  EXPECT_TRUE(late.has(any));
   EXPECT_EQ(take(late, any), 3);
-  EXPECT_EQ(late.count(any), 0U);
+  EXPECT_FALSE(late.has(any));
   EXPECT_EQ(take(late, any), std::nullopt);
 }
 
 TEST(LateReplies, AreNotTakenAfterTheirTime) {
   LateReplies<2> late;
-  late.add(request(1, 5), 1, 1000);
-  late.add(request(2, 6), 1, 2000);
+  late.add(Handle{1}, 3, answers_to(5), 1, 1000);
+  late.add(Handle{2}, 4, answers_to(6), 1, 2000);
   late.pass(1000);
   late.expire();
-  EXPECT_EQ(take(late, any), 3) << "that of the second request";
+  EXPECT_EQ(take(late, any), 4) << "that of the second request";
   EXPECT_EQ(take(late, any), std::nullopt);
+}
+
+TEST(LateReplies, TheOldestIsTakenFirst) {
+  LateReplies<3, true> late;
+  late.add(Handle{2}, 4, answers_to(5), 1, 1000);
+  late.add(Handle{1}, 3, answers_to(5), 1, 1000);
+  EXPECT_EQ(take(late, any), 3);
+  EXPECT_EQ(take(late, any), 4);
+}
+
+TEST(LateReplies, AreRemembered) {
+  LateReplies<4, true> late(5000);
+  late.add(Handle{1}, 3, answers_to(5), 1, 1000);
+  EXPECT_EQ(late.next_end(), 1000U);
+  late.pass(1000);
+  late.expire();
+  EXPECT_FALSE(late.has(any)) << "nothing waits for it";
+  EXPECT_TRUE(late.has_room(3));
+  EXPECT_EQ(late.match(any).count, 0U);
+  late.add(Handle{2}, 4, answers_to(6), 1, 1000);
+  EXPECT_EQ(take(late, any), 4) << "it comes before what is only remembered";
+  EXPECT_EQ(take(late, any), 3);
+  EXPECT_EQ(late.size(), 0U);
+}
+
+TEST(LateReplies, OfSeveralRememberedOnesNoneIsTaken) {
+  LateReplies<4, true> late(5000);
+  late.add(Handle{1}, 3, answers_to(5), 1, 1000);
+  late.add(Handle{2}, 4, answers_to(5), 1, 1000);
+  late.pass(2000);
+  EXPECT_EQ(take(late, any), std::nullopt);
+  late.pass(4000);
+  late.expire();
+  EXPECT_EQ(late.size(), 0U);
+}
+
+TEST(LateReplies, WithoutRoomTheFirstToEndIsReplaced) {
+  LateReplies<2> late;
+  late.add(Handle{1}, 1, answers_to(5), 1, 2000);
+  late.add(Handle{2}, 2, answers_to(6), 1, 1000);
+  late.add(Handle{3}, 3, answers_to(7), 1, 3000);
+  EXPECT_EQ(take(late, any), 1);
+  EXPECT_EQ(take(late, any), 3);
 }
 
 TEST(LateReplies, AFullListEndsAtItsLastEntry) {
   LateReplies<1> late;
-  late.add(request(1, 5), 1, 1000);
+  late.add(Handle{1}, 0, answers_to(5), 1, 1000);
   late.extend(Handle{1}, 2000);
   late.extend(Handle{2}, 3000);
   EXPECT_EQ(late.next_end(), 2000U);
-  const auto of_another = [](const LateRequest& one) { return one.responses.command == 6; };
-  EXPECT_EQ(late.count(of_another), 0U);
+  const auto of_another = [](const Responses& responses) { return responses.command == 6; };
+  EXPECT_FALSE(late.has(of_another));
   EXPECT_EQ(take(late, of_another), std::nullopt);
   late.limit(500);
   EXPECT_EQ(late.next_end(), 500U);

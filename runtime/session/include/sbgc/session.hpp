@@ -152,7 +152,7 @@ class BasicSession {
       if (Request* const next = next_request()) size = transmit(*next, sink);
     }
     Ticks left = next_action();
-    is_due_after_pause_ = pause_left_ != 0 && left == pause_left_;
+    if constexpr (is_shared) is_due_after_pause_ = pause_left_ != 0 && left == pause_left_;
     if (left == 0 && size == 0) left = 1;
     return {{out_.data(), size},
             left == detail::never ? Instant::never : now_ + microseconds(left)};
@@ -224,8 +224,10 @@ class BasicSession {
  private:
   using Ticks = detail::Ticks;
   using Request = detail::SessionRequest<capacity.body>;
-  using LateRequest = detail::LateRequest;
   using State = detail::RequestState;
+
+  /// A session for one request at a time needs neither order nor hosts.
+  static constexpr bool is_shared = capacity.requests > 1;
 
   // Accepting requests
 
@@ -303,10 +305,10 @@ class BasicSession {
       }
     }
     if (request.policy.has_effect) return true;
-    const auto can_be_confused = [&](const LateRequest& late) {
-      return responses.can_be_confused_with(late.responses);
+    const auto can_be_confused = [&](const Responses& late) {
+      return responses.can_be_confused_with(late);
     };
-    if (request.awaits_response && late_replies_.count(can_be_confused) != 0) return false;
+    if (request.awaits_response && late_replies_.has(can_be_confused)) return false;
     return !responses.are_possible() || late_replies_.has_room(in_flight);
   }
 
@@ -345,25 +347,28 @@ class BasicSession {
     sent_.finish = request.finish;
     const Ticks left = settings_.frame_time(size);
     const Ticks response_left = left + response_time;
-    if (request.awaits_response) {
-      pause_left_ = left + sent_.pause;
-    } else {
-      pause_left_ = detail::longer(left, sent_.pause - detail::shorter(overdue_, sent_.pause));
-      sent_.pause /= 2;
+    pause_left_ = left + sent_.pause;
+    if constexpr (is_shared) {
+      if (!request.awaits_response) {
+        pause_left_ = detail::longer(left, sent_.pause - detail::shorter(overdue_, sent_.pause));
+        sent_.pause /= 2;
+      }
+      overdue_ = 0;
+      is_due_after_pause_ = false;
     }
-    overdue_ = 0;
-    is_due_after_pause_ = false;
     request.state = State::in_flight;
     --request.attempts;
     ++request.transmissions;
     request.attempt_left = response_left + request.timeout;
     request.late_left = late_after(response_left, request.finish);
-    const Handle sent = request.handle;
-    const std::uint16_t host = request.host;
-    const ResponsePolicy policy = request.policy;
-    if (!request.awaits_response) complete(request, Outcome::sent, no_frame, sink);
-    if constexpr (capacity.requests > 1) {
+    if constexpr (is_shared) {
+      const Handle sent = request.handle;
+      const std::uint16_t host = request.host;
+      const ResponsePolicy policy = request.policy;
+      if (!request.awaits_response) complete(request, Outcome::sent, no_frame, sink);
       if (policy.has_effect) end_older(sent, host, policy, sink);
+    } else if (!request.awaits_response) {
+      complete(request, Outcome::sent, no_frame, sink);
     }
     return size;
   }
@@ -388,8 +393,10 @@ class BasicSession {
     const Ticks elapsed = detail::between(now_, now);
     if (elapsed == 0) return;
     now_ = now;
-    if (is_due_after_pause_ && elapsed > pause_left_) {
-      overdue_ = detail::shorter(overdue_ + elapsed - pause_left_, most_overdue);
+    if constexpr (is_shared) {
+      if (is_due_after_pause_ && elapsed > pause_left_) {
+        overdue_ = detail::shorter(overdue_ + elapsed - pause_left_, most_overdue);
+      }
     }
     detail::pass(pause_left_, elapsed);
     detail::pass(silence_left_, elapsed);
@@ -468,31 +475,27 @@ class BasicSession {
     if (is_error) count(&SessionStatistics::board_errors);
     if (is_reset) count(&SessionStatistics::resets);
     if (is_reset) forget_streams();
-    const auto means = [&](const LateRequest& late) { return meaning(late.responses); };
+    const auto late = late_replies_.match(meaning);
     Request* meant = nullptr;
-    std::size_t candidates = late_replies_.count(means);
+    std::size_t candidates = late.count;
     for (Request& request : requests_) {
       if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
       if (is_sample(request, frame)) continue;
       ++candidates;
       if (meant == nullptr || request.is_answered_before(*meant)) meant = &request;
     }
-    const bool has_effect = meant != nullptr && meant->policy.has_effect;
-    // To an earlier request, unless that is about the end of what takes long.
-    const bool is_owed =
-        has_effect && meant->policy.confirmations < 2 && late_replies_.count(means, 1) != 0;
-    const bool is_unclear = is_error && candidates > 1 && (meaning.is_anonymous() || !has_effect);
-    const bool is_confirmation = meaning.kind == EventKind::confirmation;
-    const bool is_repeated = is_confirmation && meant != nullptr && meant->duplicate_left != 0;
-    const bool is_late = meant == nullptr || is_owed || is_repeated;
     Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
-    if (!is_late && !is_unclear) {
+    const bool is_confirmation = meaning.kind == EventKind::confirmation;
+    const bool is_unclear = is_error && candidates > 1 && !has_order(meant, meaning);
+    if (meant != nullptr && !is_unclear && !belongs_to_earlier(*meant, is_confirmation, late)) {
       if (!is_reset) end_pause(*meant);
       if (is_confirmation) return confirm(*meant, event, sink);
       complete(*meant, is_error ? Outcome::board_error : outcome_of(*meant, frame), frame, sink);
       if (!is_reset) return;
-    } else if (!is_reset && !is_unclear) {
-      event.is_late = late_replies_.take(means, settings_.duplicates, event.host);
+    } else if (!is_reset && !is_unclear && late.entry != nullptr) {
+      event.is_late = true;
+      if constexpr (is_shared) event.host = late.entry->request.host;
+      late_replies_.take(*late.entry, settings_.duplicates);
     }
     if (event.is_late) count(&SessionStatistics::late_replies);
     const bool is_unsolicited = meaning.kind == EventKind::unsolicited && !event.is_late;
@@ -502,6 +505,24 @@ class BasicSession {
     complete_all(Outcome::reset, sink, next);
     // The board may continue to respond until it restarts.
     late_replies_.limit(detail::ticks_of_ms(roles::reset_delay_ms) + settings_.late);
+  }
+
+  /// Returns true if the oldest request that a frame can answer is the one that it answers.
+  static bool has_order(const Request* meant, const detail::Meaning& meaning) noexcept {
+    if constexpr (!is_shared) return false;
+    return meant != nullptr && meant->policy.has_effect && !meaning.is_anonymous();
+  }
+
+  using Late = typename detail::LateReplies<capacity.late_replies, is_shared>::Match;
+
+  /// Returns true if a frame that can be a response to `request` is one to an earlier request, or is
+  /// repeated.
+  static bool belongs_to_earlier(const Request& request, bool is_confirmation,
+                                 const Late& late) noexcept {
+    if (is_confirmation && request.duplicate_left != 0) return true;
+    if (late.count == 0 || late.entry->frames == 0) return false;
+    // Else `late` is about the end of what takes long.
+    return request.policy.confirmations < 2 && (!is_shared || request.policy.has_effect);
   }
 
   /// Called when the board responds to `request`. If that was the last frame sent, the board has
@@ -628,7 +649,7 @@ class BasicSession {
     if (may_be_repeated) left = detail::longer(left, settings_.duplicates);
     // Even if no time is left: the frame may not have been written yet, see written().
     if (expected != 0 || may_be_repeated) {
-      late_replies_.add({request.handle, request.host, policy.responses}, expected, left);
+      late_replies_.add(request.handle, request.host, policy.responses, expected, left);
     }
   }
 
@@ -669,7 +690,7 @@ class BasicSession {
   detail::Settings settings_;
   [[no_unique_address]] Statistics statistics_{};
   std::array<Request, capacity.requests> requests_{};
-  detail::LateReplies<capacity.late_replies> late_replies_;
+  detail::LateReplies<capacity.late_replies, is_shared> late_replies_;
   [[no_unique_address]] detail::Streams<capacity.streams> streams_{};
   BasicParser<Formats, capacity.optimize> parser_{};
   std::array<std::uint8_t, capacity.body + max_frame_size - max_body_size> out_{};

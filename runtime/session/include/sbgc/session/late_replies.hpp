@@ -11,43 +11,59 @@
 
 namespace sbgc::detail {
 
-/// The request that a late reply answers.
+/// A request whose replies are late; the last one, if there are several that the same frames match.
 struct LateRequest {
-  Handle handle{};  // the last one, if there are several
+  Handle handle{};
   std::uint16_t host{};
   Responses responses{};
 };
 
 /// The late replies that may still arrive. They consume matching frames, so that no frame is
-/// matched to a later request. During the last part of its time, the memory of the session, an
-/// entry only tells whose request a frame answers.
-template <std::size_t capacity>
+/// matched to a later request. With a memory, an entry remains for that time after its end, only to
+/// tell whose request a frame answers.
+template <std::size_t capacity, bool has_memory = false>
 class LateReplies {
  public:
-  /// With the memory of a session.
-  constexpr explicit LateReplies(Ticks memory = 0) noexcept : memory_(memory) {}
+  struct Entry {
+    LateRequest request{};
+    Ticks left{};
+    std::uint32_t frames{};  // 0: only repetitions
+  };
+
+  /// The entries that a frame matches.
+  struct Match {
+    Entry* entry{};       // the oldest; of several remembered ones, none; or null
+    std::size_t count{};  // without those remembered
+  };
+
+  constexpr explicit LateReplies(Ticks memory = 0) noexcept : memory_(has_memory ? memory : 0) {}
 
   constexpr std::size_t size() const noexcept { return size_; }
 
   /// Returns true if an entry could be added while `reserved` places stay free.
   constexpr bool has_room(std::size_t reserved) const noexcept {
-    const auto any = [](const LateRequest&) { return true; };
-    return count(any) + reserved < capacity;
+    std::size_t taken = reserved;
+    for (std::size_t i = 0; i < size_; ++i) taken += is_over(entries_[i]) ? 0U : 1U;
+    return taken < capacity;
   }
 
   /// Expects up to `frames` further frames for a request, for this long; with 0 frames, repetitions
   /// of those that have arrived. Without room, see has_room(), this replaces the entry that expires
   /// first.
-  constexpr void add(const LateRequest& request, std::uint32_t frames, Ticks left) noexcept {
+  constexpr void add(Handle request, std::uint16_t host, const Responses& responses,
+                     std::uint32_t frames, Ticks left) noexcept {
     std::size_t place = 0;
-    while (place < size_ && !entries_[place].is_of(request)) ++place;
-    if (place == size_) {
-      place = size_ < capacity ? size_++ : first_to_end();
-      entries_[place].left = 0;
-    }  // else the same frames match both
+    while (place < size_ && !is_of(entries_[place], host, responses)) ++place;
+    const bool is_new = place == size_ || is_over(entries_[place]);
+    if (place == size_) place = size_ < capacity ? size_++ : first_to_end();
     Entry& entry = entries_[place];
-    if (is_only_remembered(entry)) entry.frames = 0;
-    entry.request = request;
+    if (is_new) {
+      entry.request.host = host;
+      entry.request.responses = responses;
+      entry.frames = 0;
+      entry.left = 0;
+    }  // else the same frames match both
+    entry.request.handle = request;
     entry.frames += frames;
     entry.left = longer(entry.left, left + memory_);
   }
@@ -56,8 +72,8 @@ class LateReplies {
   /// long.
   constexpr void extend(Handle request, Ticks left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (entries_[i].request.handle == request)
-        entries_[i].left = longer(entries_[i].left, left + memory_);
+      Entry& entry = entries_[i];
+      if (entry.request.handle == request) entry.left = longer(entry.left, left + memory_);
     }
   }
 
@@ -72,82 +88,80 @@ class LateReplies {
     }
   }
 
-  /// Consumes one frame of the oldest entry for which `fits(request)` holds, or of the only one
-  /// that is remembered, and sets `host` to that of its request; returns false if there is none. On
-  /// a line that repeats frames within `repeats`, if not 0, the entry stays at least that long.
+  /// Returns the entries for which `fits(responses)` holds.
   template <class Fits>
-  constexpr bool take(const Fits& fits, Ticks repeats, std::uint16_t& host) noexcept {
-    std::size_t oldest = size_;
+  constexpr Match match(const Fits& fits) noexcept {
+    Match found;
     std::size_t remembered = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-      const Entry& entry = entries_[i];
-      if (!fits(entry.request)) continue;
-      if (is_only_remembered(entry)) {
-        if (remembered++ == 0 && oldest == size_) oldest = i;
-      } else if (oldest == size_ || is_only_remembered(entries_[oldest]) ||
-                 entry.request.handle < entries_[oldest].request.handle) {
-        oldest = i;
+      Entry& entry = entries_[i];
+      if (!fits(entry.request.responses)) continue;
+      if (is_over(entry)) {
+        ++remembered;
+        if (found.count == 0) found.entry = remembered == 1 ? &entry : nullptr;
+      } else if (found.count++ == 0 || is_before(entry, *found.entry)) {
+        found.entry = &entry;
       }
     }
-    if (oldest == size_ || (remembered > 1 && is_only_remembered(entries_[oldest]))) return false;
-    Entry& entry = entries_[oldest];
-    host = entry.request.host;
+    return found;
+  }
+
+  /// Consumes one frame of an entry. On a line that repeats frames within `repeats`, if not 0, the
+  /// entry stays at least that long.
+  constexpr void take(Entry& entry, Ticks repeats) noexcept {
     if (entry.frames != 0) --entry.frames;
     if (repeats != 0) {
       entry.left = longer(entry.left, repeats + memory_);
     } else if (entry.frames == 0) {
-      remove(oldest);
+      entry = entries_[--size_];
     }
-    return true;
   }
 
-  /// Returns the number of entries, without those only remembered, for which `fits(request)` holds
-  /// and that expect `frames` frames or more.
+  /// Returns true if there is an entry, not only remembered, for which `fits(responses)` holds.
   template <class Fits>
-  constexpr std::size_t count(const Fits& fits, std::uint32_t frames = 0) const noexcept {
-    std::size_t result = 0;
+  constexpr bool has(const Fits& fits) const noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      const Entry& entry = entries_[i];
-      if (is_only_remembered(entry) || entry.frames < frames) continue;
-      result += fits(entry.request) ? 1U : 0U;
+      if (!is_over(entries_[i]) && fits(entries_[i].request.responses)) return true;
     }
-    return result;
+    return false;
   }
 
-  /// Returns the time until the first entry is only remembered.
+  /// Returns the time until the first entry ends.
   constexpr Ticks next_end() const noexcept {
     Ticks left = never;
     for (std::size_t i = 0; i < size_; ++i) {
-      if (!is_only_remembered(entries_[i])) left = shorter(left, entries_[i].left - memory_);
+      if (!is_over(entries_[i])) left = shorter(left, entries_[i].left - memory_);
     }
     return left;
   }
 
-  /// Makes all entries expire after `most` at the latest.
+  /// Makes all entries end after `most` at the latest.
   constexpr void limit(Ticks most) noexcept {
-    for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t i = 0; i < size_; ++i) {
       entries_[i].left = shorter(entries_[i].left, most + memory_);
+    }
   }
 
   constexpr void clear() noexcept { size_ = 0; }
 
  private:
-  struct Entry {
-    LateRequest request{};
-    Ticks left{};
-    std::uint32_t frames{};
+  static constexpr bool is_of(const Entry& entry, std::uint16_t host,
+                              const Responses& responses) noexcept {
+    return (!has_memory || entry.request.host == host) && entry.request.responses == responses;
+  }
 
-    constexpr bool is_of(const LateRequest& other) const noexcept {
-      return request.host == other.host && request.responses == other.responses;
-    }
-  };
+  /// Returns true if the entry is only remembered.
+  constexpr bool is_over(const Entry& entry) const noexcept {
+    return has_memory && entry.left <= memory_;
+  }
 
-  constexpr bool is_only_remembered(const Entry& entry) const noexcept {
-    return entry.left <= memory_;
+  static constexpr bool is_before(const Entry& entry, const Entry& other) noexcept {
+    return capacity > 1 && entry.request.handle < other.request.handle;
   }
 
   constexpr std::size_t first_to_end() const noexcept {
     std::size_t first = 0;
+    if constexpr (capacity == 1) return first;
     for (std::size_t i = 1; i < size_; ++i) {
       if (entries_[i].left < entries_[first].left) first = i;
     }

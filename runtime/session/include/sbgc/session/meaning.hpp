@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
@@ -21,7 +22,7 @@ struct Meaning {
   bool is_anonymous() const noexcept { return kind == EventKind::board_error && command == 0; }
 
   /// Returns true if the frame can be one of these responses.
-  bool operator()(const Responses& responses) const noexcept {
+  SBGC_NOINLINE bool operator()(const Responses& responses) const noexcept {
     if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
     if (kind == EventKind::board_error) return command == 0 || command == responses.command;
     return responses.form_of(frame) != nullptr;
