@@ -20,6 +20,7 @@ from sbgcgen.model import (
     Packed,
     Quantity,
     Scalar,
+    StopValue,
     Struct,
     field_rules,
 )
@@ -74,6 +75,32 @@ def effect_text(word: str) -> str:
     return EFFECTS[word]
 
 
+def stop_text(message: Message) -> str:
+    """When a request stops all motion: "Stops all motion if `cmd_id` is `MOTOR_OFF`."; or ""."""
+    if not message.stops:
+        return ""
+    patterns = [" and ".join(map(_stop_value, pattern)) for pattern in message.stops]
+    when = "; or if ".join(patterns)
+    return f"Stops all motion{f' if {when}' if when else ''}."
+
+
+def _stop_value(value: StopValue) -> str:
+    if not isinstance(value.type, Packed):
+        return f"`{value.path}` is {_name(value.type, value.value)}"
+    parts = [part for part in value.type.parts if not value.mask or part.mask & value.mask]
+    numbers = [(value.value & part.mask) >> part.shift for part in parts]
+    return " and ".join(
+        f"`{value.path}.{part.name}` is {_name(part.enum, number)}"
+        for part, number in zip(parts, numbers)
+    )
+
+
+def _name(type_: Any, number: Any) -> str:
+    """The name of an enum value, or else the number."""
+    values = type_.values if isinstance(type_, Enum) else ()
+    return next((f"`{v.name}`" for v in values if v.value == number), f"{number:g}")
+
+
 def is_dangerous(effect: Effect | None) -> bool:
     """True if a request can move the camera or restart the board, so readers need a warning."""
     return effect is not None and not {"moves", "restarts"}.isdisjoint(effect.words)
@@ -123,6 +150,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "number": number,
     "versions": versions,
     "effect_text": effect_text,
+    "stop_text": stop_text,
     "is_dangerous": is_dangerous,
     "hex": hexadecimal,
     "slug": slug,

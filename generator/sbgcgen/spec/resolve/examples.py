@@ -63,7 +63,9 @@ class ExampleReader:
             self.found.add(at, _VALUE, text, unfit.hint)
         return None
 
-    def example(self, fields: tuple[Field, ...], node: Any, name: str) -> dict[str, Any]:
+    def example(
+        self, fields: tuple[Field, ...], node: Any, name: str, what: str = "example"
+    ) -> dict[str, Any]:
         """The values of a worked example by path; all others are typical."""
         result: dict[str, Any] = {}
         for path, value in node.items() if isinstance(node, Map) else ():
@@ -82,7 +84,7 @@ class ExampleReader:
                 read = _single(field, field.type, value) if is_element else _member(field, value)
                 result[path] = read
             except _Unfit as unfit:
-                text = f"'{path}' of the example of {name} {unfit.problem}"
+                text = f"'{path}' of the {what} of {name} {unfit.problem}"
                 self.found.add(node.at(path), _VALUE, text, unfit.hint)
         return result
 
@@ -95,7 +97,7 @@ class ExampleReader:
 
     def _stop_pattern(self, fields: tuple[Field, ...], node: Any, name: str) -> StopPattern:
         pattern = []
-        for path, value in self.example(fields, node, name).items():
+        for path, value in self.example(fields, node, name, "stop").items():
             found = _find(fields, path)
             assert found is not None
             field = found[0]
