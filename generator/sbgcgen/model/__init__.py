@@ -90,6 +90,8 @@ __all__ = [
     "CorrelationField",
     "Effect",
     "EffectCase",
+    "StopPattern",
+    "StopValue",
     "Enum",
     "EnumValue",
     "Erratum",
