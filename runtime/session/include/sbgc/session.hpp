@@ -515,8 +515,8 @@ class BasicSession {
 
   using Late = typename detail::LateReplies<capacity.late_replies, is_shared>::Match;
 
-  /// Returns true if a frame that can be a response to `request` is one to an earlier request, or is
-  /// repeated.
+  /// Returns true if a frame that can be a response to `request` is one to an earlier request, or
+  /// is repeated.
   static bool belongs_to_earlier(const Request& request, bool is_confirmation,
                                  const Late& late) noexcept {
     if (is_confirmation && request.duplicate_left != 0) return true;
