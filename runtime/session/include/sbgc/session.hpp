@@ -152,7 +152,10 @@ class BasicSession {
       if (Request* const next = next_request()) size = transmit(*next, sink);
     }
     Ticks left = next_action();
-    if constexpr (is_shared) is_due_after_pause_ = pause_left_ != 0 && left == pause_left_;
+    if constexpr (is_shared) {
+      is_due_after_pause_ = pause_left_ != 0 && left == pause_left_;
+      if (!is_due_after_pause_) overdue_ = 0;
+    }
     if (left == 0 && size == 0) left = 1;
     return {{out_.data(), size},
             left == detail::never ? Instant::never : now_ + microseconds(left)};
