@@ -18,24 +18,24 @@ std::string counted(std::uint64_t number, const char* thing) {
 
 std::string clipped(std::string_view message) {
   constexpr std::size_t longest = 1000;
-  std::string result = printable(message.substr(0, longest));
+  std::string result = printable(std::string(message.substr(0, longest)));
   std::ranges::replace(result, '\n', '?');
   return message.size() > longest ? result + "..." : result;
 }
 
-std::string printable(std::string_view text) {
+std::string printable(const std::string& text) {
   std::string result;
-  while (!text.empty()) {
-    const std::size_t length = detail::utf8_length(text);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = detail::utf8_length(rest);
     const bool is_c1 =
-        length == 2 && text[0] == '\xC2' && static_cast<std::uint8_t>(text[1]) < 0xA0;
-    const bool is_line_break = text[0] == '\n';
-    if (length == 0 || is_c1 || (detail::is_control(text[0]) && !is_line_break)) {
+        length == 2 && rest[0] == '\xC2' && static_cast<std::uint8_t>(rest[1]) < 0xA0;
+    const bool is_line_break = rest[0] == '\n';
+    if (length == 0 || is_c1 || (detail::is_control(rest[0]) && !is_line_break)) {
       result += '?';
     } else {
-      result += text.substr(0, length);
+      result += rest.substr(0, length);
     }
-    text.remove_prefix(std::max(length, std::size_t{1}));
+    rest.remove_prefix(std::max(length, std::size_t{1}));
   }
   return result;
 }
