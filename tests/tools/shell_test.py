@@ -1,4 +1,4 @@
-"""Tests of the completion in each shell, and of the manual pages."""
+"""Tests of the completion, and of the manual pages."""
 
 from __future__ import annotations
 
@@ -91,14 +91,14 @@ def test_bash() -> None:
     script = """
         source <(sbgc completion bash)
         complete_line() {
-          COMP_LINE=$1 COMP_POINT=${#1}
-          _sbgc
+          COMP_LINE=$1$2; COMP_POINT=${#COMP_LINE}
+          _sbgc sbgc "$2"
           printf '%s\\n' "${COMPREPLY[@]}" end
         }
-        complete_line 'sbgc inf'
-        complete_line 'sbgc info --format '
-        complete_line 'sbgc info -p tcp'
-        complete_line 'sbgc info -p tcp:'
+        complete_line 'sbgc ' inf
+        complete_line 'sbgc info --format ' ''
+        complete_line 'sbgc info -p ' tcp
+        complete_line 'sbgc info -p tcp:' ''
     """
     done = subprocess.run(
         ["bash", "-c", script], env=environment(), capture_output=True, text=True, check=True

@@ -13,7 +13,19 @@ TEST(Wording, NoControlCharacterReachesTheTerminal) {
   EXPECT_EQ(printable("\x1B[31m\a\t\x7F"), "?[31m???");
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m\xC2\x80"),
-            "??31m??");
+            "?31m?");
+}
+
+TEST(Wording, NoByteThatIsNotUtf8ReachesTheTerminal) {
+  // Terminals of other encodings obey 80 to 9F.
+  EXPECT_EQ(printable("\x9B"
+                      "31m\xC3(\xE2\x82"),
+            "?31m?(??");
+}
+
+TEST(Wording, AQuotedInputStaysOnOneLine) {
+  EXPECT_EQ(clipped("two\nlines\xC2\x9B"), "two?lines?");
+  EXPECT_EQ(clipped(std::string(2000, 'a')), std::string(1000, 'a') + "...");
 }
 
 TEST(Wording, OtherCharactersStay) {

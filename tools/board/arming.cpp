@@ -23,7 +23,7 @@ void arm(const Arming& arming, const std::string& what_will_happen) {
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
     throw CommandError("not confirmed: there is no terminal to ask on; add --yes");
   }
-  remark("{}", Colors(stderr)(Color::bold, "Continue? [y/N] "));
+  remark_as_is(Colors(stderr)(Color::bold, "Continue? [y/N] "));
   std::fflush(stderr);
   std::string answer;
   std::getline(std::cin, answer);

@@ -17,6 +17,7 @@
 #include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -149,7 +150,7 @@ class Paragraphs {
   void print(const std::string& name, const std::string& text) const {
     const std::size_t padding = column - std::min(name.size(), column);
     fmt::print("{}{:{}}{}\n", bold_(Color::bold, name), "", padding,
-               wrapped(text, line_width(), column, column));
+               wrapped(printable(text), line_width(), column, column));
   }
 
   static constexpr std::size_t column = 15;

@@ -10,6 +10,7 @@
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -18,7 +19,7 @@ ProgressBar::ProgressBar(std::string unit) : is_on_(is_terminal(stderr)), unit_(
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::clear() {
-  if (is_shown_) remark("\r\033[K");
+  if (is_shown_) remark_as_is("\r\033[K");
   is_shown_ = false;
 }
 
@@ -37,7 +38,7 @@ void ProgressBar::show(const Progress& progress) {
 
 void ProgressBar::show(std::string_view text) {
   if (!is_on_) return;
-  remark("\r{}\033[K", text.substr(0, line_width() - 1));
+  remark_as_is("\r" + printable(std::string(text.substr(0, line_width() - 1))) + "\033[K");
   std::fflush(stderr);
   is_shown_ = true;
 }

@@ -56,10 +56,10 @@ int main(int argc, char** argv) {
   try {
     status = tools::run(argc, argv);
   } catch (const tools::CommandError& error) {
-    tools::remark("sbgc: {}\n", tools::printable(tools::as_message(error.what())));
+    tools::remark("sbgc: {}\n", tools::as_message(error.what()));
     status = error.status();
   } catch (const std::exception& error) {
-    tools::remark("sbgc: {}\n", tools::printable(error.what()));
+    tools::remark("sbgc: {}\n", error.what());
   }
   // An earlier failed write sets the error flag even if there is nothing left to flush.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

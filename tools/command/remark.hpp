@@ -7,13 +7,18 @@
 
 #include <fmt/format.h>
 
+#include "command/wording.hpp"
+
 namespace sbgc::tools {
 
-/// Prints like fmt::print(stderr, ...), but ignores errors: a terminal that is gone must not keep a
-/// command from stopping the camera.
+/// Prints text that may control the terminal. Ignores errors: a terminal that is gone must not keep
+/// a command from stopping the camera.
+inline void remark_as_is(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+/// Prints like fmt::print(stderr, ...) what printable() makes of it; otherwise as remark_as_is().
 template <class... Args>
 void remark(fmt::format_string<Args...> format, Args&&... args) {
-  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stderr);
+  remark_as_is(printable(fmt::format(format, std::forward<Args>(args)...)));
 }
 
 }  // namespace sbgc::tools

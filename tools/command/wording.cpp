@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <sbgc/detail/is_control.hpp>
+#include <sbgc/json/values.hpp>
 
 namespace sbgc::tools {
 
@@ -16,19 +18,26 @@ std::string counted(std::uint64_t number, const char* thing) {
 
 std::string clipped(std::string_view message) {
   constexpr std::size_t longest = 1000;
-  std::string result(message.substr(0, longest));
-  std::replace_if(result.begin(), result.end(), detail::is_control, '?');
+  std::string result = printable(std::string(message.substr(0, longest)));
+  std::ranges::replace(result, '\n', '?');
   return message.size() > longest ? result + "..." : result;
 }
 
-std::string printable(std::string text) {
-  constexpr char c1_lead = '\xC2';  // in UTF-8, before 80 to 9F
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_c1 = i > 0 && text[i - 1] == c1_lead && static_cast<std::uint8_t>(text[i]) < 0xA0;
-    if (is_c1) text[i - 1] = '?';
-    if (is_c1 || (detail::is_control(text[i]) && text[i] != '\n')) text[i] = '?';
+std::string printable(const std::string& text) {
+  std::string result;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = detail::utf8_length(rest);
+    const bool is_c1 =
+        length == 2 && rest[0] == '\xC2' && static_cast<std::uint8_t>(rest[1]) < 0xA0;
+    const bool is_line_break = rest[0] == '\n';
+    if (length == 0 || is_c1 || (detail::is_control(rest[0]) && !is_line_break)) {
+      result += '?';
+    } else {
+      result += rest.substr(0, length);
+    }
+    rest.remove_prefix(std::max(length, std::size_t{1}));
   }
-  return text;
+  return result;
 }
 
 std::string as_message(std::string sentence) {

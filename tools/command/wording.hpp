@@ -14,9 +14,9 @@ std::string counted(std::uint64_t number, const char* thing);
 /// if it is long.
 std::string clipped(std::string_view message);
 
-/// Returns a text in which '?' stands for each control character but the line break, so that what a
-/// file or a device says cannot control the terminal.
-std::string printable(std::string text);
+/// Returns a text in which '?' stands for each control character but the line break, and for each
+/// byte that is not UTF-8, so that what a file or a device says cannot control the terminal.
+std::string printable(const std::string& text);
 
 /// Returns the sentence without a period at its end, as part of a longer message.
 std::string without_period(std::string sentence);

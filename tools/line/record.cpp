@@ -119,12 +119,12 @@ int record_line(const RecordOptions& options) {
     timer.expires_after(*options.time);
     timer.async_wait(stop_unless_cancelled);
   }
-  if (!to_stdout) fmt::print("{}\n", transport->description());
+  if (!to_stdout) fmt::print("{}\n", printable(transport->description()));
   std::fflush(stdout);
   listener.read();
   context.run();
   if (!to_stdout) {
-    fmt::print("{} recorded in {}\n", counted(listener.total(), "byte"), options.file);
+    fmt::print("{} recorded in {}\n", counted(listener.total(), "byte"), printable(options.file));
   }
   if (!file_problem.empty()) throw std::runtime_error(file_problem);
   if (!listener.problem().empty()) throw std::runtime_error(listener.problem());
@@ -211,7 +211,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   for (const WantedStream& one : streams) {
     running.push_back(value_of(one.type->start(client, one.interval, [](const Sample&) {})));
   }
-  if (!to_stdout) fmt::print("{}\n", client.description());
+  if (!to_stdout) fmt::print("{}\n", printable(client.description()));
   std::fflush(stdout);
   const auto end = options.time ? std::chrono::steady_clock::now() + *options.time
                                 : std::chrono::steady_clock::time_point::max();
@@ -223,7 +223,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   running.clear();
   client.close();
   if (!to_stdout) {
-    fmt::print("{} recorded in {}\n", counted(total, "byte"), options.file);
+    fmt::print("{} recorded in {}\n", counted(total, "byte"), printable(options.file));
   }
   if (has_failed()) throw CommandError(problem);
   return success;

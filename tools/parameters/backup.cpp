@@ -124,7 +124,7 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   }
   const std::string changes = changes_text(plan);
   if (changes.empty()) {
-    fmt::print("the board holds the parameters of {} already\n", options.file);
+    fmt::print("the board holds the parameters of {} already\n", printable(options.file));
     return success;
   }
   fmt::print("{}", changes);
@@ -193,7 +193,7 @@ int report_changes(const DiffOptions& options, const std::vector<ParametersChang
   if (options.format == "json") {
     fmt::print("{}\n", to_json(changes).dump(2, ' ', false, Json::error_handler_t::replace));
   } else if (!changes.empty()) {
-    fmt::print("from {} to {}:\n{}", before, after, changes_text(changes));
+    fmt::print("from {} to {}:\n{}", printable(before), printable(after), changes_text(changes));
   }
   return changes.empty() ? success : failure;
 }

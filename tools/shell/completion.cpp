@@ -18,6 +18,7 @@
 #include "care/calibrations.hpp"
 #include "command/command_error.hpp"
 #include "command/commands.hpp"
+#include "command/wording.hpp"
 #include "line/listed_ports.hpp"
 #include "line/stream_type.hpp"
 #include "shell/command_line_facts.hpp"
@@ -39,7 +40,7 @@ using Candidates = std::vector<Candidate>;
 
 /// Returns the beginning of a description, which is enough in a list.
 std::string brief(const std::string& description) {
-  return description.substr(0, description.find_first_of(".:;("));
+  return clipped(description.substr(0, description.find_first_of(".:;(\n")));
 }
 
 Candidates words(const std::vector<std::string>& names) {
@@ -289,7 +290,9 @@ void print_candidates(const CLI::App& app, const std::vector<std::string>& line)
   const std::string word = line.empty() ? "" : line.back();
   for (const Candidate& candidate : complete(app, line)) {
     const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
-    if (fits) fmt::print("{}\t{}\n", candidate.word, brief(candidate.description));
+    // No shell shows or inserts other words as they are.
+    const bool is_plain = clipped(candidate.word) == candidate.word;
+    if (fits && is_plain) fmt::print("{}\t{}\n", candidate.word, brief(candidate.description));
   }
 }
 
