@@ -1,7 +1,6 @@
 #include "board/progress_bar.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,7 +37,6 @@ void ProgressBar::show(const Progress& progress) {
 void ProgressBar::show(std::string_view text) {
   if (!is_on_) return;
   remark("\r{}\033[K", text.substr(0, line_width() - 1));
-  std::fflush(stderr);
   is_shown_ = true;
 }
 

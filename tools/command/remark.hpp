@@ -1,6 +1,7 @@
 /// Remarks on standard error.
 #pragma once
 
+#include <atomic>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -9,11 +10,16 @@
 
 namespace sbgc::tools {
 
+/// Writes remarks. By default, it waits for the reader; remark_in_background() changes that.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): of the process, as the file is
+inline std::atomic<void (*)(const std::string& text)> remark_writer{
+    [](const std::string& text) { std::fputs(text.c_str(), stderr); }};
+
 /// Prints like fmt::print(stderr, ...), but ignores errors: a terminal that is gone must not keep a
 /// command from stopping the camera.
 template <class... Args>
 void remark(fmt::format_string<Args...> format, Args&&... args) {
-  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stderr);
+  remark_writer.load()(fmt::format(format, std::forward<Args>(args)...));
 }
 
 }  // namespace sbgc::tools
