@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import signal
@@ -234,7 +235,9 @@ def test_what_was_dropped_is_counted() -> None:
             ask(host, 1000)
             shown = b""
             deadline = time.monotonic() + PATIENCE
-            while not (count := re.search(rb"^\.\.\. (\d+) lines dropped: no reader$", shown, re.M)):
+            while not (
+                count := re.search(rb"^\.\.\. (\d+) lines dropped: no reader$", shown, re.M)
+            ):
                 assert time.monotonic() < deadline
                 shown += os.read(output.reader, 65536)
             lines = shown.strip(b"\n")[: count.start()].count(b"\n")
@@ -248,13 +251,14 @@ def test_what_was_dropped_is_counted() -> None:
 
 
 def test_a_slow_reader_gets_everything() -> None:
-    """More than the pipe holds, after the end of the motion."""
+    """Also what the pipe does not hold at the end."""
     with emulated_gimbal() as gimbal:
         arguments = ("speed", "--yaw", "20", "--for", "1s", "--yes", "--verbose")
         process = subprocess.Popen(
             [PROGRAM, *arguments, "-p", gimbal.address], stderr=subprocess.PIPE
         )
         assert process.stderr is not None
+        fcntl.fcntl(process.stderr, fcntl.F_SETPIPE_SZ, 4096)
         shown = b""
         while part := os.read(process.stderr.fileno(), 2000):
             time.sleep(0.01)
