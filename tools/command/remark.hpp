@@ -11,8 +11,7 @@
 namespace sbgc::tools {
 
 /// Writes remarks. By default, it waits for the reader; remark_in_background() changes that.
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): of the process, as the file
-// is
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): as standard error is
 inline std::atomic<void (*)(const std::string& text)> remark_writer{
     [](const std::string& text) { std::fputs(text.c_str(), stderr); }};
 
