@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
@@ -39,10 +42,16 @@ inline bool take_yes_flag(int& argc, char** argv) {
 inline volatile std::sig_atomic_t signalled = 0;
 
 /// Makes Ctrl-C, and closing the terminal, set a flag instead of ending the program, so that it can
-/// stop the camera first.
+/// stop the camera first. They also end a printf() that waits for its reader, and what is printed
+/// later is discarded.
 inline void notice_signals() {
-  for (const int signal : {SIGHUP, SIGINT, SIGTERM})
-    std::signal(signal, [](int) { signalled = 1; });
+  static const int nowhere = ::open("/dev/null", O_WRONLY);
+  struct sigaction action {};
+  action.sa_handler = [](int) {
+    signalled = 1;
+    ::dup2(nowhere, STDOUT_FILENO);
+  };
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
 }
 
 /// For move_to(): returns false after a signal, which stops the camera.
@@ -58,9 +67,11 @@ class Motors {
   Motors& operator=(Motors&&) = delete;
   ~Motors() {
     if (!turned_on_) return;
-    std::printf("turning the motors off again\n");
+    // Nothing is printed before, because a printf() can wait for its reader.
     if (auto off = client_.motors_off(); !off) {
       std::fprintf(stderr, "turning the motors off: %s\n", off.error().message.c_str());
+    } else {
+      std::printf("turned the motors off again\n");
     }
   }
 

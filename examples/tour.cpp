@@ -104,6 +104,21 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
   return {};
 }
 
+/// The part for which the motors are on.
+sbgc::Result<void> move(sbgc::Client& client) {
+  careful::Motors motors(client);
+  if (auto on = motors.turn_on(); !on) return on;
+  constexpr sbgc::msg::Angle14 down = -30_deg;
+  constexpr sbgc::msg::Angle14 level = 0_deg;
+  for (const sbgc::msg::Angle14 pitch : {down, level}) {
+    const auto moved = tilt(client, pitch);
+    if (!moved) return moved.error();
+    std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
+  }
+  if (auto measured = measure(client, 4s); !measured) return measured;
+  return client.release();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,15 +144,5 @@ int main(int argc, char** argv) {
   if (!careful::may_move(yes, "This turns the motors on, tilts the camera down and back."))
     return 1;
   careful::notice_signals();
-  careful::Motors motors(*client);
-  if (auto on = motors.turn_on(); !on) return fail(on.error());
-  constexpr sbgc::msg::Angle14 down = -30_deg;
-  constexpr sbgc::msg::Angle14 level = 0_deg;
-  for (const sbgc::msg::Angle14 pitch : {down, level}) {
-    const auto moved = tilt(*client, pitch);
-    if (!moved) return fail(moved.error());
-    std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
-  }
-  if (auto measured = measure(*client, 4s); !measured) return fail(measured.error());
-  if (auto released = client->release(); !released) return fail(released.error());
+  if (auto moved = move(*client); !moved) return fail(moved.error());
 }

@@ -174,6 +174,15 @@ TEST_F(MotionTest, CanBeCancelled) {
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 
+TEST_F(MotionTest, DoesNotBeginIfItIsCancelledBefore) {
+  MoveOptions settings;
+  settings.progress = [](const MoveProgress&) { return false; };
+  const auto moved = move_to({.pitch = 20_deg}, settings);
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(count<msg::Control>(), 0U);
+}
+
 TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
   connect(few_retries);
   board.on_lost([this](const Packet&) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "command/background_output.hpp"
 #include "command/colors.hpp"
 #include "command/command_error.hpp"
 #include "command/help_text.hpp"
@@ -18,13 +19,14 @@ void add_arming(CLI::App& command, Arming& arming) {
 }
 
 void arm(const Arming& arming, const std::string& what_will_happen) {
+  remark_in_background();
   remark("{}\n", wrapped(what_will_happen, line_width()));
   if (arming.yes) return;
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
     throw CommandError("not confirmed: there is no terminal to ask on; add --yes");
   }
   remark_as_is(Colors(stderr)(Color::bold, "Continue? [y/N] "));
-  std::fflush(stderr);
+  background_stderr().wait();  // nothing moves yet
   std::string answer;
   std::getline(std::cin, answer);
   if (answer != "y" && answer != "Y" && answer != "yes") throw CommandError("not confirmed");

@@ -15,7 +15,8 @@ struct Arming {
 void add_arming(CLI::App& command, Arming& arming);
 
 /// Says what will happen, in sentences, and asks the user unless --yes was given. Throws
-/// CommandError if the user does not agree, or cannot be asked because there is no terminal.
+/// CommandError if the user does not agree, or cannot be asked because there is no terminal. From
+/// now on, remarks wait for no reader.
 void arm(const Arming& arming, const std::string& what_will_happen);
 
 }  // namespace sbgc::tools

@@ -42,7 +42,7 @@ class FramePrinter final : public io::Observer {
     StringOutput out(text);
     put_text(out, decoder_.decode(frame, direction), colors_);
     out.finish();
-    std::fputs(text.c_str(), stderr);
+    remark("{}", text);
   }
 
   io::Clock::time_point start_ = io::Clock::now();

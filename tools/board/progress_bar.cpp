@@ -1,7 +1,6 @@
 #include "board/progress_bar.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,7 +38,6 @@ void ProgressBar::show(const Progress& progress) {
 void ProgressBar::show(std::string_view text) {
   if (!is_on_) return;
   remark_as_is("\r" + printable(std::string(text.substr(0, line_width() - 1))) + "\033[K");
-  std::fflush(stderr);
   is_shown_ = true;
 }
 

@@ -63,6 +63,6 @@ int main(int argc, char** argv) {
   }
   // An earlier failed write sets the error flag even if there is nothing left to flush.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  std::fputs("sbgc: cannot write to the standard output\n", stderr);
+  tools::remark("sbgc: cannot write to the standard output\n");
   return status == tools::success ? tools::failure : status;
 }

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -16,17 +15,17 @@
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <sbgc/io/clock.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
+#include "command/background_output.hpp"
 #include "command/commands.hpp"
+#include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
-#include "serving/nonblocking_lines.hpp"
 #include "serving/service.hpp"
 
 namespace sbgc::tools {
@@ -84,22 +83,16 @@ void allow_many_files() {
 }
 
 int serve(const EmulateOptions& options) {
-  // Standard output then carries the bytes of the host.
-  const bool logs_to_stderr = options.service.stdio;
-  // Serving hosts must not depend on readers of the log: slow or closed readers and full disks are
-  // tolerated.
-  serving::NonblockingLines problems(STDERR_FILENO);
-  std::optional<serving::NonblockingLines> events;
-  if (!logs_to_stderr) events.emplace(STDOUT_FILENO);
+  remark_in_background();
+  const auto to_stderr = [](const std::string& text) { remark("{}\n", text); };
+  const auto to_stdout = [](const std::string& text) { background_stdout().write(text + '\n'); };
   serving::ServiceLogs logs;
-  // These lines are required by readers; a failure to write them shows in the exit status.
-  logs.endpoint = [out = logs_to_stderr ? stderr : stdout](const std::string& text) {
-    std::fputs((text + "\n").c_str(), out);
-    std::fflush(out);
-  };
-  logs.warning = [&](const std::string& text) { problems.write_line("sbgc: " + text); };
+  logs.endpoint = to_stdout;
+  // The standard output carries the bytes of the host.
+  if (options.service.stdio) logs.endpoint = to_stderr;
+  logs.warning = [](const std::string& text) { remark("sbgc: {}\n", text); };
   if (options.verbose) {
-    logs.event = [&](const std::string& text) { (events ? *events : problems).write_line(text); };
+    logs.event = logs.endpoint;
     logs.describe_frame = describe_frame;
   }
 
@@ -127,6 +120,7 @@ int serve(const EmulateOptions& options) {
   const bool is_saved = service.finish();
   if (!is_saved) logs.warning("not everything could be saved");
   if (problem) logs.warning("standard input and output: " + problem.message());
+  if (!options.service.stdio) finish_stdout();
   return is_saved && !problem ? success : failure;
 }
 

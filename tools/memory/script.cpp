@@ -11,6 +11,7 @@
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "command/wording.hpp"
@@ -47,6 +48,7 @@ int start(const ScriptOptions& options, const CommandContext& context) {
 }
 
 int stop(const ScriptOptions& options, const CommandContext& context) {
+  remark_in_background();
   Client client = connect(context.gimbal);
   run(client, options, msg::ScriptMode::stop, context);
   remark("the script in slot {} has stopped; what it set in motion goes on until `sbgc stop`\n",

@@ -183,9 +183,9 @@ int jog(const Arming& arming, const CommandContext& context) {
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
     throw CommandError("jog needs a terminal with a keyboard");
   }
+  const TerminalRestorer restorer(TerminalRestorer::Screen::normal);
   arm(arming,
       fmt::format("The camera turns while a key is held, at up to {:g} deg/s.", speeds.back()));
-  const TerminalRestorer restorer(TerminalRestorer::Screen::normal);
   MovingGimbal gimbal(context.gimbal, AfterStop::remove_timeout);
   require_motors(gimbal.client());
   remark(

@@ -39,7 +39,11 @@ RawTerminal::RawTerminal() {
   ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
 }
 
-RawTerminal::~RawTerminal() { ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &previous_); }
+RawTerminal::~RawTerminal() {
+  // TCSAFLUSH would wait until the terminal has shown all output.
+  ::tcflush(STDIN_FILENO, TCIFLUSH);
+  ::tcsetattr(STDIN_FILENO, TCSANOW, &previous_);
+}
 
 std::optional<KeyPress> RawTerminal::next() {
   constexpr char escape = '\033';

@@ -11,6 +11,7 @@
 #include <sbgc/messages/realtime.hpp>
 
 #include "board/connection.hpp"
+#include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "motion/motor_state.hpp"
@@ -35,6 +36,7 @@ void require_rest(Client& client) {
 }
 
 int stop(const CommandContext& context) {
+  remark_in_background();
   Client client = connect(context.gimbal);
   value_of(client.stop());
   require_rest(client);

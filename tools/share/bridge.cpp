@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -15,15 +14,15 @@
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "board/progress_bar.hpp"
 #include "board/reconnecting.hpp"
+#include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/duration.hpp"
+#include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "serving/endpoint.hpp"
-#include "serving/nonblocking_lines.hpp"
 #include "share/bridge_client.hpp"
 #include "share/bridge_ports.hpp"
 #include "share/line_gate.hpp"
@@ -64,22 +63,19 @@ class BridgeService {
               asio::post(executor, [this] { ports_.raw_sent(); });
             }),
         line_(context.get_executor(), connect(command), gate_),
-        ports_(line_, io::now, [this](const std::string& text) { log(text); }) {
+        ports_(line_, io::now, log) {
     // Until here, a signal ends the program at once.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
     signals_.async_wait([&context](std::error_code error, int) {
       if (!error) context.stop();
     });
-    const auto logger = [this](const std::string& text) { log(text); };
-    endpoints_ =
-        open_places(context.get_executor(), ports_, options.places, "bridge", {logger, logger});
+    endpoints_ = open_places(context.get_executor(), ports_, options.places, "bridge", {log, log});
     for (const serving::ListenAddress& at : options.web_sockets) {
       endpoints_.push_back(
-          listen_web_socket(context.get_executor(), ports_, at, options.access, {logger, logger}));
+          listen_web_socket(context.get_executor(), ports_, at, options.access, {log, log}));
       const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
-      fmt::print("bridge: {}{}\n", endpoints_.back()->address(), shown);
+      background_stdout().write(fmt::format("bridge: {}{}\n", endpoints_.back()->address(), shown));
     }
-    std::fflush(stdout);
     line_.begin(ports_, [this](const LinkChange& change) { changed(change); });
     tick();
   }
@@ -102,7 +98,7 @@ class BridgeService {
     return client;
   }
 
-  void log(const std::string& text) { lines_.write_line("sbgc: " + text); }
+  static void log(const std::string& text) { remark("sbgc: {}\n", text); }
 
   void changed(const LinkChange& change) {
     const bool is_lost = change.state == LinkState::lost;
@@ -136,7 +132,6 @@ class BridgeService {
     status_.show(text);
   }
 
-  serving::NonblockingLines lines_{STDERR_FILENO};
   asio::steady_timer timer_;
   asio::signal_set signals_;
   LineGate gate_;
@@ -148,6 +143,7 @@ class BridgeService {
 };
 
 int run_bridge(const BridgeOptions& options, const CommandContext& context) {
+  remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
   asio::io_context loop(1);
   asio::steady_timer end(loop);
@@ -159,6 +155,7 @@ int run_bridge(const BridgeOptions& options, const CommandContext& context) {
   }
   const BridgeService service(loop, context, options);
   loop.run();
+  finish_stdout();
   return success;
 }
 

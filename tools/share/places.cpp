@@ -1,10 +1,10 @@
 #include "share/places.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "command/background_output.hpp"
 #include "serving/arguments.hpp"
 
 namespace sbgc::tools {
@@ -59,7 +59,7 @@ std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_e
                                                             const serving::EndpointLogs& logs) {
   std::vector<std::unique_ptr<serving::Endpoint>> opened;
   const auto add = [&](std::unique_ptr<serving::Endpoint> endpoint) {
-    fmt::print("{}: {}\n", name, endpoint->address());
+    background_stdout().write(fmt::format("{}: {}\n", name, endpoint->address()));
     opened.push_back(std::move(endpoint));
   };
   for (const auto& at : places.tcp) {
@@ -72,7 +72,6 @@ std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_e
   for (const std::string& link : places.links) {
     add(serving::open_terminal(executor, ports, link, false, logs));
   }
-  std::fflush(stdout);
   return opened;
 }
 

@@ -31,7 +31,7 @@ void add_places(CLI::App& command, Places& places);
 void add_listen(CLI::App& command, const std::string& name,
                 std::vector<serving::ListenAddress>& addresses, const std::string& help);
 
-/// Opens the places and prints "NAME: ADDRESS" for each on standard output. Throws
+/// Opens the places and writes "NAME: ADDRESS" for each to background_stdout(). Throws
 /// std::runtime_error.
 std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_executor& executor,
                                                             serving::HostPorts& ports,

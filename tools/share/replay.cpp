@@ -7,14 +7,14 @@
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 #include <asio/signal_set.hpp>
-#include <unistd.h>
 
 #include <sbgc/io/replay.hpp>
 
+#include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/number_range.hpp"
+#include "command/remark.hpp"
 #include "command/wording.hpp"
-#include "serving/nonblocking_lines.hpp"
 #include "share/places.hpp"
 #include "share/replay_ports.hpp"
 
@@ -34,8 +34,8 @@ int run_replay(const ReplayOptions& options) {
   io::OpenResult capture =
       io::open_replay(loop.get_executor(), options.file, io::ReplayTiming::original, options.speed);
   if (!capture) throw CommandError(without_period(capture.error.message));
-  serving::NonblockingLines lines(STDERR_FILENO);
-  const auto log = [&](const std::string& text) { lines.write_line("sbgc: " + text); };
+  remark_in_background();
+  const auto log = [](const std::string& text) { remark("sbgc: {}\n", text); };
   asio::signal_set signals(loop, SIGINT, SIGTERM, SIGHUP);
   signals.async_wait([&](std::error_code error, int) {
     if (!error) loop.stop();
@@ -47,6 +47,7 @@ int run_replay(const ReplayOptions& options) {
   const auto endpoints =
       open_places(loop.get_executor(), ports, options.places, "replay", {log, log});
   loop.run();
+  finish_stdout();
   return success;
 }
 

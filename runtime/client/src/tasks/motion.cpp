@@ -77,6 +77,7 @@ class Move {
       if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
       const Instant now = task_.now();
       see(*state, now);
+      if (options_.progress && !options_.progress(*seen_)) co_return cancelled();
       const bool stands_still = !seen_->is_close && !turns(*state) && now - sent_at >= patience;
       if (!sent_ || stands_still) {
         const Result<void> sent = co_await send(*state);
@@ -84,7 +85,6 @@ class Move {
         sent_ = true;
         sent_at = now;
       }
-      if (options_.progress && !options_.progress(*seen_)) co_return cancelled();
       close_since = seen_->is_close ? earlier(close_since, now) : Instant::never;
       if (seen_->is_close && now - close_since >= detail::duration_of(options_.settle)) {
         co_return *seen_;

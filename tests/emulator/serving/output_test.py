@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import pty
+import re
 import signal
 import subprocess
 import time
@@ -13,7 +14,9 @@ from pathlib import Path
 import pytest
 
 from emulator import BOARD_INFO, PATIENCE, Connection, Emulator, Terminal
-from sbgc_command import PROGRAM, frame
+from full_output import full_output
+from gimbal_observer import Observer
+from sbgc_command import PROGRAM, frame, run
 
 
 def test_every_frame_as_a_line() -> None:
@@ -128,3 +131,33 @@ def test_warnings_that_can_not_be_written() -> None:
     process.terminate()
     assert process.wait(PATIENCE) == 0
     process.stdout.close()
+
+
+def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
+    """A signal turns the motors off that the example has turned on."""
+    tour = os.environ.get("SBGC_TOUR")
+    if not tour:
+        pytest.skip("examples are not built")
+    with Emulator("--tcp", "0", "--verbose") as emulator, full_output(
+        "terminal stopped later"
+    ) as output:
+        place = emulator.places[0]
+        assert run("motors", "off", "--yes", "-p", place).status == 0
+        arguments = [tour, place, str(tmp_path / "capture"), str(tmp_path / "backup"), "--yes"]
+        process = subprocess.Popen(arguments, stdout=output.descriptor)
+        try:
+            shown = b""
+            while b"pitch to" not in shown:
+                shown += os.read(output.reader, 4096)
+            output.become_full()
+            with Observer(place) as observer:
+                observer.await_motion()
+                assert observer.stands_still_within(PATIENCE)
+            time.sleep(1)  # until it prints where the camera is
+            process.send_signal(signal.SIGINT)
+            assert process.wait(PATIENCE) == 1
+        finally:
+            process.kill()
+        emulator.end()
+        requests = re.findall(r"> (CMD_(?:CONTROL|MOTORS)\w*)", emulator.rest)
+        assert requests[-3:] == ["CMD_MOTORS_ON", "CMD_CONTROL", "CMD_MOTORS_OFF"], requests

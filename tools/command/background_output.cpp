@@ -1,0 +1,143 @@
+#include "command/background_output.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <cstddef>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "command/command_error.hpp"
+#include "command/remark.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// Text that may wait for the reader.
+constexpr std::size_t max_waiting = std::size_t{64} << 10;
+/// How long the end of the command waits for the reader.
+constexpr std::chrono::seconds patience{1};
+
+/// Returns 0, or the error that prevents it.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t size = ::write(descriptor, text.data(), text.size());
+    if (size >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(size));
+    } else if (errno == EAGAIN) {  // another process has made the file nonblocking
+      pollfd room{descriptor, POLLOUT, 0};
+      ::poll(&room, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+/// Blocks all signals for the threads that start meanwhile: the others handle them, and a write
+/// without a reader is only an error.
+class WithoutSignals {
+ public:
+  WithoutSignals() {
+    sigset_t all{};
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &previous_);
+  }
+  WithoutSignals(const WithoutSignals&) = delete;
+  WithoutSignals& operator=(const WithoutSignals&) = delete;
+  ~WithoutSignals() { ::pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
+
+ private:
+  sigset_t previous_{};
+};
+
+}  // namespace
+
+struct BackgroundOutput::State {
+  std::mutex mutex{};
+  std::condition_variable changed{};
+  std::string waiting{};
+  std::size_t dropped = 0;  // lines after `waiting`
+  bool is_writing = false;
+  bool has_failed = false;
+  bool has_given_up = false;
+
+  bool is_done() const { return waiting.empty() && !is_writing; }
+
+  /// Runs on the thread.
+  [[noreturn]] void run(int descriptor) {
+    std::unique_lock lock(mutex);
+    while (true) {
+      changed.wait(lock, [this] { return !waiting.empty(); });
+      std::string text = std::exchange(waiting, {});
+      if (dropped != 0) text += fmt::format("... {} lines dropped: no reader\n", dropped);
+      dropped = 0;
+      is_writing = true;
+      lock.unlock();
+      const int error = write_all(descriptor, text);
+      lock.lock();
+      is_writing = false;
+      if (error != 0 && error != EPIPE) has_failed = true;
+      changed.notify_all();
+    }
+  }
+};
+
+BackgroundOutput::BackgroundOutput(int descriptor) : state_(std::make_shared<State>()) {
+  const WithoutSignals without_signals;
+  std::thread([state = state_, descriptor] { state->run(descriptor); }).detach();
+}
+
+BackgroundOutput::~BackgroundOutput() { finish(); }
+
+void BackgroundOutput::write(const std::string& text) {
+  const std::lock_guard lock(state_->mutex);
+  // What comes after dropped text is dropped, too, so that the lines are in order.
+  if (state_->dropped != 0 || state_->waiting.size() + text.size() > max_waiting) {
+    state_->dropped += static_cast<std::size_t>(std::ranges::count(text, '\n'));
+    return;
+  }
+  state_->waiting += text;
+  state_->changed.notify_all();
+}
+
+void BackgroundOutput::wait() {
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return state_->is_done(); });
+}
+
+bool BackgroundOutput::finish() {
+  std::unique_lock lock(state_->mutex);
+  const auto is_done = [this] { return state_->is_done() || state_->has_given_up; };
+  if (!state_->changed.wait_for(lock, patience, is_done)) state_->has_given_up = true;
+  return !state_->has_failed;
+}
+
+BackgroundOutput& background_stdout() {
+  static BackgroundOutput output(STDOUT_FILENO);
+  return output;
+}
+
+BackgroundOutput& background_stderr() {
+  static BackgroundOutput output(STDERR_FILENO);
+  return output;
+}
+
+void finish_stdout() {
+  if (!background_stdout().finish()) throw CommandError("cannot write to the standard output");
+}
+
+void remark_in_background() {
+  remark_writer = [](const std::string& text) { background_stderr().write(text); };
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,43 @@
+/// Output of commands that move a camera or serve hosts, which must not wait for a reader.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace sbgc::tools {
+
+/// Writes text to a file on a thread of its own. If the reader is slow or gone, a limited amount of
+/// text waits; later text is dropped, and the number of its lines is written instead. Thread-safe.
+class BackgroundOutput {
+ public:
+  /// Does not close the descriptor.
+  explicit BackgroundOutput(int descriptor);
+  BackgroundOutput(const BackgroundOutput&) = delete;
+  BackgroundOutput& operator=(const BackgroundOutput&) = delete;
+  /// Calls finish().
+  ~BackgroundOutput();
+
+  /// Never waits for the reader.
+  void write(const std::string& text);
+  /// Waits until everything is written.
+  void wait();
+  /// Waits for that, but only for a short time. Returns false if something could not be written
+  /// although the reader has not left.
+  bool finish();
+
+ private:
+  struct State;
+
+  std::shared_ptr<State> state_;  // the thread may be blocked for longer than this object exists
+};
+
+BackgroundOutput& background_stdout();
+BackgroundOutput& background_stderr();
+
+/// Ends the standard output of a command that serves hosts. Throws CommandError if finish() fails.
+void finish_stdout();
+
+/// From now on, remarks go to background_stderr().
+void remark_in_background();
+
+}  // namespace sbgc::tools
