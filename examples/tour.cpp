@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  constexpr sbgc::msg::Angle14 down = -30_deg;
+  constexpr sbgc::msg::Angle14 down = 30_deg;
   constexpr sbgc::msg::Angle14 level = 0_deg;
   for (const sbgc::msg::Angle14 pitch : {down, level}) {
     const auto moved = tilt(*client, pitch);

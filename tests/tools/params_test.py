@@ -116,7 +116,7 @@ def test_names_that_are_wrong(board: str, name: str, words: list[str]) -> None:
 
 def test_get_explains(board: str) -> None:
     text = good(board, "get", "pitch.rc_min_angle")
-    assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -90 deg"
+    assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -45 deg"
     assert "-720 to 720 deg" in text
     # What several parameters have in common is explained once, behind the last of them.
     lines = good(board, "get", "rc_min_angle", "gyro_trust").splitlines()
