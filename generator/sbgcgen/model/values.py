@@ -123,6 +123,17 @@ class Deprecation:
 
 
 @dataclass(frozen=True)
+class AxisDirection:
+    """Which way values about an axis count; None if it is not known."""
+
+    axis: str
+    positive: str | None
+    negative: str | None
+    errata: tuple[str, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Quantity:
     """A physical quantity: physical value = raw * scale + offset, in `unit`."""
 

@@ -27,6 +27,7 @@ from sbgcgen.model import (
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.resolve.axis_directions import axis_directions_of
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
@@ -53,6 +54,12 @@ class FieldResolver:
         self.indices: dict[str, tuple[str, ...]] = {
             name: tuple(words) for name, words in spec.main.get("indices", {}).items()
         }
+        self.directions = axis_directions_of(
+            spec.main.get("directions", Map()),
+            [word for words in self.indices.values() for word in words],
+            types,
+            found,
+        )
         self._nodes = {
             name: (family, node, at) for family, name, node, at in spec.entries("structs")
         }
