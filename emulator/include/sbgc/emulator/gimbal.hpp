@@ -15,8 +15,8 @@ namespace sbgc::emulator {
 /// A vector in space: x points right, y forward, z up (normal position). As a rotation, it turns
 /// counter-clockwise when looking against it.
 ///
-/// Positive pitch lowers the front, positive yaw turns it to the right, of camera, frame and joints
-/// alike. Assumption: positive roll lowers the right side; no source says so.
+/// Positive pitch lowers the front, positive yaw turns it to the right (E384), of camera, frame and
+/// joints alike. Assumption: positive roll lowers the right side; no source says so.
 using Vector = Xyz<double>;
 
 /// A command for one axis. Angles in degrees, speeds in degrees per second.
