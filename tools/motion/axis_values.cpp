@@ -92,10 +92,12 @@ std::string axis_text(std::size_t axis, std::string_view number, std::string_vie
   const bool is_negative = number.starts_with('-');
   const AxisDirection& ways = axis_directions[axis];
   const std::string_view way = is_negative ? ways.negative : ways.positive;
-  const bool is_zero = number.find_first_of("123456789") == std::string_view::npos;
-  if (way.empty() || is_zero) return fmt::format("{} {} {}", axis_names[axis], number, unit);
-  return fmt::format("{} {} {} ({} {})", number.substr(is_negative ? 1 : 0), unit, way,
-                     axis_names[axis], number);
+  const std::string_view size = number.substr(is_negative ? 1 : 0);
+  const bool is_zero = size.find_first_of("123456789") == std::string_view::npos;
+  if (way.empty() || is_zero) {
+    return fmt::format("{} {} {}", axis_names[axis], is_zero ? size : number, unit);
+  }
+  return fmt::format("{} {} {} ({} {})", size, unit, way, axis_names[axis], number);
 }
 
 std::string axes_text(const AxisNumbers& numbers, std::string_view unit) {
