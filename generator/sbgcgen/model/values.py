@@ -135,7 +135,10 @@ class AxisDirection:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A physical quantity: physical value = raw * scale + offset, in `unit`."""
+    """A physical quantity: physical value = raw * scale + offset, in `unit`.
+
+    Its values count in a direction if it `is_directed`.
+    """
 
     name: str
     scalar: Scalar
@@ -147,6 +150,7 @@ class Quantity:
     summary: str
     errata: tuple[str, ...]
     kind: str = "quantity"
+    is_directed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 
