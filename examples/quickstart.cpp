@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
   const auto moved =
-      client->move_to({.pitch = -30_deg}, {.speed = 10_deg_per_s, .progress = careful::go_on});
+      client->move_to({.pitch = 30_deg}, {.speed = 10_deg_per_s, .progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =

@@ -12,6 +12,6 @@ int main(int argc, char** argv) {
   auto gimbal = sbgc::Client::connect(argv[1]);
   if (!gimbal) return std::cerr << gimbal.error().message << '\n', 1;
   const auto moved =
-      gimbal->move_to({.pitch = -30_deg}, {.speed = 10_deg_per_s, .progress = careful::go_on});
+      gimbal->move_to({.pitch = 30_deg}, {.speed = 10_deg_per_s, .progress = careful::go_on});
   if (!moved) return std::cerr << moved.error().message << '\n', 1;
 }

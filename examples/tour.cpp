@@ -108,7 +108,7 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
 sbgc::Result<void> move(sbgc::Client& client) {
   careful::Motors motors(client);
   if (auto on = motors.turn_on(); !on) return on;
-  constexpr sbgc::msg::Angle14 down = -30_deg;
+  constexpr sbgc::msg::Angle14 down = 30_deg;
   constexpr sbgc::msg::Angle14 level = 0_deg;
   for (const sbgc::msg::Angle14 pitch : {down, level}) {
     const auto moved = tilt(client, pitch);

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double radian = std::numbers::pi / 180;
 
-/// The spatial axis about which roll, pitch and yaw turn.
-constexpr std::array<std::uint8_t, 3> direction_of{1, 0, 2};
-
 struct PlaneTurn {
   double sine, cosine;
 };
@@ -75,22 +72,30 @@ RotationOrder valid_order(const RotationOrder& order) {
   return order;
 }
 
+Axes<double> turning(const Vector& rates) {
+  Axes<double> turning;
+  for (std::size_t i = 0; i < turning_axes.size(); ++i) {
+    turning[i] = turning_axes[i].sign * rates[turning_axes[i].direction];
+  }
+  return turning;
+}
+
 Pose::Pose(const Axes<double>& angles, const RotationOrder& order) : axis_(order) {
   std::array<PlaneTurn, 3> turns{};
-  for (std::size_t i = 0; i < 3; ++i) turns[i] = turn_of(angles[order[i]]);
-  const std::array<std::size_t, 3> about{direction_of[order[0]], direction_of[order[1]],
-                                         direction_of[order[2]]};
+  const std::array<TurningAxis, 3> about{turning_axes[order[0]], turning_axes[order[1]],
+                                         turning_axes[order[2]]};
+  for (std::size_t i = 0; i < 3; ++i) turns[i] = turn_of(about[i].sign * angles[order[i]]);
   // World to body: undo the outermost rotation first.
   for (std::size_t row = 0; row < 3; ++row) {
     Three v{};
     v[row] = 1;
-    for (std::size_t i = 3; i-- > 0;) see(v, about[i], turns[i]);
+    for (std::size_t i = 3; i-- > 0;) see(v, about[i].direction, turns[i]);
     rotation_.rows[row] = vector_of(v);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     Three v{};
-    v[about[i]] = 1;
-    for (std::size_t inner = i; inner-- > 0;) see(v, about[inner], turns[inner]);
+    v[about[i].direction] = about[i].sign;
+    for (std::size_t inner = i; inner-- > 0;) see(v, about[inner].direction, turns[inner]);
     directions_[i] = vector_of(v);
   }
 }
@@ -117,9 +122,9 @@ std::optional<Rotation> rotation_of(const Vector& up, const Vector& north) {
 
 Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
                        const Axes<double>& near) {
-  const std::size_t i = direction_of[order[2]];
-  const std::size_t j = direction_of[order[1]];
-  const std::size_t k = direction_of[order[0]];
+  const std::size_t i = turning_axes[order[2]].direction;
+  const std::size_t j = turning_axes[order[1]].direction;
+  const std::size_t k = turning_axes[order[0]].direction;
   const double sign = (i + 1) % 3 == j ? 1 : -1;
   const auto& r = rotation.rows;
   const double middle = std::asin(std::clamp(sign * r[i][k], -1.0, 1.0)) / radian;
@@ -133,7 +138,7 @@ Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
     angles[order[2]] = c;
     double distance = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double off = wrapped(angles[axis] - near[axis]);
+      const double off = wrapped(turning_axes[axis].sign * angles[axis] - near[axis]);
       distance += std::abs(off);
       angles[axis] = near[axis] + off;
     }

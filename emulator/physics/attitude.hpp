@@ -16,6 +16,18 @@ using RotationOrder = std::array<std::uint8_t, 3>;
 /// Returns the order if it contains each axis once, else the most common one: pitch, roll, yaw.
 RotationOrder valid_order(const RotationOrder& order);
 
+/// The direction of a Vector about which an angle turns, and whether along it or against it.
+struct TurningAxis {
+  std::size_t direction{};
+  double sign{};
+};
+
+/// Those of roll, pitch and yaw: forward, left, down. All signs of angles follow from them.
+inline constexpr std::array<TurningAxis, 3> turning_axes{{{1, 1}, {0, -1}, {2, -1}}};
+
+/// Returns how fast a rotation turns about the axes of roll, pitch and yaw.
+Axes<double> turning(const Vector& rates);
+
 /// A rotation from body to world coordinates. The rows are the axes of the world (right, north, up)
 /// in body coordinates. Always orthonormal.
 struct Rotation {
@@ -27,9 +39,7 @@ struct Rotation {
 
 /// An attitude, and the relation of angle derivatives to body rates.
 ///
-/// Roll turns about y, pitch about x, yaw about z, counter-clockwise when looking against the axis.
-/// The first axis of the order is fixed to the body, the last one to the world. Assumption: the
-/// specification does not define directions.
+/// The first axis of the order is fixed to the body, the last one to the world.
 class Pose {
  public:
   /// Angles in degrees.

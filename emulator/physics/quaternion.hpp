@@ -9,6 +9,7 @@
 namespace sbgc::emulator {
 
 /// A rotation from body to world coordinates: W, X, Y, Z, of length 1, about the axes of Vector.
+/// Assumption: no source says about which axes, and which way.
 using Quaternion = std::array<double, 4>;
 
 /// Returns the quaternion of a rotation with W >= 0; the other sign is the same rotation.

@@ -60,7 +60,9 @@ double Imu::correction(double gyro_trust) { return 1 / (1 + 0.1 * within(gyro_tr
 
 Axes<double> Imu::rates(const Pose& pose) const {
   const Vector drift = this->drift();
-  return {drift.y, drift.x, dot(drift, pose.rotation().up()) - heading_};
+  Axes<double> rates = turning(drift);
+  rates.yaw = turning({0, 0, dot(drift, pose.rotation().up()) - heading_}).yaw;
+  return rates;
 }
 
 void Imu::slow(const Pose& pose, double gyro_trust, std::int64_t step, double seconds) {

@@ -68,7 +68,7 @@ class Imu {
   Vector bias_{};         ///< of the gyroscope, deg/s
   double calibrated_at_;  ///< Celsius
   Vector offset_{};       ///< correction of the gyroscope, deg/s
-  double heading_ = 0;    ///< correction about the vertical, deg/s
+  double heading_ = 0;    ///< correction about the vertical, up, deg/s
   Axes<double> error_{}, error_speed_{};
   std::int64_t replaced_until_ = 0;
   Axes<double> reference_{};

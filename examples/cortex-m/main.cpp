@@ -20,7 +20,7 @@ using namespace sbgc::literals;
 using sbgc::Outcome;
 namespace msg = sbgc::msg;
 
-constexpr msg::Angle14 target = -10_deg;
+constexpr msg::Angle14 target = 10_deg;
 constexpr msg::Angle14 tolerance = 0.5_deg;
 
 // Not on the stack, whose size is hard to know.

@@ -74,7 +74,7 @@ TEST_F(Examples, Quickstart) {
   const ProgramResult result = run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes");
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
-                                   HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
+                                   HasSubstr("roll    0.0  pitch   30.0  yaw   12.5 degrees\n")));
   EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
     return !requests.empty() && requests.back().interval_ms == msg::Milliseconds{};
   })) << "it does not end its stream";
@@ -111,7 +111,7 @@ TEST_F(Examples, TiltMovesOnlyIfSomebodyAgrees) {
   EXPECT_EQ(moves.wait_for(0).size(), 0U);
   const ProgramResult result = run_program("echo yes | " + tilt);
   EXPECT_EQ(result.status, 0) << result.output;
-  EXPECT_EQ(moves.wait_for(1).back(), msg::Angle14(-30_deg));
+  EXPECT_EQ(moves.wait_for(1).back(), msg::Angle14(30_deg));
 }
 
 TEST_F(Examples, AsyncStream) {

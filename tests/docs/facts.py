@@ -267,6 +267,9 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         yield Fact(place, "field summary", field.summary, "meaning")
     if isinstance(field.type, Quantity):
         yield from _unit_of_field(place, field.type)
+    if field.directions is not None:
+        positive = (leaf.direction and leaf.direction.positive) or "unknown"
+        yield Fact(place, "field direction", positive)
     if isinstance(field.type, (Enum, Packed)):
         yield Fact(place, "field enum", field.type.name, "unit")
     for limit in (field.minimum, field.maximum):

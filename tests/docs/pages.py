@@ -10,7 +10,7 @@ from typing import Any, Optional
 from urllib.parse import unquote, urljoin
 
 # Elements without content: those of HTML, and the SVG elements that the site uses.
-VOID = frozenset("br hr img input link meta wbr path circle ellipse".split())
+VOID = frozenset("br hr img input link meta wbr path rect circle ellipse".split())
 
 
 @dataclass

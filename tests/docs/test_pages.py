@@ -105,7 +105,8 @@ def test_landmarks_title_and_language(pages: Pages) -> None:
     for page in pages.values():
         (html,) = page.root.all("html")
         assert html.get("lang") == "en"
-        (title,) = page.root.all("title")
+        (head,) = page.root.all("head")
+        (title,) = head.all("title")  # a drawing has a title as well
         assert title.text.strip() and title.text not in titles, f"{page.path}: {title.text}"
         titles[title.text] = page.path
         names = [n.get("aria-label") or n.get("aria-labelledby") for n in page.root.all("nav")]
@@ -116,6 +117,21 @@ def test_landmarks_title_and_language(pages: Pages) -> None:
         assert metas["description"].strip(), page.path
         first = page.root.all("body")[0].all("a")[0]
         assert (first.get("class"), first.get("href")) == ("skip", "#main")
+
+
+def test_pages_of_what_moves_draw_the_axes(pages: Pages, layout: Layout) -> None:
+    moving = [m for m in layout.messages if m.effect and "moves" in m.effect.words]
+    drawings = {page.path: page.root.with_class("axes-drawing") for page in pages.values()}
+    expected = {page_of_message(message) for message in moving} | {"units.html"}
+    assert {path for path, found in drawings.items() if found} == expected
+    for (drawing,) in filter(None, drawings.values()):
+        assert {drawing.get("role"), *(e.get("id") for e in drawing.all("title", "desc"))} == {
+            "img",
+            "axes-title",
+            "axes-desc",
+        }
+        for words in ("+ down", "+ right", "not known"):
+            assert words in drawing.text
 
 
 def test_crumbs_end_with_a_link(pages: Pages) -> None:

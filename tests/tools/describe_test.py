@@ -114,10 +114,26 @@ def test_pages_of_types_variables_and_fields() -> None:
         "pitch.rc_min_angle  field of 3 messages\n"
         "  ReadParams3.rc.pitch.rc_min_angle\n"
         "      Angle at the lowest signal.\n"
-        "      i16; deg; -720 to 720 deg\n"
+        "      i16; deg; -720 to 720 deg; positive: pitch down, yaw right, roll unknown\n"
         "  WriteParams3.rc.pitch.rc_min_angle\n"
         "  WriteParams.rc.pitch.rc_min_angle\n"
     )
+
+
+def test_fields_and_variables_say_which_way_they_count() -> None:
+    """As the exported model does."""
+    all_axes = "positive: pitch down, yaw right, roll unknown"
+    for word in ("Control.axes.pitch.angle", "GetAngles.axes.yaw.rc_speed", "rc_min_angle"):
+        assert all_axes in words_of(described(word)), word
+    assert "positive: down" in described("ControlExtCommand.pitch_angle")
+    assert "positive: unknown" in described("RealtimeData4.axes.pitch.acc_data")
+    assert "positive: unknown" in described("HelperDataExt.frame_speed")
+    assert "positive" not in described("follow_speed")
+    for variable in MODEL["adjustable_variables"]:
+        page = words_of(described(variable["name"]))
+        assert ("positive:" in page) == ("positive" in variable), page
+        if "positive" in variable:
+            assert f"positive: {variable['positive'] or 'unknown'}" in page
 
 
 def test_a_long_list_of_uses_is_cut() -> None:

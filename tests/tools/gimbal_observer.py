@@ -7,8 +7,11 @@ import struct
 import time
 
 from emulated_gimbal import EmulatedGimbal
+from optical_axis import Vector
 from sbgc_command import frame
 
+REALTIME_DATA_3 = 23
+GET_ANGLES_EXT = 61
 GET_ANGLES = 73
 NOISE = 0.15
 """Degrees that the angles of a camera at rest may differ."""
@@ -27,17 +30,34 @@ class Observer:
 
     def angles(self) -> tuple[float, float, float]:
         """Returns the measured angles in degrees: roll, pitch, yaw."""
-        self.line.sendall(frame(GET_ANGLES))
-        size = 4 + 18 + 1
-        answer = b""
-        while len(answer) < size:
-            part = self.line.recv(size - len(answer))
-            assert part, "the gimbal has left"
-            answer += part
-        assert answer[1] == GET_ANGLES, answer
-        values = struct.unpack_from("<9h", answer, 4)
+        values = struct.unpack("<9h", self.answer(GET_ANGLES, 18))
         roll, pitch, yaw = (value * 360 / 16384 for value in values[::3])
         return roll, pitch, yaw
+
+    def motors(self) -> tuple[float, float, float]:
+        """Returns the angles between rotor and stator in degrees: roll, pitch, yaw."""
+        values = struct.unpack("<" + "4xi10x" * 3, self.answer(GET_ANGLES_EXT, 54))
+        roll, pitch, yaw = (value * 360 / 16384 for value in values)
+        return roll, pitch, yaw
+
+    def acceleration(self) -> Vector:
+        """Returns what the accelerometer of the camera measures, in g; it points up at rest. The
+        sensor of each axis measures along its axle: roll forward, pitch to the right, yaw up.
+        """
+        values = struct.unpack_from("<" + "h2x" * 3, self.answer(REALTIME_DATA_3, 63))
+        forward, right, up = (value / 512 for value in values)
+        return Vector(right, forward, up)
+
+    def answer(self, command: int, size: int) -> bytes:
+        """Returns the body, of `size` bytes, of the answer to a request without a body."""
+        self.line.sendall(frame(command))
+        answer = b""
+        while len(answer) < 4 + size + 1:
+            part = self.line.recv(4 + size + 1 - len(answer))
+            assert part, "the gimbal has left"
+            answer += part
+        assert answer[1] == command, answer
+        return answer[4:-1]
 
     def is_turning(self) -> bool:
         before = self.angles()

@@ -18,6 +18,7 @@ import pytest
 from board_command import Watched
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
+from optical_axis import degrees_down, degrees_right, right_side_down
 from relay import relay_to
 from sbgc_command import PROGRAM, run
 
@@ -41,8 +42,39 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
     result = run("move", "--pitch", "-20", "--wait", "--yes", "-p", gimbal.address)
     assert (result.status, result.out) == (0, b"")
     assert observer.angles()[1] == pytest.approx(-20, abs=0.7)
-    assert "The camera turns to pitch -20 deg, at up to 10 deg/s." in result.error
-    assert re.search(r"The camera is at pitch -(19\.[5-9]|20\.[0-5]) deg", result.error)
+    assert "The camera turns to 20 deg up (pitch -20), at up to 10 deg/s." in result.error
+    assert re.search(r"The camera is at (19\.[5-9]|20\.[0-5]) deg up \(pitch -\d", result.error)
+
+
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    [
+        ("move --pitch 30", "The camera turns to 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --pitch -10", "The camera turns to 10 deg up (pitch -10), at up to 10 deg/s."),
+        ("move --pitch 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
+        ("move --yaw 5 --relative", "The camera turns by 5 deg right (yaw 5), at up to 10 deg/s."),
+        (
+            "move --roll -5 --yaw -0.5",
+            "The camera turns to roll -5 deg, 0.5 deg left (yaw -0.5), at up to 10 deg/s.",
+        ),
+        (
+            "speed --pitch -2 --yaw 3 --for 1s",
+            "The camera turns at 2 deg/s up (pitch -2), 3 deg/s right (yaw 3), for 1 s.",
+        ),
+    ],
+)
+def test_the_sentence_before_a_motion_says_where_to(arguments: str, sentence: str) -> None:
+    result = run(*arguments.split(), "-p", "tcp:127.0.0.1:1")
+    assert result.status == 1
+    assert sentence in " ".join(result.error.split())
+
+
+@pytest.mark.parametrize("command", ["move", "speed"])
+def test_the_help_says_which_way_numbers_count(command: str) -> None:
+    text = " ".join(run(command, "--help").text.split())
+    assert re.search(r"of pitch, in [a-z ]+: positive is down", text)
+    assert re.search(r"of yaw, in [a-z ]+: positive is right", text)
+    assert re.search(r"of roll, in [a-z ]+: it is not known", text)
 
 
 def test_a_relative_move_without_waiting(gimbal: EmulatedGimbal, observer: Observer) -> None:
@@ -271,6 +303,9 @@ def test_jog_turns_while_a_key_is_held() -> None:
         terminal = Terminal("jog", "-p", gimbal.address)
         before = termios.tcgetattr(terminal.screen)
         terminal.await_text(b"[y/N]")
+        assert terminal.shown.startswith(
+            b"Up looks up, and down looks down: the reverse of sbgc 0.1"
+        )
         terminal.press(b"y\n")
         terminal.await_text(b"q: quit")
         terminal.await_text(b"speed 10 deg/s")
@@ -288,7 +323,7 @@ def test_jog_turns_while_a_key_is_held() -> None:
         observer.await_motion()
         terminal.press(b" ")
         assert observer.stands_still_within(1)
-        assert observer.angles()[1] > 0
+        assert degrees_down(observer.motors()) < 0, "w turns it up"
         terminal.press(b"q")
         terminal.await_text(b"The camera has stopped")
         after = termios.tcgetattr(terminal.screen)
@@ -296,29 +331,29 @@ def test_jog_turns_while_a_key_is_held() -> None:
         assert terminal.status() == 0
 
 
-def test_every_key_of_jog_turns_its_axis(tmp_path: Path) -> None:
+def test_every_key_of_jog_turns_the_camera_where_it_says(tmp_path: Path) -> None:
+    """By the motors' angles: with a level frame, the optical axis."""
     capture = tmp_path / "jog.sbgcap"
-    roll, pitch, yaw = range(3)
     keys = [
-        (b"w", pitch, 1),
-        (b"d", yaw, 1),
-        (b"c", roll, 1),
-        (b"s", pitch, -1),
-        (b"a", yaw, -1),
-        (b"z", roll, -1),
-        (b"\033[A", pitch, 1),
-        (b"\033[C", yaw, 1),
-        (b"\033[B", pitch, -1),
-        (b"\033[D", yaw, -1),
+        (b"w", degrees_down, -1),
+        (b"d", degrees_right, 1),
+        (b"c", right_side_down, 1),
+        (b"s", degrees_down, 1),
+        (b"a", degrees_right, -1),
+        (b"z", right_side_down, -1),
+        (b"\033[A", degrees_down, -1),
+        (b"\033[C", degrees_right, 1),
+        (b"\033[B", degrees_down, 1),
+        (b"\033[D", degrees_right, -1),
     ]
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
         terminal = Terminal("jog", "--yes", "-p", gimbal.address, "--capture", str(capture))
         terminal.await_text(b"speed 10 deg/s")
-        for key, axis, sign in keys:
-            before = observer.angles()[axis]
+        for key, direction, sign in keys:
+            before = direction(observer.motors())
             terminal.press(key)
             deadline = time.monotonic() + 30
-            while abs(turned := observer.angles()[axis] - before) < 1:
+            while abs(turned := direction(observer.motors()) - before) < 1:
                 assert time.monotonic() < deadline, key
             assert turned * sign > 0, key
             terminal.press(b" ")

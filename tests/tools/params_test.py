@@ -116,7 +116,7 @@ def test_names_that_are_wrong(board: str, name: str, words: list[str]) -> None:
 
 def test_get_explains(board: str) -> None:
     text = good(board, "get", "pitch.rc_min_angle")
-    assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -90 deg"
+    assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -45 deg"
     assert "-720 to 720 deg" in text
     # What several parameters have in common is explained once, behind the last of them.
     lines = good(board, "get", "rc_min_angle", "gyro_trust").splitlines()
@@ -198,7 +198,7 @@ def test_set_says_what_it_would_write(board: str, values: list[str], words: str)
         ("rc_min_angle=-30V", 2, ["'V'", "deg"]),
         ("follow_mode=FOLOW_MODE_FC", 2, ["did you mean 'FOLLOW_MODE_FC'"]),
         ("pitch.p", 2, ["NAME=VALUE"]),
-        ("pitch.rc_min_angle=60", 1, ["rc_min_angle", "60 deg is above 45 deg", "rc_max_angle"]),
+        ("pitch.rc_min_angle=95", 1, ["rc_min_angle", "95 deg is above 90 deg", "rc_max_angle"]),
         ("yaw.rc_max_angle=-200", 1, ["rc_min_angle", "above -200 deg", "rc_max_angle"]),
         ("pitch.encoder_limit_max=-3", 1, ["encoder_limit_min", "above"]),
         ("frame_cam_angle_min=1", 1, ["frame_cam_angle_min", "needs firmware 2.61"]),

@@ -88,7 +88,10 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
     draw_axis(screen, row++, axis, view, gimbal);
   }
-  screen.put(row++, 9, view.zero ? "degrees, relative to the zero" : "degrees", Style::dim);
+  screen.put(
+      row++, 9,
+      fmt::format("degrees{}; {}", view.zero ? ", relative to the zero" : "", directions_text()),
+      Style::dim);
   screen.put(row, 2, "motors", Style::bold);
   screen.put(row, 12, values.motors_on ? "ON" : "off", values.motors_on ? Style::good : Style::dim);
   screen.put(row, 19, "battery", Style::bold);

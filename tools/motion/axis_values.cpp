@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/axis_directions.hpp>
+
 #include "command/command_error.hpp"
 
 namespace sbgc::tools {
@@ -16,6 +18,12 @@ namespace {
 /// The value of the highest count of a quantity.
 template <class Q>
 constexpr Q highest{std::numeric_limits<typename Q::raw_type>::max()};
+
+/// For example "positive is down".
+std::string direction_text(const AxisDirection& direction) {
+  if (direction.positive.empty()) return "it is not known which way is positive";
+  return fmt::format("positive is {}", direction.positive);
+}
 
 }  // namespace
 
@@ -42,8 +50,9 @@ void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& w
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     command
         .add_option(std::string("--") + axis_names[i], into[i],
-                    fmt::format("{} of {}, in {}", what, axis_names[i],
-                                unit == "deg" ? "degrees" : "degrees per second"))
+                    fmt::format("{} of {}, in {}: {}", what, axis_names[i],
+                                unit == "deg" ? "degrees" : "degrees per second",
+                                direction_text(axis_directions[i])))
         ->transform(number_with_unit(unit))
         ->type_name("NUMBER");
   }
@@ -79,12 +88,35 @@ msg::ControlSpeed to_speed(double degrees_per_second, std::string_view option) {
   return *speed;
 }
 
+std::string axis_text(std::size_t axis, std::string_view number, std::string_view unit) {
+  const bool is_negative = number.starts_with('-');
+  const AxisDirection& ways = axis_directions[axis];
+  const std::string_view way = is_negative ? ways.negative : ways.positive;
+  const std::string_view size = number.substr(is_negative ? 1 : 0);
+  const bool is_zero = size.find_first_of("123456789") == std::string_view::npos;
+  if (way.empty() || is_zero) {
+    return fmt::format("{} {} {}", axis_names[axis], is_zero ? size : number, unit);
+  }
+  return fmt::format("{} {} {} ({} {})", size, unit, way, axis_names[axis], number);
+}
+
 std::string axes_text(const AxisNumbers& numbers, std::string_view unit) {
   std::string result;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (!numbers[i]) continue;
+    if (!result.empty()) result += ", ";
+    result += axis_text(i, fmt::format("{}", *numbers[i]), unit);
+  }
+  return result;
+}
+
+std::string directions_text() {
+  std::string result;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    const std::string_view positive = axis_directions[i].positive;
+    if (positive.empty()) continue;
     result +=
-        fmt::format("{}{} {} {}", result.empty() ? "" : ", ", axis_names[i], *numbers[i], unit);
+        fmt::format("{}positive {} is {}", result.empty() ? "" : ", ", axis_names[i], positive);
   }
   return result;
 }

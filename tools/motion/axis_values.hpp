@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,7 +22,7 @@ using AxisNumbers = Axes<std::optional<double>>;
 CLI::Validator number_with_unit(const std::string& unit);
 
 /// Adds the three options; `what` is the noun of their descriptions, such as "Angle", and the unit
-/// "deg" or "deg/s".
+/// "deg" or "deg/s". The descriptions say which way the numbers count.
 void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& what,
                       const std::string& unit);
 
@@ -33,7 +34,14 @@ void require_an_axis(const AxisNumbers& numbers);
 msg::Angle14 to_angle(double degrees, std::string_view option);
 msg::ControlSpeed to_speed(double degrees_per_second, std::string_view option);
 
-/// For example "pitch -20 deg, yaw 5 deg".
+/// The value `number` of an axis in words: "20 deg up (pitch -20)"; "roll 5 deg" where the
+/// direction is not known.
+std::string axis_text(std::size_t axis, std::string_view number, std::string_view unit);
+
+/// For example "20 deg up (pitch -20), 5 deg right (yaw 5)".
 std::string axes_text(const AxisNumbers& numbers, std::string_view unit);
+
+/// Where positive values turn the camera: "positive pitch is down, positive yaw is right".
+std::string directions_text();
 
 }  // namespace sbgc::tools

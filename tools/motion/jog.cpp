@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <sbgc/axis_directions.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages/realtime.hpp>
 
@@ -41,23 +43,34 @@ struct KeyTurn {
   int sign{};
 };
 
+/// For example "up"; the sign is 0 if nothing turns the camera there.
+constexpr KeyTurn turn_to(std::string_view direction) {
+  for (std::size_t axis = 0; axis < axis_directions.size(); ++axis) {
+    if (axis_directions[axis].positive == direction) return {axis, 1};
+    if (axis_directions[axis].negative == direction) return {axis, -1};
+  }
+  return {};
+}
+
 std::optional<KeyTurn> direction_of(const KeyPress& press) {
   constexpr std::size_t roll = 0;
-  constexpr std::size_t pitch = 1;
-  constexpr std::size_t yaw = 2;
+  constexpr KeyTurn up = turn_to("up");
+  constexpr KeyTurn down = turn_to("down");
+  constexpr KeyTurn left = turn_to("left");
+  constexpr KeyTurn right = turn_to("right");
   switch (press.key) {
-    case Key::up: return KeyTurn{pitch, 1};
-    case Key::down: return KeyTurn{pitch, -1};
-    case Key::left: return KeyTurn{yaw, -1};
-    case Key::right: return KeyTurn{yaw, 1};
+    case Key::up: return up;
+    case Key::down: return down;
+    case Key::left: return left;
+    case Key::right: return right;
     case Key::end: return std::nullopt;
     case Key::character: break;
   }
   switch (press.character) {
-    case 'w': return KeyTurn{pitch, 1};
-    case 's': return KeyTurn{pitch, -1};
-    case 'a': return KeyTurn{yaw, -1};
-    case 'd': return KeyTurn{yaw, 1};
+    case 'w': return up;
+    case 's': return down;
+    case 'a': return left;
+    case 'd': return right;
     case 'z': return KeyTurn{roll, -1};
     case 'c': return KeyTurn{roll, 1};
     default: return std::nullopt;
@@ -185,11 +198,13 @@ int jog(const Arming& arming, const CommandContext& context) {
   }
   const TerminalRestorer restorer(TerminalRestorer::Screen::normal);
   arm(arming,
-      fmt::format("The camera turns while a key is held, at up to {:g} deg/s.", speeds.back()));
+      fmt::format("Up looks up, and down looks down: the reverse of sbgc 0.1.0. The camera turns "
+                  "while a key is held, at up to {:g} deg/s.",
+                  speeds.back()));
   MovingGimbal gimbal(context.gimbal, AfterStop::remove_timeout);
   require_motors(gimbal.client());
   remark(
-      "arrows or w, s, a, d: pitch and yaw    z, c: roll    space: stop\n"
+      "arrows or w, a, s, d: up, left, down, right    z, c: roll    space: stop\n"
       "+, -: speed    q: quit\n");
   gimbal.begins_to_move();
   Result<void> ended;
@@ -220,9 +235,9 @@ void add_jog(CLI::App& app, CommandContext& context) {
   add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Keys, in a terminal that repeats a held key:\n"
-      "  up, down or w, s       turn pitch\n"
-      "  left, right or a, d    turn yaw\n"
-      "  z, c                   turn roll\n"
+      "  up, down or w, s       look up, down\n"
+      "  left, right or a, d    look left, right\n"
+      "  z, c                   turn roll, negative and positive\n"
       "  space                  stop\n"
       "  +, -                   change the speed\n"
       "  q                      quit\n"

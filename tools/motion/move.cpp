@@ -45,8 +45,8 @@ std::string angles_text(const MoveTarget& target, const MoveProgress& progress) 
   std::string text;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (!target[i]) continue;
-    text += fmt::format("{}{} {:.1f} deg", text.empty() ? "" : ", ", axis_names[i],
-                        progress.angles[i].degrees());
+    if (!text.empty()) text += ", ";
+    text += axis_text(i, fmt::format("{:.1f}", progress.angles[i].degrees()), "deg");
   }
   return text;
 }
@@ -125,7 +125,7 @@ void add_move(CLI::App& app, CommandContext& context) {
       "the camera turns; it stops at its target by itself, and `sbgc stop` stops it before.\n"
       "\n"
       "Examples:\n"
-      "  sbgc move --pitch -30 --wait\n"
+      "  sbgc move --pitch 30 --wait\n"
       "  sbgc move --yaw 5 --relative --speed 2 --yes\n"
       "\n"
       "The exit status is 0 if the camera is at its target, or turns to it without --wait; 1 if "

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/axis_directions.hpp>
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"
@@ -32,6 +33,25 @@ std::string part_bits(const PartInfo& part) {
   const int low = std::countr_zero(part.mask);
   const int high = 63 - std::countl_zero(part.mask);
   return low == high ? fmt::format("bit {}", low) : fmt::format("bits {} to {}", low, high);
+}
+
+/// Which way positive values count: "positive: pitch down, yaw right, roll unknown".
+std::string positive_text(const FieldType& type) {
+  const auto word = [](const AxisDirection& direction) {
+    return direction.positive.empty() ? "unknown" : direction.positive;
+  };
+  switch (type.info->directed) {
+    case Directed::no: return "";
+    case Directed::unknown: break;
+    case Directed::roll: return fmt::format("positive: {}", word(axis_directions.roll));
+    case Directed::pitch: return fmt::format("positive: {}", word(axis_directions.pitch));
+    case Directed::yaw: return fmt::format("positive: {}", word(axis_directions.yaw));
+    case Directed::by_axis:
+      if (!type.is_of_axis) break;
+      return fmt::format("positive: pitch {}, yaw {}, roll {}", word(axis_directions.pitch),
+                         word(axis_directions.yaw), word(axis_directions.roll));
+  }
+  return fmt::format("positive: {}", word({}));
 }
 
 constexpr std::size_t most_names = 16;
@@ -104,6 +124,7 @@ std::vector<std::string> field_facts(const FieldType& field) {
   if (type.unit != nullptr) add(scale_text(*type.unit));
   add(range_text(type));
   if (type.info != nullptr) {
+    add(positive_text(type));
     for (const Special& special : type.info->special) {
       add(fmt::format("{}: {}", special.value, special.meaning));
     }

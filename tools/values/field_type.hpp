@@ -40,6 +40,7 @@ struct FieldType {
   std::size_t count = 0;  ///< of a list, bytes or text: the size, or the largest one if it varies
   bool has_count = true;  ///< false if the size of the list, the bytes or the text varies
   bool is_optional = false;  ///< shorter bodies lack it
+  bool is_of_axis = false;   ///< an element of an axis of the gimbal, or part of one
   bool is_counter = false;   ///< the element count of a list, which follows from the list
   // Of an integer.
   std::int64_t lowest = 0;  ///< what the wire can carry
@@ -163,11 +164,17 @@ class FieldTypes {
   }
   template <class T>
   static FieldType of(const Axes<T>& axes) {
-    return each(of(axes.roll), {"roll", "pitch", "yaw"});
+    FieldType element = of(axes.roll);
+    mark_axis(element);
+    return each(std::move(element), {"roll", "pitch", "yaw"});
   }
   template <class T>
   static FieldType of(const Xyz<T>& xyz) {
     return each(of(xyz.x), {"x", "y", "z"});
+  }
+  static void mark_axis(FieldType& type) {
+    type.is_of_axis = true;
+    for (FieldType& member : type.members) mark_axis(member);
   }
   static FieldType each(FieldType element, std::vector<const char*> names) {
     FieldType type{.shape = FieldShape::axes, .axes = std::move(names)};

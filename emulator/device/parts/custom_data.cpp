@@ -109,9 +109,10 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::script_vars_int16)) data.script_vars_int16 = std::array<std::int16_t, 10>{};
   if (blocks.has(Flag::system_power_state)) data.system_power_state = power(device, sample);
   if (blocks.has(Flag::frame_cam_rate)) {
-    data.frame_cam_rate = axes_of<msg::GyroRate>({sample.speeds.roll - sample.frame_speed.y,
-                                                  sample.speeds.pitch - sample.frame_speed.x,
-                                                  sample.speeds.yaw - sample.frame_speed.z});
+    const Axes<double> frame = turning(sample.frame_speed);
+    data.frame_cam_rate =
+        axes_of<msg::GyroRate>({sample.speeds.roll - frame.roll, sample.speeds.pitch - frame.pitch,
+                                sample.speeds.yaw - frame.yaw});
   }
   if (blocks.has(Flag::imu_angles_20)) data.imu_angles_20 = axes_of<msg::Angle20>(sample.angles);
   if (blocks.has(Flag::target_angles_20)) {

@@ -29,8 +29,8 @@ void set_remote_control(msg::ReadParams3& out) {
   }
   out.rc.roll.rc_min_angle = -30_deg;
   out.rc.roll.rc_max_angle = 30_deg;
-  out.rc.pitch.rc_min_angle = -90_deg;
-  out.rc.pitch.rc_max_angle = 45_deg;
+  out.rc.pitch.rc_min_angle = -45_deg;
+  out.rc.pitch.rc_max_angle = 90_deg;
   out.rc.yaw.rc_min_angle = -180_deg;
   out.rc.yaw.rc_max_angle = 180_deg;
   out.rc_map = {msg::RcInput::rc_input_roll, msg::RcInput::rc_input_pitch,

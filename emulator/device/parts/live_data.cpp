@@ -10,17 +10,15 @@
 #include "device/device.hpp"
 #include "device/parts/custom_data.hpp"
 #include "device/parts/modules.hpp"
+#include "physics/attitude.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
-/// Each axis turns about one direction of its sensor: roll about y (forward), pitch about x
-/// (right), yaw about z (up). Assumption: the specification names only axes.
-constexpr std::size_t sensor_axis(std::size_t axis) {
-  constexpr std::array<std::size_t, 3> directions{1, 0, 2};
-  return directions[axis];
-}
+/// Assumption: the sensors of an axis measure along the direction about which it turns: forward,
+/// right and up, and its gyroscope counts as its angle. The specification names only axes.
+constexpr std::size_t sensor_axis(std::size_t axis) { return turning_axes[axis].direction; }
 
 /// Converts an RC signal to a pulse in the specified range.
 msg::RcSignal pulse(std::optional<double> signal) {
@@ -46,11 +44,18 @@ Xyz<float> vector(const Vector& from) {
   return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
 }
 
-template <class Q, class From>
-Axes<Q> sensor(const From& from) {
-  Axes<Q> to;
+Axes<msg::Acceleration> accelerations(const Sample& sample) {
+  Axes<msg::Acceleration> to;
   for (std::size_t axis = 0; axis < to.size(); ++axis) {
-    to[axis] = saturated<Q>(from[sensor_axis(axis)]);
+    to[axis] = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+Axes<msg::GyroRate> rates(const Axes<double>& from) {
+  Axes<msg::GyroRate> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated<msg::GyroRate>(from[axis]);
   }
   return to;
 }
@@ -63,9 +68,11 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  const Axes<msg::Acceleration> acceleration = accelerations(sample);
+  const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
-    data.axes[axis].acc_data = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
-    data.axes[axis].gyro_data = saturated<msg::GyroRate>(sample.gyro[sensor_axis(axis)]);
+    data.axes[axis].acc_data = acceleration[axis];
+    data.axes[axis].gyro_data = gyro[axis];
     data.rc[axis] = pulse(device.remote.own(device, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
@@ -173,16 +180,11 @@ void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags bloc
       static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
   if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
   if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
-  if (blocks.has(Flag::target_speed)) {
-    Axes<msg::GyroRate>& speeds = data.target_speed.emplace();
-    for (std::size_t axis = 0; axis < speeds.size(); ++axis) {
-      speeds[axis] = saturated<msg::GyroRate>(sample.target_speeds[axis]);
-    }
-  }
+  if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
   if (blocks.has(Flag::stator_rotor_angle)) {
     data.stator_rotor_angle = knows_joints(device) ? angles(sample.joints) : Axes<msg::Angle14>{};
   }
-  if (blocks.has(Flag::gyro_data)) data.gyro_data = sensor<msg::GyroRate>(sample.gyro);
+  if (blocks.has(Flag::gyro_data)) data.gyro_data = rates(turning(sample.gyro));
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -198,7 +200,7 @@ void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags bloc
   }
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
-  if (blocks.has(Flag::acc_data)) data.acc_data = sensor<msg::Acceleration>(sample.acceleration);
+  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample);
   measure_later(device, port, blocks, now, data);
 }
 

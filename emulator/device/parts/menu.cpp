@@ -113,7 +113,7 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::auto_pid:
       static_cast<void>(device.auto_tuning.start(device, now));
       break;
-    case msg::MenuCommand::look_down: move_to(device, pitch, -90, now); break;
+    case msg::MenuCommand::look_down: move_to(device, pitch, 90, now); break;
     case msg::MenuCommand::home_position: go_home(device, now); break;
     case msg::MenuCommand::level_roll_pitch:
       move_to(device, roll, 0, now);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "device/device.hpp"
+#include "physics/attitude.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -52,7 +53,7 @@ void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags field
   if (ExternalMotors::are_supported(device)) {
     motion = device.external_motors.motion(driver, now);
   } else {
-    motion = {sample.speeds[driver] - sample.frame_speed[driver], sample.power[driver]};
+    motion = {sample.speeds[driver] - turning(sample.frame_speed)[driver], sample.power[driver]};
   }
   const double milliamperes = 50 + 2000 * std::abs(motion.load);
   constexpr double degrees_per_turn = 360;

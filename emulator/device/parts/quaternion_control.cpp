@@ -61,14 +61,14 @@ void QuaternionControl::command(Device& device, const Target& target, Instant no
     const auto speeds =
         euler_speeds(pose(device, present), to_body(*target.attitude, target.speed));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      constexpr std::array<std::size_t, 3> direction{1, 0, 2};
+      const std::size_t direction = turning_axes[axis].direction;
       AxisCommand command{.mode = AxisMode::angle, .angle = angles[axis]};
       if (target.mode == msg::ControlQuatMode::speed_attitude) {
         command.mode = AxisMode::speed_angle;
         command.speed = speeds ? (*speeds)[axis] : 0;
       }
-      command.speed = limited(command.speed, direction[axis]);
-      if (command.mode == AxisMode::angle) command.speed = max_speed_[direction[axis]];
+      command.speed = limited(command.speed, direction);
+      if (command.mode == AxisMode::angle) command.speed = max_speed_[direction];
       device.gimbal.command(axis, command, now);
     }
   }

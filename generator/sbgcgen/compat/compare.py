@@ -37,6 +37,7 @@ def compare(old: Layout, new: Layout) -> list[Change]:
     _compare_framings(old, new, changes)
     _compare_versions(old, new, changes)
     _compare_line(old, new, changes)
+    _compare_directions(old, new, changes)
     commands = _compare_commands(old, new, changes)
     _compare_messages(old, new, commands, changes)
     _compare_named_types(old, new, changes)
@@ -98,6 +99,18 @@ def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
     for key in ("shortest_pause_ms", "longest_pause_ms"):
         before, now = getattr(old.line, key), getattr(new.line, key)
         changes.compare(Level.COMPATIBLE, f"line: {key}", before, now, at)
+
+
+def _compare_directions(old: Layout, new: Layout, changes: Changes) -> None:
+    """A direction that was not known may be named."""
+    before = {direction.axis: direction for direction in old.directions}
+    for now in new.directions:
+        was = before.pop(now.axis, None)
+        words = (was and was.positive, now.positive)
+        level = Level.MEANING if words[0] else Level.COMPATIBLE
+        changes.compare(level, f"direction of {now.axis}", *words, now.at)
+    for axis, gone in before.items():
+        changes.deleted(Level.MEANING, f"direction of {axis}", gone.at, gone.positive)
 
 
 def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:

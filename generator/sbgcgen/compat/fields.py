@@ -319,10 +319,20 @@ def _compare_field(
     _compare_alternatives(label, old, new, changes)
     changes.compare(Level.MEANING, f"{label}: variable", old.variable, new.variable, at)
     changes.compare(Level.MEANING, f"{label}: reserved", old.reserved, new.reserved, at)
+    directed = [_directed(old), _directed(new)]
+    level = Level.MEANING if old.directions else Level.COMPATIBLE
+    changes.compare(level, f"{label}: directed", directed[0], directed[1], at)
     changes.since(label, old.since, new.since, at)
     marks = [bool(old.deprecated), bool(new.deprecated)]
     changes.compare(Level.COMPATIBLE, f"{label}: deprecated", marks[0], marks[1], at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, at)
+
+
+def _directed(field: Field) -> str:
+    """How the direction of a field is determined."""
+    if field.directions is None:
+        return ""
+    return field.axis or ("as its axis" if field.directions else "unknown")
 
 
 def _compare_defaults(label: str, old: Field, new: Field, changes: Changes) -> None:

@@ -15,6 +15,7 @@ from sbgcgen.model.values import (
     SCALARS,
     Alias,
     Availability,
+    AxisDirection,
     Deprecation,
     Enum,
     EnumValue,
@@ -252,7 +253,8 @@ class Field:
     `since` ends the body before the field. `counting` is how the counter of a list counts:
     "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1". `default` is
     the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
-    names.
+    names. `directions` is None if the value counts in no direction; otherwise it counts in that of
+    the `axis`, or of the index.
     An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
@@ -290,7 +292,14 @@ class Field:
     constant: bool = False
     aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
+    directions: tuple[AxisDirection, ...] | None = None
+    axis: str = ""
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    def direction(self, element: str) -> AxisDirection | None:
+        """Which way the value of this element of an index counts; None if it is not known."""
+        axis = self.axis or element
+        return next((d for d in self.directions or () if d.axis == axis), None)
 
     @cached_property
     def scalar(self) -> Scalar | None:
@@ -327,7 +336,8 @@ class Leaf:
     """One value or run of bytes of a body, with its full path.
 
     `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
-    before an `optional` leaf. `when` is the condition of the field or of a group that it is in.
+    before an `optional` leaf. `when` is the condition of the field or of a group that it is in. If the
+    field counts in a direction, it is `direction`, or None if that is not known.
     """
 
     path: str
@@ -339,6 +349,7 @@ class Leaf:
     cases: tuple[Leaf, ...] = ()
     optional: bool = False
     when: Condition | None = None
+    direction: AxisDirection | None = None
 
     @property
     def size(self) -> int | None:

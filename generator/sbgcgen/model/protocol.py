@@ -12,7 +12,7 @@ from sbgcgen.model.values import Identifier
 from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
-from sbgcgen.model.values import Enum, Packed, Quantity, Versions
+from sbgcgen.model.values import AxisDirection, Enum, Packed, Quantity, Versions
 from sbgcgen.model.variables import Variable
 from sbgcgen.model.names import KNOWN_FORMS
 
@@ -72,6 +72,7 @@ class Layout:
     newest_firmware: int = 0
     revisions: tuple[Revision, ...] = ()
     timeout_errata: tuple[str, ...] = ()
+    directions: tuple[AxisDirection, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
     identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)

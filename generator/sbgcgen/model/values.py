@@ -123,8 +123,22 @@ class Deprecation:
 
 
 @dataclass(frozen=True)
+class AxisDirection:
+    """Which way values about an axis count; None if it is not known."""
+
+    axis: str
+    positive: str | None
+    negative: str | None
+    errata: tuple[str, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Quantity:
-    """A physical quantity: physical value = raw * scale + offset, in `unit`."""
+    """A physical quantity: physical value = raw * scale + offset, in `unit`.
+
+    Its values count in a direction if it `is_directed`.
+    """
 
     name: str
     scalar: Scalar
@@ -136,6 +150,7 @@ class Quantity:
     summary: str
     errata: tuple[str, ...]
     kind: str = "quantity"
+    is_directed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import floor, lcm
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import Availability, Quantity, Scalar
+from sbgcgen.model.values import Availability, AxisDirection, Quantity, Scalar
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,7 @@ class VariableSetting:
     scale: Fraction
     offset: Fraction
     special: tuple[int, ...] = ()
+    direction: AxisDirection | None = None
 
     @property
     def denominator(self) -> int:
@@ -81,3 +82,13 @@ class Variable:
     since: Availability = Availability()
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    @property
+    def is_directed(self) -> bool:
+        """True if its values count in a direction."""
+        return self.quantity is not None and self.quantity.is_directed
+
+    @property
+    def direction(self) -> AxisDirection | None:
+        """The direction in which its values count, as those of its settings; None if unknown."""
+        return self.settings[0].direction if self.settings else None

@@ -238,7 +238,8 @@ class _ValueReader:
         if isinstance(field.type, Announced):
             return type_.name if isinstance(type_, Scalar) else ""
         if isinstance(type_, Quantity):
-            return physical(value, self._quantity(field, type_, path))
+            quantity = self._quantity(field, type_, path)
+            return physical(value, quantity) + _side(value, quantity, field, path)
         if isinstance(type_, Enum):
             return flag_names(type_, value) if type_.kind == "flags" else self._name(type_, value)
         return _packed_text(type_, value) if isinstance(type_, Packed) else ""
@@ -291,6 +292,19 @@ def physical(raw: int | float, quantity: Quantity) -> str:
     """The physical value with its unit: "-30 deg"."""
     number = f"{float(real(raw, quantity)):.6g}"
     return f"{number} {quantity.unit}" if quantity.unit else number
+
+
+def _side(raw: int | float, quantity: Quantity, field: Field, path: str) -> str:
+    """Which way an angle is: " down"; "" if nothing says so.
+
+    A speed may be that of a motion to an angle, which determines the direction.
+    """
+    if not raw or "/" in (quantity.unit or ""):
+        return ""
+    found = filter(None, (field.direction(word.upper()) for word in path.split(".")))
+    direction = next(found, None)
+    word = direction and (direction.positive if raw > 0 else direction.negative)
+    return f" {word}" if word else ""
 
 
 def real(raw: int | float, quantity: Quantity) -> Fraction:

@@ -2,8 +2,8 @@
 
 A template's path determines the path of its output: `templates/a/@family@.hpp.j2` is rendered to
 `a/<family>.hpp` for each family. Templates import files that end in .jinja; any other file that
-does not end in .j2 is copied. Names of templates begin with that of their target:
-"cpp/macros.jinja".
+does not end in .j2 is copied. Names of templates begin with that of their target, or with that of the
+package `views`, which has what several targets share: "cpp/macros.jinja", "views/axes.svg.jinja".
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import Any
 
 import jinja2
 
+from sbgcgen import views
 from sbgcgen.model import Layout
 from sbgcgen.model.names import slug
 from sbgcgen.targets import Items, Target
@@ -41,8 +42,9 @@ def _fail(message: str) -> None:
 def _environment(folder: Path) -> jinja2.Environment:
     """The environment of a target; it caches compiled templates."""
     loader = jinja2.FileSystemLoader(folder / "templates")
+    shared = jinja2.FileSystemLoader(Path(views.__file__).parent)
     environment = jinja2.Environment(
-        loader=jinja2.PrefixLoader({folder.name: loader}),
+        loader=jinja2.PrefixLoader({folder.name: loader, "views": shared}),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -12,10 +12,12 @@ from sbgcgen.model import (
     EFFECTS,
     Announced,
     Availability,
+    AxisDirection,
     Blob,
     Effect,
     Enum,
     Field,
+    Leaf,
     Message,
     Packed,
     Quantity,
@@ -141,6 +143,33 @@ def title_of(name: str) -> str:
     return name.upper() if len(name) <= 3 else name.replace("_", " ").capitalize()
 
 
+def positive_text(leaves: Iterable[Leaf]) -> str:
+    """Which way positive values of leaves count: "down", or "pitch down, yaw right, roll unknown"."""
+    words = {leaf.direction: _positive(leaf.direction) for leaf in leaves}
+    if len(words) <= 1:
+        return "".join(words.values())
+    named = sorted(words, key=lambda direction: words[direction] == _positive(None))
+    return ", ".join(f"{d.axis.lower()} {words[d]}" for d in named if d)
+
+
+def _positive(direction: AxisDirection | None) -> str:
+    return (direction and direction.positive) or "unknown"
+
+
+def directions_text(directions: Iterable[AxisDirection]) -> str:
+    """A sentence: "Positive pitch is down and negative up; for roll it is not known."."""
+    known, unknown = [], []
+    for direction in directions:
+        axis = direction.axis.lower()
+        if direction.positive is None:
+            unknown.append(axis)
+        else:
+            known.append(f"positive {axis} is {direction.positive}, negative {direction.negative}")
+    if unknown:
+        known.append(f"for {' and '.join(unknown)} it is not known")
+    return "; ".join(known).capitalize() + "." if known else ""
+
+
 FILTERS: dict[str, Callable[..., Any]] = {
     "crc_text": crc_text,
     "frame_parts": frame_parts,
@@ -158,6 +187,8 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "body_size": body_size,
     "default_words": default_words,
     "rules_in": rules_in,
+    "positive_text": positive_text,
+    "directions_text": directions_text,
 }
 
 TESTS: dict[str, Callable[..., bool]] = {

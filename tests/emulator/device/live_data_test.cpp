@@ -295,7 +295,7 @@ TEST(LiveData, AnAttitudeCanBeSet) {
   EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0))
       << "it is sent often, so it is not confirmed";
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{}, milliseconds(3));
-  EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
+  EXPECT_NEAR(angles.axes.pitch.imu_angle.degrees(), 45, 2) << "up is behind: it looks down";
 }
 
 TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
@@ -314,7 +314,7 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
     const auto after = host.board.gimbal().sample(host.now);
     const double moved = by_frame ? after.angles.pitch - before.angles.pitch
                                   : after.frame.pitch - before.frame.pitch;
-    EXPECT_NEAR(moved, -30, 5) << by_frame;
+    EXPECT_NEAR(moved, 30, 5) << by_frame << ": up is behind, so the front is down";
   }
 }
 

@@ -20,7 +20,7 @@ using QuatMode = msg::ControlQuatMode;
 
 constexpr double degrees_in_radian = 180 / 3.14159265358979323846;
 
-/// A rotation about one axis: 1 X (pitch), 2 Y (roll), 3 Z (yaw).
+/// A rotation about one axis: 1 X (pitch, up), 2 Y (roll), 3 Z (yaw, to the left).
 std::array<float, 4> rotated_about(std::size_t axis, double degrees) {
   std::array<float, 4> out{};
   out[0] = static_cast<float>(std::cos(degrees / 2 / degrees_in_radian));
@@ -38,7 +38,7 @@ TEST(QuaternionControl, TurnsToAnAttitude) {
   EXPECT_TRUE(is_confirmed(host, msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::confirm,
                                                           rotated_about(1, -20)}));
   host.listen(seconds(4));
-  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -20, 0.01);
+  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, 20, 0.01);
   const auto now = quaternion_status(host);
   EXPECT_EQ(now.mode, QuatMode::attitude);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -55,7 +55,7 @@ TEST(QuaternionControl, TurnsAtASpeed) {
   request.target_speed.z = msg::RadianRate(static_cast<float>(10 / degrees_in_radian));
   EXPECT_TRUE(is_confirmed(host, request));
   host.listen(seconds(2));
-  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.yaw, 20, 1);
+  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.yaw, -20, 1);
   EXPECT_NEAR((*quaternion_status(host).target_speed).z.degrees_per_second(), 10, 0.1);
   EXPECT_NEAR((*quaternion_status(host).setpoint_speed).z.degrees_per_second(), 10, 0.1);
   // A limit applies from the next command on.
@@ -79,7 +79,7 @@ TEST(QuaternionControl, ATaskIsConfirmedAtItsEnd) {
   const Packets later = host.listen(seconds(5));
   ASSERT_THAT(all<msg::Confirm>(later), SizeIs(1));
   EXPECT_THAT(all<msg::Confirm>(later)[0].data, ::testing::ElementsAre(1)) << "complete";
-  EXPECT_NEAR(host.board.gimbal().sample(host.now).angles.pitch, -30, 1.5);
+  EXPECT_NEAR(host.board.gimbal().sample(host.now).angles.pitch, 30, 1.5);
 }
 
 TEST(QuaternionControl, ATaskThatCannotEndIsGivenUp) {
@@ -109,7 +109,7 @@ TEST(QuaternionControl, APackedAttitudeIsTheSame) {
       emulator::packed({std::cos(10 / degrees_in_radian), std::sin(10 / degrees_in_radian), 0, 0})};
   EXPECT_TRUE(is_confirmed(host, request));
   host.listen(seconds(4));
-  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, 20, 0.01);
+  EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -20, 0.01);
 }
 
 TEST(QuaternionControl, RefusesWhatItCannotFollow) {

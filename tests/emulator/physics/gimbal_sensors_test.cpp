@@ -29,16 +29,16 @@ Sample placed(const Axes<double>& angles) {
 
 TEST(Sensors, GravityTellsTheAttitude) {
   expect_near(placed({}).acceleration, {0, 0, 1}, 1e-12);
-  expect_near(placed({0, 90, 0}).acceleration, {0, 1, 0}, 1e-12);   // front up
+  expect_near(placed({0, 90, 0}).acceleration, {0, -1, 0}, 1e-12);  // front down
   expect_near(placed({90, 0, 0}).acceleration, {-1, 0, 0}, 1e-12);  // right side down
   expect_near(placed({180, 0, 77}).acceleration, {0, 0, -1}, 1e-12);
   const double half = std::sin(30 * radian);
-  expect_near(placed({0, -30, 123}).acceleration, {0, -half, std::cos(30 * radian)}, 1e-12);
+  expect_near(placed({0, -30, 123}).acceleration, {0, half, std::cos(30 * radian)}, 1e-12);
 }
 
 TEST(Sensors, NorthAndTheFieldTellTheHeading) {
   expect_near(placed({}).north, {0, 1, 0}, 1e-12);
-  expect_near(placed({0, 0, 90}).north, {1, 0, 0}, 1e-12);  // heads west: north is on the right
+  expect_near(placed({0, 0, 90}).north, {-1, 0, 0}, 1e-12);  // heads east: north is on the left
   expect_near(placed({0, 0, 720}).north, {0, 1, 0}, 1e-9);
   const Sample sample = placed({20, -40, 60});
   const double horizontal = dot(sample.magnetic, sample.north);
@@ -220,9 +220,9 @@ TEST(Drift, TurnsTheCameraUnnoticedUntilTheGyroscopeIsCalibrated) {
 TEST(Drift, CorrectionsByHandChangeIt) {
   Gimbal gimbal = ready();
   gimbal.correct_gyro(false, {}, 0.5, ms(0));
-  EXPECT_NEAR(heading_of(gimbal.sample(ms(20'000))), 10, 0.5);
+  EXPECT_NEAR(heading_of(gimbal.sample(ms(20'000))), -10, 0.5) << "to the left, as about z";
   gimbal.correct_gyro(false, {0, 0, -0.5}, 0.5, ms(20'000));  // one against the other
-  EXPECT_NEAR(heading_of(gimbal.sample(ms(60'000))), 10, 0.5);
+  EXPECT_NEAR(heading_of(gimbal.sample(ms(60'000))), -10, 0.5);
 }
 
 TEST(Drift, OfRollAndPitchIsHeldByGravityTheMoreTheLessTheGyroscopeIsTrusted) {
@@ -244,16 +244,16 @@ TEST(Reference, ReplacesTheEstimate) {
   const Sample before = gimbal.sample(ms(1000));
   const double c = std::cos(20 * radian);
   const double s = std::sin(20 * radian);
-  // The camera's true heading is 20 degrees to the left of the IMU's estimate.
+  // North is 20 degrees further to the right than the IMU estimated: the camera heads to the left.
   gimbal.correct({Vector{0, 0, 1}, Vector{s, c, 0}, false, false}, ms(1000));
   const Sample told = gimbal.sample(ms(1000));
-  EXPECT_NEAR(told.angles.yaw, 20, 1e-9);
+  EXPECT_NEAR(told.angles.yaw, -20, 1e-9);
   expect_near(told.north, {s, c, 0}, 1e-9);
   EXPECT_EQ(told.joints.yaw, before.joints.yaw);
   // Therefore the camera turns back.
   const Sample later = gimbal.sample(ms(6000));
   EXPECT_NEAR(later.angles.yaw, 0, 0.05);
-  EXPECT_NEAR(later.joints.yaw, -20, 0.05);
+  EXPECT_NEAR(later.joints.yaw, 20, 0.05);
 }
 
 TEST(Reference, OfOneVectorLeavesTheOther) {
@@ -262,7 +262,7 @@ TEST(Reference, OfOneVectorLeavesTheOther) {
   gimbal.correct({Vector{0, std::sin(10 * radian), std::cos(10 * radian)}, {}, false, false},
                  ms(0));
   const Sample sample = gimbal.sample(ms(0));
-  EXPECT_NEAR(sample.angles.pitch, 10, 1e-9);
+  EXPECT_NEAR(sample.angles.pitch, -10, 1e-9) << "front up";
   EXPECT_NEAR(sample.angles.yaw, 40, 1e-9);
   // Gravity is the reference if no other one is given.
   EXPECT_NEAR(gimbal.sample(ms(90'000)).angles.pitch, 0, 0.01);
@@ -273,7 +273,7 @@ TEST(Reference, CorrectsSlowly) {
   for (std::int64_t t = 0; t < 60'000; t += 100) {
     // Simulates an external sensor on the camera, which observes the camera's rotation.
     const double really = gimbal.sample(ms(t)).joints.yaw + 10;
-    const Vector seen{std::sin(really * radian), std::cos(really * radian), 0};
+    const Vector seen{-std::sin(really * radian), std::cos(really * radian), 0};
     gimbal.correct({{}, seen, false, true}, ms(t));
     if (t == 0) {
       EXPECT_NEAR(gimbal.sample(ms(0)).angles.yaw, 0, 1e-9);
@@ -295,7 +295,7 @@ TEST(Reference, OfTheFrameLeavesTheCamera) {
   const Vector north{std::sin(15 * radian), std::cos(15 * radian), 0};
   gimbal.correct({Vector{0, 0, 1}, north, true, false}, ms(500));
   const Sample sample = gimbal.sample(ms(500));
-  EXPECT_NEAR(sample.frame.yaw, 15, 1e-9);
+  EXPECT_NEAR(sample.frame.yaw, -15, 1e-9);
   expect_near(sample.frame_north, north, 1e-9);
   EXPECT_NEAR(sample.angles.yaw, 0, 1e-9);
 }

@@ -20,10 +20,10 @@ Pose random_pose(std::mt19937& random) {
 TEST(Quaternion, IsTheHalfAngle) {
   const auto q = quaternion_of(Pose({0, 0, 90}, {1, 0, 2}).rotation());
   EXPECT_NEAR(q[0], std::cos(right_angle / 2), 1e-12);
-  EXPECT_NEAR(q[3], std::sin(right_angle / 2), 1e-12) << "yaw turns about Z";
+  EXPECT_NEAR(q[3], -std::sin(right_angle / 2), 1e-12) << "yaw turns to the right, against Z";
   const auto pitch = quaternion_of(Pose({0, -10, 0}, {1, 0, 2}).rotation());
   EXPECT_NEAR(pitch[0], 0.9962, 1e-4);
-  EXPECT_NEAR(pitch[1], -0.0872, 1e-4) << "pitch turns about X";
+  EXPECT_NEAR(pitch[1], 0.0872, 1e-4) << "a camera that turns up turns about X";
 }
 
 TEST(Quaternion, IsTheSameRotation) {

@@ -214,6 +214,11 @@ CASES: dict[str, Case] = {
         MEANING,
         "struct AxisState.SPEED: scale: 1/10 → 1/1000",
     ),
+    "direction of an axis": (
+        [("{positive: down, negative: up}", "{positive: up, negative: down}")],
+        MEANING,
+        "direction of PITCH: down → up",
+    ),
     "unit dropped": (
         [
             (
@@ -471,6 +476,16 @@ CASES: dict[str, Case] = {
         [("variables:\n", MORE_COMMAND + "\nvariables:\n")],
         OK,
         "command CMD_MORE: none → 14",
+    ),
+    "direction learned": (
+        [("ROLL: {positive: null, negative: null}", "ROLL: {positive: right, negative: left}")],
+        OK,
+        "direction of ROLL: none → right",
+    ),
+    "field that counts in a direction": (
+        [("scale: 360/16384, summary", "scale: 360/16384, directed: true, summary")],
+        OK,
+        "struct AxisState.ANGLE: directed: none → as its axis",
     ),
     "message added": (
         [("variables:\n", MORE_COMMAND + "\nvariables:\n")],

@@ -3,8 +3,10 @@
 //     sketch_runner SECONDS [TEXT [silent]]
 //
 // The user types TEXT after one second; a silent gimbal neither receives nor sends. Prints what the
-// sketch writes to Serial, and at the end how far the camera has tilted. Time is simulated.
+// sketch writes to Serial, and at the end where the camera looks: by the angles of its motors, as
+// its frame is level. Time is simulated.
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -42,6 +44,13 @@ void run(sbgc::Duration time) {
   }
 }
 
+/// A motor of pitch with a positive angle turns the front down; it is carried by that of roll.
+double degrees_down() {
+  constexpr double radian = 3.14159265358979323846 / 180;
+  const auto& motors = gimbal.gimbal().sample(now).joints;
+  return std::asin(std::sin(motors.pitch * radian) * std::cos(motors.roll * radian)) / radian;
+}
+
 }  // namespace
 
 HardwareSerial Serial;
@@ -72,12 +81,11 @@ int main(int argc, char** argv) {
   gimbal.advance(now = now + sbgc::seconds(5));  // it has started
   port = *gimbal.open_port();
   gimbal.set_silent(argc > 3);
-  const double before = gimbal.gimbal().sample(now).angles.pitch;
   setup();
   run(sbgc::seconds(1));
   for (const char c : std::string_view(argc > 2 ? argv[2] : "")) {
     typed.push_back(static_cast<std::uint8_t>(c));
   }
   run(sbgc::seconds(std::atoi(argv[1])));
-  std::printf("tilted by %.0f degrees\n", gimbal.gimbal().sample(now).angles.pitch - before);
+  std::printf("the camera looks %.0f degrees down\n", degrees_down());
 }

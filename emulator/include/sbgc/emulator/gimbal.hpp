@@ -12,9 +12,11 @@
 
 namespace sbgc::emulator {
 
-/// A vector in space: x points right, y forward, z up (normal position). Roll turns about y, pitch
-/// about x, yaw about z, counter-clockwise when looking against the axis. Assumption: the
-/// specification does not define directions.
+/// A vector in space: x points right, y forward, z up (normal position). As a rotation, it turns
+/// counter-clockwise when looking against it.
+///
+/// Positive pitch lowers the front, positive yaw turns it to the right (E384), of camera, frame and
+/// joints alike. Assumption: positive roll lowers the right side; no source says so.
 using Vector = Xyz<double>;
 
 /// A command for one axis. Angles in degrees, speeds in degrees per second.
@@ -173,7 +175,7 @@ class Gimbal {
   /// True if the frame's attitude is currently replaced this way.
   bool is_frame_reported(Instant now);
   /// Sets the zero offset of a gyroscope in deg/s, which makes heading errors grow or shrink.
-  /// `heading` turns about the vertical. Replaces earlier values of both.
+  /// `heading` turns about the vertical, up. Replaces earlier values of both.
   void correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now);
   /// Ends a calibration at rest: removes the drift of this gyroscope until the temperature changes,
   /// and its correction.

@@ -363,11 +363,13 @@ struct Meta<msg::GyroCorrection> {
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
        .summary = "Zero offset of each axis.",
-       .unit = &UnitMeta<msg::GyroOffset>::info},
+       .unit = &UnitMeta<msg::GyroOffset>::info,
+       .directed = Directed::by_axis},
       {.name = "gyro_zero_heading_corr",
        .spec_name = "GYRO_ZERO_HEADING_CORR",
        .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
-       .unit = &UnitMeta<msg::GyroOffset>::info},
+       .unit = &UnitMeta<msg::GyroOffset>::info,
+       .directed = Directed::by_axis},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -47,6 +47,15 @@ def _model(layout: Layout) -> dict[str, Any]:
             }
             for revision in layout.revisions
         ],
+        "directions": [
+            {
+                "name": direction.axis,
+                "positive": direction.positive,
+                "negative": direction.negative,
+                "errata": list(direction.errata),
+            }
+            for direction in layout.directions
+        ],
         "families": [
             {"name": family.name, "summary": family.summary} for family in layout.families
         ],

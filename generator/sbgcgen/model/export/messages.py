@@ -86,6 +86,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["scale_exact"] = str(quantity.scale)
         if quantity.offset:
             result["add"] = number(quantity.offset)
+    if field.directions is not None:
+        result["positive"] = leaf.direction and leaf.direction.positive
     if isinstance(field.type, Announced):
         result["announced"] = field.type.context
     if isinstance(field.type, Packed):

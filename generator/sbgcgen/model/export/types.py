@@ -123,6 +123,7 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
         "scale_exact": str(q.scale),
         "offset": number(q.offset),
         "summary": q.summary,
+        **({"directed": True} if q.is_directed else {}),
         "errata": list(q.errata),
     }
 
@@ -153,6 +154,8 @@ def variable_json(variable: Variable) -> dict[str, Any]:
         ],
         "as_switch": variable.is_switch,
     }
+    if variable.is_directed:
+        result["positive"] = variable.direction and variable.direction.positive
     if variable.since:
         result["since"] = version(variable.since)
     if variable.unconfirmed:

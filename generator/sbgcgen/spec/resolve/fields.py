@@ -27,6 +27,7 @@ from sbgcgen.model import (
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
@@ -53,6 +54,9 @@ class FieldResolver:
         self.indices: dict[str, tuple[str, ...]] = {
             name: tuple(words) for name, words in spec.main.get("indices", {}).items()
         }
+        axes = [word for words in self.indices.values() for word in words]
+        directions = axis_directions_of(spec.main.get("directions", Map()), axes, types, found)
+        self.directions = DirectionResolver(directions, found)
         self._nodes = {
             name: (family, node, at) for family, name, node, at in spec.entries("structs")
         }
@@ -293,6 +297,7 @@ class FieldResolver:
         if counting == "bits":
             flags = next(f.type for f in earlier if f.name == counter)
             capacity = min(capacity, 8 * (size_of(flags) or 0))
+        directions, axis = self.directions.direction(node, type_, name.base, index)
         field = Field(
             name=self.types.identifier(str(node.get("as", snake_case(name.base))), at),
             spec_name=name.spec_name,
@@ -328,6 +333,8 @@ class FieldResolver:
             constant="constant" in node,
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
+            directions=directions,
+            axis=axis,
             at=at,
         )
         self._check_default(field, node, text)

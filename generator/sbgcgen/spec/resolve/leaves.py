@@ -49,7 +49,8 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
         else:
             assert scalar is not None
             name, amount = scalar.name, count
-        yield Leaf(path, field, expand_name(field.spec_name, word), name, amount, offset)
+        spec_name, direction = expand_name(field.spec_name, word), field.direction(word)
+        yield Leaf(path, field, spec_name, name, amount, offset, direction=direction)
 
     def step(i: int) -> int | None:
         return None if offset is None or element is None else offset + i * element

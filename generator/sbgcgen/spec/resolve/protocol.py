@@ -72,6 +72,7 @@ class _Resolver:
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
             synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
+            directions=self.fields.directions.directions,
             timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
             identifiers=tuple(self.types.identifiers),
         )

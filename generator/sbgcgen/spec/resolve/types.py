@@ -89,6 +89,9 @@ class TypeResolver(Entries):
             hint = "the real value is raw * scale + offset"
             self.found.add(node.at("scale"), "SBGC017", message, hint)
             scale = Fraction(1)
+        if "directed" in node and SCALARS[node["type"]].minimum == 0:
+            message = f"{name} counts in a direction, but has no sign"
+            self.found.add(node.at("directed"), "SBGC072", message, "use a type with a sign")
         return Quantity(
             name=name,
             scalar=SCALARS[node["type"]],
@@ -99,6 +102,7 @@ class TypeResolver(Entries):
             offset=offset,
             summary=self.summary(node, at, name),
             errata=self.errata(node),
+            is_directed=bool(node.get("directed", False)),
             at=at,
         )
 

@@ -125,6 +125,7 @@ class VariableResolver:
             scalar=scalar,
             scale=scales[0] / scales[1],
             offset=(offsets[0] - offsets[1]) / scales[1],
+            direction=leaf.direction,
         )
         if setting.denominator != 1:
             special = tuple(sorted(s.value for s in leaf.field.special))

@@ -143,6 +143,9 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
 
     def all_errata(message: Message) -> list[str]:
         numbers = {*message.errata, *(n for row in rows_of(message) for n in row.field.errata)}
+        numbers.update(
+            n for leaf in message.leaves if leaf.direction for n in leaf.direction.errata
+        )
         for instance in uses.instances(message, layout):
             numbers.update(instance.errata)
             numbers.update(instance.answer.errata if instance.answer else ())

@@ -89,6 +89,16 @@ struct AlternativeUnit {
   const UnitInfo* unit{};
 };
 
+/// The direction in which values count; <sbgc/axis_directions.hpp> has the directions of the axes.
+enum class Directed : std::uint8_t {
+  no,       ///< in none: a size, a mode, a time
+  unknown,  ///< in one that is not known
+  roll,     ///< in that of the axis
+  pitch,
+  yaw,
+  by_axis,  ///< in that of the axis whose element it is; unknown if it is an element of no axis
+};
+
 /// An adjustable variable. Its values are integers.
 struct VariableInfo {
   msg::VariableId id{};
@@ -96,6 +106,7 @@ struct VariableInfo {
   const char* summary = "";
   Range range{};
   UnitInfo unit{};
+  Directed directed{};
 };
 
 /// The role of a field in a message that holds parameters.
@@ -118,6 +129,7 @@ struct FieldInfo {
   std::uint16_t max_count{};  ///< of a list; 0: limited only by the body
   std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
   FieldRole role{};
+  Directed directed{};
   bool is_variable_value{};  ///< of the adjustable variable that the last VariableId names
   bool reserved{};
   bool optional{};  ///< may be omitted in JSON

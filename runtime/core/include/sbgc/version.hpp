@@ -6,7 +6,7 @@
 #include <sbgc/model.hpp>
 
 #define SBGC_VERSION_MAJOR 0
-#define SBGC_VERSION_MINOR 1
+#define SBGC_VERSION_MINOR 2
 #define SBGC_VERSION_PATCH 0
 
 /// The version as a number for comparisons: 10203 is 1.2.3.

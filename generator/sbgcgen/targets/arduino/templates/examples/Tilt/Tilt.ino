@@ -29,7 +29,7 @@ void tilt(const sbgc::msg::GetAngles& angles) {
   sbgc::msg::Control control;
   control.control_mode = sbgc::msg::ControlMode::angle;
   control.axes.roll = {.speed = 10_deg_per_s, .angle = angles.axes.roll.rc_target_angle};
-  control.axes.pitch = {.speed = 10_deg_per_s, .angle = -10_deg};
+  control.axes.pitch = {.speed = 10_deg_per_s, .angle = 10_deg};
   control.axes.yaw = {.speed = 10_deg_per_s, .angle = angles.axes.yaw.rc_target_angle};
   session.send(control);
 }
