@@ -131,7 +131,10 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert fields["5.version"].constant and fields["5.light"].default == 1
     assert [rule.text("") for rule in made[6].body.rules] == ["min_level <= max_level"]
     assert [alias.name for alias in fields["7.brightness"].aliases] == ["level"]
-    assert fields["9.lamps"].counting == "bytes"
+    directions = [field.direction("PITCH") for field in made[9].fields]
+    assert [d and d.positive for d in directions] == ["down", "down", None, None]
+    assert fields["9.encoder"].directions == () and fields["9.width"].directions is None
+    assert fields["10.lamps"].counting == "bytes"
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former

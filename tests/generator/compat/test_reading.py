@@ -48,11 +48,13 @@ def test_the_model_of_an_earlier_generator_is_understood(tmp_path: Path) -> None
     earlier = restore(json.loads(EARLIER.read_text(encoding="utf-8")))
     found = compare(earlier, load_layout(write_spec(tmp_path, OLD)))
     # At that time the spec specified neither the format of versions nor the main part of a packed
-    # value.
+    # value, nor directions.
     assert {c.what for c in found} == {
         "packed FirmwareVersion",
         "packed BoardVersion",
         "packed Setup: main part",
+        "direction of PITCH",
+        "direction of YAW",
     }
 
 
