@@ -85,7 +85,9 @@ void allow_many_files() {
 int serve(const EmulateOptions& options) {
   remark_in_background();
   const auto to_stderr = [](const std::string& text) { remark("{}\n", text); };
-  const auto to_stdout = [](const std::string& text) { background_stdout().write(text + '\n'); };
+  const auto to_stdout = [](const std::string& text) {
+    background_stdout().write(printable(text) + '\n');
+  };
   serving::ServiceLogs logs;
   logs.endpoint = to_stdout;
   // The standard output carries the bytes of the host.

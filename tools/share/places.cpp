@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command/background_output.hpp"
+#include "command/wording.hpp"
 #include "serving/arguments.hpp"
 
 namespace sbgc::tools {
@@ -59,7 +60,7 @@ std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_e
                                                             const serving::EndpointLogs& logs) {
   std::vector<std::unique_ptr<serving::Endpoint>> opened;
   const auto add = [&](std::unique_ptr<serving::Endpoint> endpoint) {
-    background_stdout().write(fmt::format("{}: {}\n", name, endpoint->address()));
+    background_stdout().write(printable(fmt::format("{}: {}\n", name, endpoint->address())));
     opened.push_back(std::move(endpoint));
   };
   for (const auto& at : places.tcp) {
