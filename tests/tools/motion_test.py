@@ -42,15 +42,15 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
     result = run("move", "--pitch", "-20", "--wait", "--yes", "-p", gimbal.address)
     assert (result.status, result.out) == (0, b"")
     assert observer.angles()[1] == pytest.approx(-20, abs=0.7)
-    assert "The camera turns to 20 deg up (pitch -20), at up to 10 deg/s." in result.error
+    assert "The camera turns 20 deg up (pitch -20), at up to 10 deg/s." in result.error
     assert re.search(r"The camera is at (19\.[5-9]|20\.[0-5]) deg up \(pitch -\d", result.error)
 
 
 @pytest.mark.parametrize(
     "arguments, sentence",
     [
-        ("move --pitch 30", "The camera turns to 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --pitch -10", "The camera turns to 10 deg up (pitch -10), at up to 10 deg/s."),
+        ("move --pitch 30", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --pitch -10", "The camera turns 10 deg up (pitch -10), at up to 10 deg/s."),
         ("move --pitch 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
         ("move --yaw 5 --relative", "The camera turns by 5 deg right (yaw 5), at up to 10 deg/s."),
         (

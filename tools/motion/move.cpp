@@ -91,9 +91,12 @@ int move(const MoveCommand& command, const CommandContext& context) {
                        wrong_usage);
   }
   if (!command.relative) static_cast<void>(target_of(command, {}));  // before anything is asked
+  const std::string angles = axes_text(command.angles, "deg");
+  // "turns 30 deg down (pitch 30)", but "turns to roll -5 deg"
+  const bool begins_with_axis = !angles.empty() && angles.front() >= 'a' && angles.front() <= 'z';
+  const char* const word = command.relative ? "by " : begins_with_axis ? "to " : "";
   arm(command.arming,
-      fmt::format("The camera turns {} {}, at up to {} deg/s.", command.relative ? "by" : "to",
-                  axes_text(command.angles, "deg"), command.speed));
+      fmt::format("The camera turns {}{}, at up to {} deg/s.", word, angles, command.speed));
   if (command.wait) {
     move_and_wait(command, context, options);
   } else {
