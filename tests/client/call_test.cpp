@@ -1,9 +1,11 @@
 // Tests of calls and of all the ways in which they end.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -15,6 +17,7 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/messages.hpp>
 
+#include "collector.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -536,6 +539,38 @@ TEST_F(Call, IsRefusedWhenTooManyWait) {
     EXPECT_THAT(code.get(),
                 AnyOf(ErrorCode::overload, ErrorCode::cancelled, ErrorCode::not_connected));
   }
+}
+
+TEST_F(Call, AStopSupersedesAllMotionThatIsQueued) {
+  // More than the session holds.
+  constexpr std::size_t motions = 300;
+  ConnectOptions options = quick();
+  options.pacing = true;
+  Collector<int> received;  // speeds
+  board.on<msg::Control>(
+      [&](const msg::Control& request) { received.add(request.axes.yaw.speed.raw()); });
+  Client client = connect(options);
+  const auto turn = [](std::int16_t speed) {
+    msg::Control request;
+    request.control_mode.set_mode(msg::ControlModeKind::speed);
+    request.axes.yaw.speed = msg::ControlSpeed(speed);
+    std::array<std::uint8_t, msg::Control::max_size> body{};
+    static_cast<void>(encode(request, std::span(body)));
+    return *raw_request(static_cast<std::uint8_t>(msg::Control::command), body);
+  };
+  Collector<std::optional<ErrorCode>> ends;
+  const auto begin = [&](std::int16_t speed) {
+    client.start_raw(turn(speed), {}, [&](const Result<Reply>& reply) {
+      ends.add(reply ? std::nullopt : std::optional(reply.error().code));
+    });
+  };
+  for (std::size_t i = 0; i < motions; ++i) begin(100);
+  begin(0);
+  const auto codes = ends.wait_for(motions + 1);
+  const auto superseded = std::ranges::count(codes, std::optional(ErrorCode::superseded));
+  EXPECT_GT(superseded, 0);
+  const std::size_t sent = motions + 1 - static_cast<std::size_t>(superseded);
+  EXPECT_EQ(received.wait_for(sent).back(), 0) << "nothing follows the stop";
 }
 
 // Handlers
