@@ -21,7 +21,7 @@ constexpr Q highest{std::numeric_limits<typename Q::raw_type>::max()};
 
 /// For example "positive is down".
 std::string direction_text(const AxisDirection& direction) {
-  if (direction.positive.empty()) return "it is not known which way is positive";
+  if (*direction.positive == '\0') return "it is not known which way is positive";
   return fmt::format("positive is {}", direction.positive);
 }
 

@@ -38,7 +38,7 @@ std::string part_bits(const PartInfo& part) {
 /// Which way positive values count: "positive: pitch down, yaw right, roll unknown".
 std::string positive_text(const FieldType& type) {
   const auto word = [](const AxisDirection& direction) {
-    return direction.positive.empty() ? "unknown" : direction.positive;
+    return *direction.positive == '\0' ? "unknown" : direction.positive;
   };
   switch (type.info->directed) {
     case Directed::no: return "";

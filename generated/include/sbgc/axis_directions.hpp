@@ -4,8 +4,6 @@
 /// sees it.
 #pragma once
 
-#include <string_view>
-
 #include <sbgc/types.hpp>
 
 namespace sbgc {
@@ -13,10 +11,8 @@ namespace sbgc {
 /// Where positive and negative values turn the camera, such as "down" and "up"; "" if it is not
 /// known.
 struct AxisDirection {
-  std::string_view positive{};
-  std::string_view negative{};
-
-  friend constexpr bool operator==(const AxisDirection&, const AxisDirection&) = default;
+  const char* positive = "";
+  const char* negative = "";
 };
 
 inline constexpr Axes<AxisDirection> axis_directions{

@@ -96,5 +96,5 @@ def test_families_that_are_no_names_are_not_opened(tmp_path: Path) -> None:
     )
     found = findings(tmp_path, text, "simplebgc.yaml")
     assert {d.code for d in found} == {"SBGC004"}
-    assert {d.position.line for d in found} == {24}
+    assert {d.position.line for d in found} == {29}
     assert len(found) == 3
