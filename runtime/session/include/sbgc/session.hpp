@@ -364,13 +364,14 @@ class BasicSession {
     ++request.transmissions;
     request.attempt_left = response_left + request.timeout;
     request.late_left = late_after(response_left, request.finish);
-    if constexpr (is_shared) {
+    const bool is_done = !request.awaits_response;
+    if (is_shared && request.policy.has_effect) {
       const Handle sent = request.handle;
       const std::uint16_t host = request.host;
       const ResponsePolicy policy = request.policy;
-      if (!request.awaits_response) complete(request, Outcome::sent, no_frame, sink);
-      if (policy.has_effect) end_older(sent, host, policy, sink);
-    } else if (!request.awaits_response) {
+      if (is_done) complete(request, Outcome::sent, no_frame, sink);
+      end_older(sent, host, policy, sink);
+    } else if (is_done) {
       complete(request, Outcome::sent, no_frame, sink);
     }
     return size;
