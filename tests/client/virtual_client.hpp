@@ -132,8 +132,12 @@ class VirtualClient {
                             tickets_.erase(number);
                             task.replied(number, std::move(reply));
                           });
-    if (auto refusal = calls_.add(call)) return task.replied(number, *std::move(refusal));
+    std::vector<detail::CallPointer> older;
+    if (auto refusal = calls_.add(call, older)) return task.replied(number, *std::move(refusal));
     tickets_[number] = call->ticket;
+    for (const detail::CallPointer& superseded : older) {
+      calls_.complete(*superseded, detail::superseded_error(*superseded));
+    }
   }
 
   void cancel(std::uint32_t number) {

@@ -51,7 +51,8 @@ ClientError overdue_error(const Call& call) {
                                             : command + " could not be sent" + within};
 }
 
-std::optional<ClientError> PendingCalls::add(const CallPointer& call) {
+std::optional<ClientError> PendingCalls::add(const CallPointer& call,
+                                             std::vector<CallPointer>& superseded) {
   ++begun_;
   const std::lock_guard lock(mutex_);
   if (refusal_) return refusal_;
@@ -61,6 +62,7 @@ std::optional<ClientError> PendingCalls::add(const CallPointer& call) {
     return ClientError{ErrorCode::overload, std::to_string(waiting) + " calls are already waiting"};
   }
   call->ticket = ++last_ticket_;
+  take_superseded(*call, superseded);
   calls_.emplace(call->ticket, call);
   deadlines_.emplace(call->deadline, call->ticket);
   std::deque<CallPointer>& queue = policy.has_effect ? waiting_effects_ : waiting_reads_;
@@ -101,9 +103,7 @@ std::vector<CallPointer> PendingCalls::take_all(ClientError refusal) {
   return all;
 }
 
-std::vector<CallPointer> PendingCalls::take_superseded(const Call& later) {
-  std::vector<CallPointer> superseded;
-  const std::lock_guard lock(mutex_);
+void PendingCalls::take_superseded(const Call& later, std::vector<CallPointer>& superseded) {
   for (const CallPointer& call : waiting_effects_) {
     const Request& request = call->request;
     const bool is_it = request.host == later.request.host && call->ticket < later.ticket &&
@@ -112,7 +112,6 @@ std::vector<CallPointer> PendingCalls::take_superseded(const Call& later) {
     deadlines_.erase({call->deadline, call->ticket});
     superseded.push_back(call);
   }
-  return superseded;
 }
 
 CallPointer PendingCalls::next_waiting(const std::function<bool(const Call&)>& has_room) {

@@ -24,17 +24,16 @@ class PendingCalls {
   /// At most `most_waiting` calls wait for room in the session, besides stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
-  /// Adds the call and assigns its ticket, or returns the reason for rejecting it.
-  std::optional<ClientError> add(const CallPointer& call);
+  /// Adds the call and assigns its ticket, or returns the reason for rejecting it. In the same
+  /// step, takes out the calls that wait for the session and must not follow it: the thread that
+  /// sends takes a stop first, and must not find older motion behind it.
+  std::optional<ClientError> add(const CallPointer& call, std::vector<CallPointer>& superseded);
   /// Takes a call out; null if it has already ended.
   CallPointer take(Ticket ticket);
   /// Takes out a call whose deadline has passed; null if there is none.
   CallPointer take_overdue(Instant at);
   /// Takes all calls out and rejects later ones with this error.
   std::vector<CallPointer> take_all(ClientError refusal);
-
-  /// Takes out the calls that wait for the session and must not follow this one.
-  std::vector<CallPointer> take_superseded(const Call& later);
 
   /// Returns the next call that waits for the session, stops first, then others with an effect;
   /// null if it is none for which `has_room(call)`. It stays pending.
@@ -50,6 +49,8 @@ class PendingCalls {
   std::uint64_t failed() const noexcept { return failed_; }
 
  private:
+  void take_superseded(const Call& later, std::vector<CallPointer>& superseded);
+
   const std::size_t most_waiting_;
   std::atomic<std::uint64_t> begun_{};
   std::atomic<std::uint64_t> failed_{};

@@ -91,11 +91,12 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
     -> StartedCall {
   const CallPointer call =
       make_call(std::move(request), options, options_, io::now(), std::move(handler));
-  if (auto refusal = calls_.add(call)) {
+  std::vector<CallPointer> older;
+  if (auto refusal = calls_.add(call, older)) {
     calls_.complete(*call, *std::move(refusal));
     return {};
   }
-  for (const CallPointer& superseded : calls_.take_superseded(*call)) {
+  for (const CallPointer& superseded : older) {
     calls_.complete(*superseded, superseded_error(*superseded));
   }
   const StartedCall begun{call->ticket, call->deadline};

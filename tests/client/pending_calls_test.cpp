@@ -1,0 +1,49 @@
+// Tests of the calls that wait for the session.
+
+#include "conversation/pending_calls.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/responses/all.hpp>
+
+namespace sbgc::detail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+template <class M>
+CallPointer call_of(const M& message) {
+  auto call = std::make_shared<Call>();
+  call->request.policy = response_policy(message);
+  return call;
+}
+
+msg::Control turn(std::int16_t speed) {
+  msg::Control request;
+  request.control_mode.set_mode(msg::ControlModeKind::speed);
+  request.axes.yaw.speed = msg::ControlSpeed(speed);
+  return request;
+}
+
+TEST(PendingCalls, NoMotionFollowsAYoungerStopAtAnyMoment) {
+  PendingCalls calls(8);
+  std::vector<CallPointer> superseded;
+  const CallPointer motion = call_of(turn(100));
+  const CallPointer stop = call_of(turn(0));
+  EXPECT_FALSE(calls.add(motion, superseded));
+  EXPECT_FALSE(calls.add(stop, superseded));
+  // From here on, another thread may send what waits.
+  const auto room = [](const Call&) { return true; };
+  EXPECT_EQ(calls.next_waiting(room), stop);
+  EXPECT_EQ(calls.next_waiting(room), nullptr);
+  EXPECT_THAT(superseded, ElementsAre(motion));
+}
+
+}  // namespace
+}  // namespace sbgc::detail
