@@ -45,5 +45,18 @@ TEST(PendingCalls, NoMotionFollowsAYoungerStopAtAnyMoment) {
   EXPECT_THAT(superseded, ElementsAre(motion));
 }
 
+TEST(PendingCalls, AStopIsNotSuperseded) {
+  PendingCalls calls(8);
+  std::vector<CallPointer> superseded;
+  const CallPointer off = call_of(msg::MotorsOff{});
+  const CallPointer still = call_of(turn(0));
+  EXPECT_FALSE(calls.add(off, superseded));
+  EXPECT_FALSE(calls.add(still, superseded));
+  EXPECT_THAT(superseded, IsEmpty());
+  const auto room = [](const Call&) { return true; };
+  EXPECT_EQ(calls.next_waiting(room), off);
+  EXPECT_EQ(calls.next_waiting(room), still);
+}
+
 }  // namespace
 }  // namespace sbgc::detail

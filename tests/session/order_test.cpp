@@ -146,6 +146,26 @@ TEST(Stop, LeavesWhatIsNoMotionAndOtherHostsAlone) {
   }
 }
 
+TEST(Stop, IsNotSupersededByALaterOne) {
+  Simulation line;
+  line.send(turn(1));
+  line.run_for(Duration{});
+  line.send(sbgc::msg::MotorsOff{});
+  line.send(turn(0));
+  line.run_for(milliseconds(100));
+  EXPECT_THAT(ids(line.written), ElementsAre(control, motors_off, control));
+}
+
+TEST(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
+  Simulation line;  // whose board never responds
+  const Handle on = line.send(sbgc::msg::MotorsOn{}, {.timeout = milliseconds(5)});
+  line.run_for(milliseconds(7));  // it is to be sent again after the pause
+  line.send(sbgc::msg::MotorsOff{}, {.attempts = 1});
+  line.run();
+  EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_off));
+  EXPECT_EQ(line.outcome(on), Outcome::timeout);
+}
+
 TEST(Stop, IsNotHeldUpByAnything) {
   Simulation line;
   line.send(sbgc::msg::I2cReadRegBufRequest{});

@@ -102,11 +102,13 @@ BackgroundOutput::~BackgroundOutput() { finish(); }
 void BackgroundOutput::write(const std::string& text) {
   const std::lock_guard lock(state_->mutex);
   // What comes after dropped text is dropped, too, so that the lines are in order.
-  if (state_->dropped != 0 || state_->waiting.size() + text.size() > max_waiting) {
+  std::string& waiting = state_->waiting;
+  const bool is_full = !waiting.empty() && waiting.size() + text.size() > max_waiting;
+  if (state_->dropped != 0 || is_full) {
     state_->dropped += static_cast<std::size_t>(std::ranges::count(text, '\n'));
     return;
   }
-  state_->waiting += text;
+  waiting += text;
   state_->changed.notify_all();
 }
 

@@ -64,7 +64,10 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
   if (free == hosts_.end()) return std::nullopt;
   *free = std::make_unique<Host>();
   const auto port = static_cast<std::size_t>(free - hosts_.begin());
-  if (++last_host_ == 0) ++last_host_;  // 0 is the bridge itself
+  const auto is_taken = [this](const auto& host) { return host && host->id == last_host_; };
+  do {
+    ++last_host_;
+  } while (last_host_ == 0 || std::ranges::any_of(hosts_, is_taken));  // 0 is the bridge itself
   (*free)->id = last_host_;
   (*free)->wake = std::move(wake);
   (*free)->counters.port = port;
@@ -356,7 +359,8 @@ void BridgePorts::arrived(const BoardFrame& message) {
   const Frame& frame = message.frame;
   heard_ = now();
   unanswered_ = 0;
-  if (message.is_late) return give_late(frame, message.host);
+  // It may as well be a sample.
+  if (message.is_late && !is_streamed(frame.id)) return give_late(frame, message.host);
   if (message.belongs_to_call) {
     if (message.may_be_sample) give_sample(frame, true);
     return;

@@ -182,9 +182,10 @@ struct ResponsePolicy {
   ConfirmationResult result{};
   StreamChange stream{};
 
-  /// Returns true if this request must not follow a later one of the same host.
+  /// Returns true if this request must not follow a later one of the same host. A stop is never
+  /// superseded: speed 0 is less than motors off.
   constexpr bool is_superseded_by(const ResponsePolicy& later) const noexcept {
-    return moves && later.stops;
+    return moves && !stops && later.stops;
   }
 
   /// Returns true if a response comes unless it is lost or the request fails.

@@ -323,10 +323,10 @@ class BasicSession {
       if (!is_of_host || !request.is_older_than(sent) || !request.policy.has_effect) continue;
       if (request.state == State::in_flight) {
         request.attempts = 0;
-      } else if (request.policy.is_superseded_by(policy)) {
-        complete(request, Outcome::superseded, no_frame, sink);
       } else if (request.state == State::resend) {
         complete(request, Outcome::timeout, no_frame, sink);
+      } else if (request.policy.is_superseded_by(policy)) {
+        complete(request, Outcome::superseded, no_frame, sink);
       }
     }
   }
