@@ -74,7 +74,7 @@ class Shell:
         self.shown = b""
         assert self.wait(self.reads_keys, 20), self.shown
         os.write(self.terminal, keys.encode() + b"\r")
-        if self.wait(got.exists, 1):
+        if self.wait(got.exists, 20):
             return [os.fsdecode(word) for word in got.read_bytes().split(b"\0")[:-1]]
         os.write(self.terminal, b"\x03")
         return None
