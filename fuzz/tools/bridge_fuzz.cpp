@@ -157,7 +157,10 @@ class Player {
   void interrupt(unsigned what) {
     switch (what) {
       case 0: {  // the line is lost and found
-        for (const Board::Sent& one : std::exchange(board_.open, {})) ports_.ended(one.tag, false);
+        for (const Board::Sent& one : std::exchange(board_.open, {})) {
+          owners_.erase(one.tag);
+          ports_.ended(one.tag, false);
+        }
         board_.is_taken = false;
         static_cast<void>(ports_.line_lost());
         ports_.restart_streams();
@@ -252,6 +255,7 @@ class Player {
       const auto place = std::ranges::find(expected, one.request);
       expected.erase(expected.begin(), place + 1);
     }
+    if (const auto exclusive = ports_.exclusive_host()) hosts_.at(*exclusive).had_line = true;
     std::size_t most = 0;
     for (const auto& [port, host] : hosts_) most = std::max(most, ports_.output(port).size());
     require(most <= BridgePorts::max_output + BridgePorts::max_requests * sbgc::max_frame_size);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import json
 import signal
 import subprocess
@@ -100,14 +101,26 @@ def test_an_adapter_under_another_name(tmp_path: Path, monkeypatch: pytest.Monke
         streaming.finish()
 
 
+def two_free_ports() -> int:
+    """Returns the first of two."""
+    while True:
+        with socket.create_server(("127.0.0.1", 0)) as second:
+            first = second.getsockname()[1] - 1
+            try:
+                socket.create_server(("127.0.0.1", first)).close()
+            except OSError:
+                continue
+            return first
+
+
 def test_another_board_is_not_used() -> None:
-    with emulated_gimbal() as gimbal:
+    first = two_free_ports()
+    with emulated_gimbal("--tcp", str(first + 1)) as gimbal:
         streaming = Streaming(gimbal.address)
         streaming.read()
         gimbal.kill()
         streaming.wait_for("connecting again")
-        port = gimbal.address.rsplit(":", 1)[1]
         # The second of two boards has another serial number.
-        with emulated_gimbal("--tcp", str(int(port) - 1), "--count", "2"):
+        with emulated_gimbal("--tcp", str(first), "--count", "2"):
             streaming.wait_for("found another board")
             streaming.finish()

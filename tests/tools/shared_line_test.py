@@ -148,7 +148,7 @@ def test_controls_that_nobody_confirms_keep_their_rate() -> None:
             time.sleep(0.01)
         arrived = [when for when, command, _ in line.requests if command == CONTROL]
         assert len(arrived) == len(asked)
-        # The median is free of what a busy machine adds.
-        late = sorted(there - here for there, here in zip(arrived, asked))
-        assert late[len(late) // 2] < 0.01
+        # On a busy machine, some are later; but if requests piled up, all of the last ones would be.
+        late = [there - here for there, here in zip(arrived, asked)]
+        assert min(late[-100:]) < 0.01
         assert arrived[-1] - arrived[0] < asked[-1] - asked[0] + 0.1
