@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import socket
 import json
 import signal
+import socket
 import subprocess
 from pathlib import Path
 
