@@ -443,7 +443,8 @@ def test_the_factory_defaults(tmp_path: Path) -> None:
 
 
 def test_an_interrupted_reset_says_what_is_reset(tmp_path: Path) -> None:
-    with emulated_gimbal() as gimbal:
+    # The line is so slow that the command does not end before its output is read.
+    with emulated_gimbal("--delay", "0.001:100") as gimbal:
         options = ("--all", "--yes", "--save-to", str(tmp_path / "saved.json"))
         resetting = Watched("params", "reset", *options, "-p", gimbal.address)
         resetting.wait_for("CMD_USE_DEFAULTS")

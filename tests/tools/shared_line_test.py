@@ -150,5 +150,5 @@ def test_controls_that_nobody_confirms_keep_their_rate() -> None:
         assert len(arrived) == len(asked)
         # On a busy machine, some are later; but if requests piled up, all of the last ones would be.
         late = [there - here for there, here in zip(arrived, asked)]
-        assert min(late[-100:]) < 0.01
+        assert min(late[-100:]) < 0.02
         assert arrived[-1] - arrived[0] < asked[-1] - asked[0] + 0.1
