@@ -46,18 +46,16 @@ struct SessionCapacity {
 ///
 /// - Every request that send() accepts completes with exactly one event.
 /// - Requests are sent with the pauses that the protocol requires; a response ends the pause.
-/// - A request with an effect is never sent, first or again, after a later one of the same host,
-/// and
-///   waits for no response. Of several in flight with the same response, the oldest gets it.
+/// - A request with an effect is never sent, first or again, after a later one of the same host.
+///   It waits for no response. If several in flight have the same response, that with the fewest
+///   confirmations gets it, then the oldest.
 /// - A request that stops all motion is sent next. Motion that its host has requested before and
-/// that
-///   is still queued is not sent: it completes with `superseded`. Other requests follow the stop.
+///   that is still queued is not sent: it completes with `superseded`. Others follow the stop.
 /// - A request that only reads waits while its response could be confused with that of an earlier
-///   one, in flight or late; unrelated ones overtake it. So a late reply never answers a later
-///   request.
+///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it.
 /// - The pause after a request whose response nobody waits for begins with its first byte, and a
-///   pause that the caller has extended by a late poll() shortens the next one: so requests sent at
-///   an even rate stay even.
+///   pause that a late poll() has extended shortens the next one: so requests at an even rate stay
+///   even.
 /// - The sink may call send(), cancel(), set_line() and the const functions, but not feed(),
 ///   poll(), written() or abandon(). It must not throw. When the session reports an event, its
 ///   state is up to date: the event does not affect a request that the sink sends.
