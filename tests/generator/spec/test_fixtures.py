@@ -1,78 +1,120 @@
 """Each rule has at least one small spec that breaks it, and is reported at the right position.
 
-A fixture is the family file `probe.yaml` (or the file named in its first line, `# file: …`), used with
-the files in `minimal/`. Its comments list all findings, in this order:
+`fixtures/SBGC010.txt` has the specs that break that rule: the name of each, and the lines of `probe.yaml`
+that differ from BASE. They replace the last line of BASE that is indented as the first of them, and
+what follows it. A caret marks the place of a finding in the line above it:
 
-    # expect 12:21 SBGC017 part of the message
-    #   hint: part of the hint
+    == misspelt_key
+            - {name: A, typ: u8, summary: A number.}
+                        ^ part of the message | part of the hint
 
-The position is `file:line:column` if the finding is in another file.
+A finding of another rule has its code, `^ SBGC004 ...`; one in another file has its position,
+`@ base.yaml:6:17 ...`. `== NAME: FILE` has sections of another file; they replace those of the file in
+`minimal/`. `== NAME: whole FILE` has all of a file.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
 from sbgcgen.cli import main
-from sbgcgen.spec.diagnostics import Diagnostic
+from sbgcgen.model import Position
 from support import GENERATOR, HERE, PROBE, findings, write_spec
 
-FIXTURES = sorted((HERE / "spec" / "fixtures").iterdir())
-_EXPECT = re.compile(
-    r"# expect (?:(?P<file>\S+\.yaml):)?(?P<line>\d+):(?P<column>\d+) (?P<code>SBGC\d{3}) "
-    r"(?P<message>.+)\n#   hint: (?P<hint>.+)"
-)
-
-
-def name_of(path: Path) -> str:
-    return path.stem
+BASE = """\
+family: probe
+summary: A mistake on purpose.
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: What is wrong here.
+    from_board:
+      source: L1
+      fields:
+        - {name: A, type: u8, summary: A number.}
+"""
+_FOUND = re.compile(r"( *)(?:\^|@ (.+):(\d+):(\d+)) (?:(SBGC\d{3}) )?(.+) \| (.+)\n")
 
 
 @dataclass(frozen=True)
 class Fixture:
-    """A broken spec and its expected findings."""
+    """A broken spec and its expected findings: position, rule, and parts of message and hint."""
 
+    rule: str
+    name: str
     file: str
     text: str
-    expected: list[tuple[str, str, str, str]]
+    expected: list[tuple[Position, str, str, str]]
 
 
-def read(path: Path) -> Fixture:
-    """Reads a fixture and its comments."""
-    text = path.read_text(encoding="utf-8")
-    named = re.match(r"# file: (\S+)\n", text)
-    file = named[1] if named else PROBE
-    expected = [
-        (f"spec/{m['file'] or file}:{m['line']}:{m['column']}", m["code"], m["message"], m["hint"])
-        for m in _EXPECT.finditer(text)
-    ]
-    assert len(expected) == text.count("# expect"), f"{path.name}: a malformed comment"
-    return Fixture(file, text, expected)
+def _sections(text: str) -> dict[str, str]:
+    """The sections of a file by their keys."""
+    return {section.split(":")[0]: section for section in re.split("(?m)^(?=[a-z])", text)}
 
 
-def describe(found: list[Diagnostic]) -> list[tuple[str, str]]:
-    return [(str(d.position), d.code) for d in found]
+def _indentation(line: str) -> int:
+    return len(line) - len(line.lstrip(" "))
 
 
-@pytest.mark.parametrize("path", FIXTURES, ids=name_of)
-def test_exactly_the_expected_findings(path: Path, tmp_path: Path) -> None:
-    fixture = read(path)
+def _whole(base: str, lines: str) -> str:
+    """The text of a file with the lines of a fixture in their place."""
+    minimal = HERE / "minimal" / base
+    if not base:
+        before = BASE.splitlines(keepends=True)
+        while _indentation(before.pop()) != _indentation(lines):
+            pass
+        return "".join(before) + lines
+    if minimal.is_file():
+        sections = {**_sections(minimal.read_text(encoding="utf-8")), **_sections(lines)}
+        return "".join(sections.values())
+    return lines
+
+
+def read(path: Path) -> Iterator[Fixture]:
+    """The fixtures of a rule."""
+    for part in re.split("(?m)^== ", path.read_text(encoding="utf-8"))[1:]:
+        head, lines = part.split("\n", 1)
+        name, _, base = head.partition(": ")
+        file = base.split(" ")[-1] or PROBE
+        text: list[str] = []
+        expected = []
+        for line in _whole(base, lines).splitlines(keepends=True):
+            found = _FOUND.match(line)
+            if found is None:
+                assert not line.lstrip().startswith("^"), f"{path.name}: malformed: {line}"
+                text.append(line)
+                continue
+            indentation, other, row, column, code, message, hint = found.groups()
+            at = Position(f"spec/{file}", len(text), len(indentation) + 1)
+            if other:
+                at = Position(f"spec/{other}", int(row), int(column))
+            expected.append((at, code or path.stem, message, hint))
+        expected.sort(key=lambda finding: finding[0])
+        yield Fixture(path.stem, name, file, "".join(text), expected)
+
+
+FIXTURES = [f for path in sorted((HERE / "spec" / "fixtures").iterdir()) for f in read(path)]
+for_each_fixture = pytest.mark.parametrize("fixture", FIXTURES, ids=lambda f: f"{f.rule}_{f.name}")
+
+
+@for_each_fixture
+def test_exactly_the_expected_findings(fixture: Fixture, tmp_path: Path) -> None:
     found = findings(tmp_path, fixture.text, fixture.file)
-    assert describe(found) == [(at, code) for at, code, _, _ in fixture.expected]
+    assert [(d.position, d.code) for d in found] == [(at, c) for at, c, _, _ in fixture.expected]
     for diagnostic, (_, _, message, hint) in zip(found, fixture.expected):
         assert message in diagnostic.message
         assert hint in diagnostic.hint
 
 
-@pytest.mark.parametrize("path", FIXTURES, ids=name_of)
+@for_each_fixture
 def test_command_line_reports_it_and_fails(
-    path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    fixture: Fixture, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    fixture = read(path)
     spec = write_spec(tmp_path, fixture.text, fixture.file)
     assert main(["generate", "--spec", str(spec), "--output", str(tmp_path / "out")]) == 1
     assert not (tmp_path / "out").exists(), "a broken spec must not be generated from"
@@ -82,18 +124,10 @@ def test_command_line_reports_it_and_fails(
         assert re.search(rf"^{re.escape(f'{at}: {code} ')}.*{re.escape(message)}", output.err, re.M)
 
 
-def test_every_rule_has_a_fixture_and_every_fixture_a_rule() -> None:
+def test_every_rule_has_a_fixture_and_every_fixture_breaks_its_rule() -> None:
     sources = "".join(p.read_text(encoding="utf-8") for p in (GENERATOR / "sbgcgen").rglob("*.py"))
-    rules = set(re.findall(r"\"(SBGC\d{3})\"", sources))
-    assert {path.stem[:7] for path in FIXTURES} == rules
-
-
-@pytest.mark.parametrize("path", FIXTURES, ids=name_of)
-def test_fixture_is_named_after_its_rule(path: Path) -> None:
-    fixture = read(path)
-    assert re.fullmatch(r"SBGC\d{3}(_[a-z0-9]+)+", path.stem)
-    assert path.stem[:7] in [code for _, code, _, _ in fixture.expected]
-    assert all(hint.strip() for _, _, _, hint in fixture.expected)
+    assert {f.rule for f in FIXTURES} == set(re.findall(r"\"(SBGC\d{3})\"", sources))
+    assert all(f.rule in [code for _, code, _, _ in f.expected] for f in FIXTURES)
 
 
 def test_minimal_spec_itself_is_fine(tmp_path: Path) -> None:
