@@ -1,17 +1,13 @@
 """The model contains every fact of the notes on the later protocol, and nothing newer than rev. 0.15 besides.
 
-The facts are in tests/data/later_facts.json, made by tests/data/extract_later_facts.py from the notes and from
-later_facts_by_hand.yaml. Set SBGC_LATER_PROTOCOL to the path of the notes to check that it is up to date.
+The facts are in tests/data/later_facts.json. They come from the notes, some by a script and those in prose
+by hand. The notes are not part of the project, so the facts do not change.
 """
 
 from __future__ import annotations
 
 import copy
 import json
-import os
-import subprocess
-import sys
-from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -119,30 +115,6 @@ def test_errata_named_in_reasons_exist(exceptions: list[Json], model: Json) -> N
 def test_no_fact_is_lost(facts: Json, checks: list[Check]) -> None:
     assert {key: n for key, n in FACTS.items() if len(facts[key]) < n} == {}
     assert sum(not check.is_addition for check in checks) >= CHECKS
-
-
-def test_every_line_is_understood_or_accounted_for(facts: Json) -> None:
-    by_hand = _yaml("later_facts_by_hand.yaml")
-    left_over = {fact["line"] for fact in facts["not_parsed"]}
-    nothing = [line for entry in by_hand["nothing"] for line in entry["lines"]]
-    assert all(entry["reason"] for entry in by_hand["nothing"])
-    assert [line for line, times in Counter(nothing).items() if times > 1] == []
-    transcribed = {
-        entry["line"] for key, part in by_hand.items() if key != "nothing" for entry in part
-    }
-    assert left_over - set(nothing) - transcribed == set(), "lines whose facts are missing"
-    assert set(nothing) - left_over == set(), "the script reads them now"
-    assert set(nothing) & transcribed == set(), "they do hold facts"
-
-
-def test_the_facts_are_what_the_script_makes(facts: Json, tmp_path: Any) -> None:
-    text = os.environ.get("SBGC_LATER_PROTOCOL")
-    if not text:
-        pytest.skip("SBGC_LATER_PROTOCOL is not set")
-    target = tmp_path / "facts.json"
-    script = DATA / "extract_later_facts.py"
-    subprocess.run([sys.executable, str(script), text, str(target)], check=True)
-    assert json.loads(target.read_text(encoding="utf-8")) == facts
 
 
 # Sensitivity of the comparison
