@@ -11,7 +11,6 @@ import os
 import sys
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 _HERE = Path(__file__).resolve().parent
@@ -21,12 +20,6 @@ def inputs() -> list[Path]:
     """Files of the generator that its output depends on."""
     files = [*_files_in(_HERE), *_files_in(_HERE.parent / "schema")]
     return [path for path in files if "__pycache__" not in path.parts]
-
-
-@cache
-def generator_digest() -> str:
-    """A digest of the generator and the version of Python."""
-    return _digest({"": sys.version.encode(), **_contents(_HERE, inputs())})
 
 
 class Record:
@@ -41,8 +34,9 @@ class Record:
         self._path = folder / f"{name}.txt"
         self._inputs = ""
         with suppress(OSError):  # loading the spec reports it
-            spec = _digest(_contents(spec_dir, _files_in(spec_dir)))
-            self._inputs = f"{generator_digest()} {spec}"
+            generator = {"": sys.version.encode(), **_contents(_HERE, inputs())}
+            spec = _contents(spec_dir, _files_in(spec_dir))
+            self._inputs = f"{_digest(generator)} {_digest(spec)}"
 
     def unchanged(self) -> tuple[int, list[Path]] | None:
         """The number of files in the output, and the spec files read for them.
@@ -59,19 +53,12 @@ class Record:
     def write(self, files: Mapping[str, bytes], spec_files: Iterable[Path]) -> None:
         """Record a run that has written these files."""
         lines = [self._inputs, _digest(files), *map(str, spec_files)]
-        save("".join(f"{line}\n" for line in lines).encode(), self._path)
-
-
-def save(content: bytes, path: Path) -> None:
-    """Write a file that only saves time. Other programs see all of it or nothing.
-
-    Does nothing if that is impossible, such as on a read-only file system.
-    """
-    unfinished = path.with_name(f"{path.name}.{os.getpid()}")
-    with suppress(OSError):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        unfinished.write_bytes(content)
-        unfinished.replace(path)
+        # Other programs see all of it or nothing. On a read-only file system there is no record.
+        unfinished = self._path.with_name(f"{self._path.name}.{os.getpid()}")
+        with suppress(OSError):
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            unfinished.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+            unfinished.replace(self._path)
 
 
 def _files_in(folder: Path) -> list[Path]:

@@ -10,7 +10,6 @@ from itertools import takewhile
 from typing import Any, Union
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.runs import Run, runs_of
 from sbgcgen.model.values import (
     SCALARS,
     Alias,
@@ -74,11 +73,6 @@ class Struct:
     def names(self) -> frozenset[str]:
         """The names of the fields."""
         return frozenset(f.name for f in self.fields)
-
-    @cached_property
-    def runs(self) -> list[Run]:
-        """The fields, with integers in every body that follow each other in one run."""
-        return runs_of(self.fields)
 
     @cached_property
     def fixed_part(self) -> tuple[Field, ...]:
@@ -262,28 +256,28 @@ class Field:
     spec_name: str
     type: Type
     dim: str
-    count: int
-    index: tuple[str, ...]
-    counter: str
-    is_counter: bool
     offset: int | None
     size: int | None
     capacity: int
-    minimum: Fraction | None
-    maximum: Fraction | None
-    special: tuple[Special, ...]
-    min_count: int
-    max_count: int | None
-    variable: str
-    align: int
-    reserved: bool
-    optional: bool
-    when: Condition | None
-    alternative: Alternative | None
-    since: Availability
-    deprecated: Deprecation | None
     summary: str
-    errata: tuple[str, ...]
+    count: int = 0
+    index: tuple[str, ...] = ()
+    counter: str = ""
+    is_counter: bool = False
+    minimum: Fraction | None = None
+    maximum: Fraction | None = None
+    special: tuple[Special, ...] = ()
+    min_count: int = 0
+    max_count: int | None = None
+    variable: str = ""
+    align: int = 1
+    reserved: bool = False
+    optional: bool = False
+    when: Condition | None = None
+    alternative: Alternative | None = None
+    since: Availability = Availability()
+    deprecated: Deprecation | None = None
+    errata: tuple[str, ...] = ()
     role: str = ""
     typical: Any = field(default=None, hash=False)
     appended: bool = False

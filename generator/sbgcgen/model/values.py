@@ -175,10 +175,10 @@ class EnumValue:
     identifier: str
     value: int
     summary: str
-    ours: bool
-    wire: str
-    since: Availability
-    errata: tuple[str, ...]
+    ours: bool = False
+    wire: str = ""
+    since: Availability = Availability()
+    errata: tuple[str, ...] = ()
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     number: int | None = None
     aliases: tuple[Alias, ...] = ()

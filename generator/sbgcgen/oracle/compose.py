@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -33,17 +33,12 @@ def all_types(context: Context) -> list[str]:
     return [*known, several, several]
 
 
-# Consecutive places, each with its path, number and edge values; and the most edge values.
-_Row = tuple[list[tuple[str, int, list[Edge]]], int]
-
-
 @dataclass
 class Places:
     """The places of a message that hold a value, numbered on first use, with their edge values."""
 
     numbers: dict[str, int] = field(default_factory=dict)
     known: dict[str, tuple[int, list[Edge]]] = field(default_factory=dict)
-    rows: dict[str, _Row] = field(default_factory=dict)
 
     def number(self, path: str) -> int:
         """The number of a place."""
@@ -55,15 +50,6 @@ class Places:
         if found is None:
             found = self.known[path] = (self.number(path), edges(member, type_))
         return found
-
-    def row(self, path: str, places: Iterable[tuple[str, Field]]) -> _Row:
-        """The row that begins at a path; `places` are the paths and fields of its numbers."""
-        row = [(at, *self.at(at, field, field.type)) for at, field in places]
-        found = self.rows[path] = row, max(len(edges) for _, _, edges in row)
-        return found
-
-
-_MOST_CHOSEN = 15  # the text of more is always too long
 
 
 @dataclass
@@ -184,34 +170,24 @@ def documented_length(beside: tuple[Field, ...], member: Field) -> int:
 class _Composer:
     def __init__(self, choice: Choice) -> None:
         self.choice = choice
-        # True if all numbers have the edge value of the round.
-        self.is_uniform = not (choice.typical or choice.forced or choice.ends_before)
         self.conditional = False
         self.element = 0  # sum of the indices in enclosing lists
 
     def fields(self, body: Struct, path: str, around: Fields) -> Fields:
         values: Fields = {}
         outside, ends_before = self.conditional, self.choice.ends_before
-        for run in body.runs:
-            if run.format and self.is_uniform:
-                first = f"{path}{run.names[0]}"
-                row = self.choice.places.rows.get(first) or self.choice.places.row(
-                    first, ((path + member.name, member) for member in run.fields)
-                )
-                values.update(zip(run.names, self._numbers(row)))
-                continue
-            for member in run.fields:
-                name = member.name
-                if ends_before and path + name == ends_before:
-                    return values
-                if member.when:
-                    if not self._is_present(member.when, {**around, **values}):
-                        continue
-                    self.conditional = True
-                values[name] = self._member(member, body.fields, path, values)
-                self.conditional = outside
-                if member.has_hidden_counter:
-                    values[member.counter] = max(0, counter_of(member, values[name]))
+        for member in body.fields:
+            name = member.name
+            if ends_before and path + name == ends_before:
+                return values
+            if member.when:
+                if not self._is_present(member.when, {**around, **values}):
+                    continue
+                self.conditional = True
+            values[name] = self._member(member, body.fields, path, values)
+            self.conditional = outside
+            if member.has_hidden_counter:
+                values[member.counter] = max(0, counter_of(member, values[name]))
         return values
 
     def _is_present(self, when: Condition, values: Fields) -> bool:
@@ -233,18 +209,10 @@ class _Composer:
         if member.is_counter:
             return 0  # set after its list
         if member.dim == "one":
-            if member.scalar:
-                return self._value(member, name)
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
             return self._value(member, name, around)
         if member.dim not in LISTS:
-            keys = keys_of(member)
-            if member.scalar and not choice.typical:
-                row = choice.places.rows.get(name) or choice.places.row(
-                    name, ((f"{name}.{key}", member) for key in keys)
-                )
-                return dict(zip(keys, self._numbers(row)))
-            return {key: self._value(member, f"{name}.{key}") for key in keys}
+            return {key: self._value(member, f"{name}.{key}") for key in keys_of(member)}
         if isinstance(member.type, Announced):
             return self._announced(member, member.type, name)
         count = member.count if member.dim == "fixed" else self._length(member, fields, name)
@@ -253,17 +221,8 @@ class _Composer:
         if is_bytes(member):
             return counting(count).hex()
         if member.dim == "fixed":
-            if member.scalar and not choice.typical:
-                row = choice.places.rows.get(name) or choice.places.row(
-                    name, ((f"{name}[{i}]", member) for i in range(count))
-                )
-                return self._numbers(row)
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
-        element = f"{name}[]"
-        if count and member.scalar and not choice.typical:
-            number, found = choice.places.at(element, member, member.type)
-            return self._numbers(([(element, number + i, found) for i in range(count)], len(found)))
-        return [self._element(member, element, i) for i in range(count)]
+        return [self._element(member, f"{name}[]", i) for i in range(count)]
 
     def _is_typical(self, member: Field, name: str) -> bool:
         """True if the whole field has its typical value."""
@@ -318,32 +277,27 @@ class _Composer:
         self, member: Field, path: str, around: Any = None, type_: Type | None = None
     ) -> Any:
         type_, choice = type_ or member.type, self.choice
-        if not member.scalar:
-            if isinstance(type_, Struct):
-                return self.fields(type_, f"{path}.", around or {})
-            if isinstance(type_, Blob) and type_.kind == "string":
-                length = choice.lengths.get(path, 0 if choice.short else None)
-                if length is not None:
-                    return "".join(chr(65 + i % 26) for i in range(length))
+        if isinstance(type_, Struct):
+            return self.fields(type_, f"{path}.", around or {})
+        if isinstance(type_, Blob) and type_.kind == "string":
+            length = choice.lengths.get(path, 0 if choice.short else None)
+            if length is not None:
+                return "".join(chr(65 + i % 26) for i in range(length))
         if choice.typical:
             return self._typical(member, type_, path)
-        number, found = choice.places.at(path, member, type_)
-        return self._numbers(([(path, number, found)], len(found)))[0]
+        return self._edge(member, type_, path)
 
-    def _numbers(self, row: _Row) -> list[Any]:
-        """The edge values of the round, which differ between neighbors."""
-        places, rounds = row
+    def _edge(self, member: Field, type_: Type, path: str) -> Any:
+        """The edge value of the round, which differs between neighbors."""
         choice = self.choice
+        number, found = choice.places.at(path, member, type_)
         if self.conditional:
-            if rounds > choice.rounds_of_conditional:
-                choice.rounds_of_conditional = rounds
-        elif rounds > choice.rounds_of_free:
-            choice.rounds_of_free = rounds
-        shift = choice.round + self.element
-        if len(choice.chosen) < _MOST_CHOSEN:
-            for path, number, found in places:
-                choice.chosen.append((path, found[(shift + number) % len(found)][0]))
-        return [found[(shift + number) % len(found)][1] for _, number, found in places]
+            choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
+        else:
+            choice.rounds_of_free = max(choice.rounds_of_free, len(found))
+        name, value = found[(choice.round + self.element + number) % len(found)]
+        choice.chosen.append((path, name))
+        return value
 
     def _typical(self, member: Field, type_: Type, path: str) -> Any:
         """An ordinary value, or that of the example."""

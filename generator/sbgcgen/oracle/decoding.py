@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
-from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import (
     LISTS,
     CodecError,
@@ -61,13 +60,9 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
 
 def _read_fields(body: Struct, reader: _Reader, context: Fields) -> Fields:
     values: Fields = {}
-    for run in body.runs:
-        if run.format and run.format.size <= reader.left():
-            values.update(zip(run.names, run.format.unpack(reader.take(run.format.size, ""))))
-            continue
-        for field in run.fields:
-            if not field.may_be_absent or _is_present(field, reader, values, context):
-                values[field.name] = _read_field(field, reader, values, context)
+    for field in body.fields:
+        if _is_present(field, reader, values, context):
+            values[field.name] = _read_field(field, reader, values, context)
     return values
 
 
@@ -93,9 +88,9 @@ def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fie
 
 def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
     if field.dim == "one":
-        if not field.scalar and isinstance(field.type, Struct) and field.type.is_region:
+        if isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
-        return _read_one(field, reader)
+        return _read_value(field.type, reader, field.name)
     if field.dim not in LISTS:
         keys = keys_of(field)
         return dict(zip(keys, _read_some(field, len(keys), reader)))
@@ -114,7 +109,7 @@ def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
     while reader.left():
         if len(elements) == field.capacity:
             raise CodecError("too_long", field.name, reader.at)
-        elements.append(_read_one(field, reader))
+        elements.append(_read_value(field.type, reader, field.name))
     if len(elements) < field.min_count:
         raise CodecError("too_short", field.name, reader.at)
     return elements
@@ -162,19 +157,8 @@ def _read_some(field: Field, count: int, reader: _Reader) -> list[Any]:
         return [_read_value(field.type, reader, field.name) for _ in range(count)]
     scalar = field.scalar
     data = reader.take(count * scalar.size, field.name)
-    integers = array_format(scalar.name, count)
-    if integers:
-        return list(integers.unpack(data))
     starts = range(0, len(data), scalar.size)
     return [_number(scalar, data[at : at + scalar.size]) for at in starts]
-
-
-def _read_one(field: Field, reader: _Reader) -> Any:
-    """The value of a field, or an element of it."""
-    scalar = field.scalar
-    if scalar:
-        return _number(scalar, reader.take(scalar.size, field.name))
-    return _read_value(field.type, reader, field.name)
 
 
 def _read_value(type_: Type, reader: _Reader, name: str) -> Any:

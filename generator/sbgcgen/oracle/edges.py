@@ -13,7 +13,6 @@ from sbgcgen.oracle.json_values import (
     integer_of,
     text_from_bytes,
 )
-from sbgcgen.oracle.remember import remember
 
 # A readable name, and the value in JSON.
 Edge = tuple[str, Any]
@@ -34,7 +33,6 @@ _FLOAT_BITS = {
 _TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "\uf7ff".encode())
 
 
-@remember
 def edges(field: Field, type_: Type) -> list[Edge]:
     """The distinct values that a field must have in at least one vector each."""
     if isinstance(type_, Blob):

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Iterable
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
-from sbgcgen.model.runs import array_format
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
 from sbgcgen.spec.resolve.sizes import size_of
@@ -38,20 +35,7 @@ class _Writer:
             data = number.to_bytes(size, "little", signed=scalar.is_signed)
         except (OverflowError, ValueError):
             raise CodecError("value_out_of_range", field, self.at) from None
-        if len(self.data) + size > self.limit:
-            raise CodecError("buffer_too_small", field, self.at)
-        self.data += data
-
-    def put_integers(self, format_: struct.Struct, values: Iterable[Any]) -> bool:
-        """Put integers; returns False without an effect if one of them cannot be written."""
-        try:
-            data = format_.pack(*values)
-        except struct.error:
-            return False
-        fits = len(self.data) + len(data) <= self.limit
-        if fits:
-            self.data += data
-        return fits
+        self.put(data, field)
 
 
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
@@ -80,11 +64,8 @@ def _write_fields(
     unknown = values.keys() - body.names
     if unknown:
         raise CodecError("presence_mismatch", path + min(unknown), writer.at)
-    for run in body.runs:
-        if run.format and writer.put_integers(run.format, map(values.get, run.names)):
-            continue
-        for field in run.fields:
-            _write_member(body, field, values, writer, path, conditions)
+    for field in body.fields:
+        _write_member(body, field, values, writer, path, conditions)
 
 
 def _write_member(
@@ -136,9 +117,6 @@ def counter_of(counted: Field, value: Any) -> int:
 
 
 def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
-    if field.dim == "one" and field.scalar:
-        writer.put_number(field.scalar, value, name)
-        return
     if field.counting == "bits":
         count = len(value) // 2 if is_bytes(field) else len(value)
         if count != bin(int(around[field.counter])).count("1"):
@@ -174,15 +152,9 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
     """Write elements; of a member of fixed size, all elements fit or none."""
-    integers = array_format(field.scalar.name, len(elements)) if field.scalar else None
-    if integers and writer.put_integers(integers, elements):
-        return
     inner = writer if field.size is None else _Writer(field.size, writer.at)
     for element in elements:
-        if field.scalar:
-            inner.put_number(field.scalar, element, name)
-        else:
-            _write_value(field.type, element, inner, name)
+        _write_value(field.type, element, inner, name)
     if inner is not writer:
         writer.put(bytes(inner.data), name)
 

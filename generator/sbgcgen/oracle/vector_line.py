@@ -14,14 +14,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Announced, Context, Field, Message, Struct, scalar_of
+from sbgcgen.model import Context, Field, Message, Struct
 from sbgcgen.oracle.announced import announced_types, announcing
 from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.compose import Choice, Places, compose, satisfying
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
 from sbgcgen.oracle.json_values import plain, to_json
-from sbgcgen.oracle.remember import remember
 from sbgcgen.oracle.vectors import Vector
 
 
@@ -47,19 +46,11 @@ def line(vector: Vector, forms: Forms) -> str:
         if chosen is not message:
             result["chosen"] = chosen.name if chosen else None
     if vector.fields is not None:
-        result["fields"] = plain(vector.fields) if _may_be_wide(message) else vector.fields
+        result["fields"] = plain(vector.fields)
     if vector.error:
         result["error"] = error_words(vector.error)
     result["why"] = vector.why
     return to_json(result)
-
-
-@remember
-def _may_be_wide(message: Message) -> bool:
-    """True if a body may have integers of 64 bits, which are text in JSON."""
-    types = (inner.field.type for leaf in message.leaves for inner in (leaf, *leaf.cases))
-    scalars = ((type_, scalar_of(type_)) for type_ in types)
-    return any(isinstance(t, Announced) or (s is not None and s.size == 8) for t, s in scalars)
 
 
 def _chosen(forms: Forms, message: Message, size: int) -> Message | None:

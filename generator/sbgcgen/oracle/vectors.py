@@ -24,7 +24,6 @@ from sbgcgen.oracle.compose import (
 )
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
-from sbgcgen.oracle.remember import remember
 from sbgcgen.oracle.room import has_room
 
 
@@ -58,7 +57,6 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
     return maker.vectors
 
 
-@remember
 def typical_vector(message: Message) -> Vector:
     """The first vector that can be decoded, which has typical values."""
     maker = _Maker(message)
@@ -69,7 +67,6 @@ def typical_vector(message: Message) -> Vector:
     return maker.readable()[0]
 
 
-@remember
 def _typical_body(message: Message) -> tuple[bytes, Fields] | None:
     """A body of typical values that satisfies the first condition on a field, and its context."""
     forced: Fields = next((case["forced"] for case in cases_of(message) if "forced" in case), {})

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from sbgcgen.model import Position
 
@@ -37,6 +39,25 @@ class Diagnostic:
         return f"{text}\n    hint: {self.hint}" if self.hint else text
 
 
+class Mistake(Exception):
+    """A finding that does not know its position; it gets one on its way up (see Diagnostics.at).
+
+    `key` is the key of the node in which the mistake is.
+    """
+
+    def __init__(self, code: str, message: str, hint: str = "", key: str = "") -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.hint = hint
+        self.key = key
+
+
+class _Node(Protocol):
+    def at(self, key: str) -> Position:
+        """The position of a key."""
+
+
 @dataclass
 class Diagnostics:
     """Collects findings, so that one run reports them all."""
@@ -50,6 +71,15 @@ class Diagnostics:
         if diagnostic not in self._known:
             self._known.add(diagnostic)
             self.found.append(diagnostic)
+
+    @contextmanager
+    def at(self, place: Position | _Node) -> Iterator[None]:
+        """Record a Mistake that is raised inside, at a position or at its key of a node."""
+        try:
+            yield
+        except Mistake as mistake:
+            position = place if isinstance(place, Position) else place.at(mistake.key)
+            self.add(position, mistake.code, mistake.message, mistake.hint)
 
     def any_of(self, codes: Iterable[str]) -> bool:
         """True if any finding so far has one of these codes."""

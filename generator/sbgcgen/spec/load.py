@@ -109,20 +109,6 @@ def _scalar(node: yaml.ScalarNode) -> Any:
     return text
 
 
-class _Loader(_SafeLoader):
-    """Skips the search for the type of each scalar, because _scalar() decides it."""
-
-    def resolve(self, kind: Any, value: Any, implicit: Any) -> str:
-        """The tag of a node, which nothing reads."""
-        return ""
-
-    def descend_resolver(self, current_node: Any, current_index: Any) -> None:
-        """Called before the nodes in a node."""
-
-    def ascend_resolver(self) -> None:
-        """Called after the nodes in a node."""
-
-
 class _Builder:
     def __init__(self, file: str, found: Diagnostics) -> None:
         self.file = file
@@ -181,7 +167,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         found.add(at, "SBGC001", "the file is not UTF-8", "save it as UTF-8 in your editor")
         return _empty(at)
     try:
-        root = yaml.compose(text, Loader=_Loader)  # type: ignore[no-untyped-call]
+        root = yaml.compose(text, Loader=_SafeLoader)  # type: ignore[no-untyped-call]
     except yaml.reader.ReaderError as error:
         at = _position_of(name, text.encode()[: error.position])
         found.add(at, "SBGC001", f"not valid YAML: {error.reason}", "delete the character")

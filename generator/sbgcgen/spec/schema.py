@@ -10,10 +10,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import jsonschema
+
 from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
-from sbgcgen.spec.quick_check import QuickCheck
 
 SCHEMA_FILE = Path(__file__).resolve().parents[2] / "schema" / "sbgc-spec.schema.json"
 
@@ -82,27 +83,13 @@ def shape_errors(spec: Spec) -> Iterator[ShapeError]:
     for kind, content in parts:
         if not content:
             continue  # the file could not be read, which has been reported
-        if not _quick_check().definition(kind)(content):
-            yield from _relevant_errors(_explain(kind, content), content)
+        yield from _relevant_errors(_validator(kind).iter_errors(content), content)
 
 
 @cache
-def _schema() -> Any:
-    return json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
-
-
-@cache
-def _quick_check() -> QuickCheck:
-    return QuickCheck(_schema())
-
-
-def _explain(kind: str, content: Map) -> Iterator[Any]:
-    """The errors of a file, which does not fit its definition."""
-    import jsonschema  # takes long
-
-    rules = {"$ref": f"#/$defs/{kind}", "$defs": _schema()["$defs"]}
-    errors: Iterator[Any] = jsonschema.Draft202012Validator(rules).iter_errors(content)
-    return errors
+def _validator(kind: str) -> jsonschema.Draft202012Validator:
+    definitions = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))["$defs"]
+    return jsonschema.Draft202012Validator({"$ref": f"#/$defs/{kind}", "$defs": definitions})
 
 
 def _relevant_errors(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:

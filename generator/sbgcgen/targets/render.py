@@ -20,8 +20,6 @@ from sbgcgen import views
 from sbgcgen.model import Layout
 from sbgcgen.model.names import slug
 from sbgcgen.targets import Items, Target
-from sbgcgen.targets.bytecode import BytecodeCache
-from sbgcgen.targets.native import NativeCode
 from sbgcgen.views.words import FILTERS, TESTS
 
 # The objects that placeholders such as @family@ in a path stand for.
@@ -51,9 +49,7 @@ def _environment(folder: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
-        bytecode_cache=BytecodeCache(),
     )
-    environment.code_generator_class = NativeCode
     environment.filters.update(FILTERS)
     environment.tests.update(TESTS)
     environment.globals["fail"] = _fail

@@ -8,7 +8,15 @@ from typing import Any
 from sbgcgen.model import Command, Framing, Layout
 from sbgcgen.model.export.fingerprint import fingerprint
 from sbgcgen.model.export.messages import message_json
-from sbgcgen.model.export.types import enum_json, packed_json, quantity_json, variable_json, version
+from sbgcgen.model.export.types import (
+    enum_json,
+    former_names,
+    given,
+    packed_json,
+    quantity_json,
+    variable_json,
+    version,
+)
 
 __all__ = ["export"]
 
@@ -105,7 +113,7 @@ def _framing(framing: Framing) -> dict[str, Any]:
 
 
 def _command(command: Command) -> dict[str, Any]:
-    result: dict[str, Any] = {
+    return {
         "name": command.name,
         "id": command.id,
         "family": command.family,
@@ -114,9 +122,4 @@ def _command(command: Command) -> dict[str, Any]:
         "errata": list(command.errata),
         "since": version(command.since),
         "documented": not command.undocumented,
-    }
-    if command.aliases:
-        result["formerly"] = [alias.spec_name for alias in command.aliases]
-    if command.unconfirmed:
-        result["unconfirmed"] = True
-    return result
+    } | given(formerly=former_names(command.aliases), unconfirmed=command.unconfirmed or None)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sbgcgen.model import (
-    field_rules,
+    Alternative,
     Announced,
     Answer,
     AnswerCase,
@@ -25,8 +25,9 @@ from sbgcgen.model import (
     Struct,
     Until,
     element_of,
+    field_rules,
 )
-from sbgcgen.model.export.types import deprecation, number, version
+from sbgcgen.model.export.types import deprecation, former_names, given, number, version
 
 # Forms that readers of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
@@ -36,10 +37,6 @@ def _until(until: Until | None) -> dict[str, str | None] | None:
     if until is None:
         return None
     return {**(version(until.versions) or {}), "instead": until.instead or None}
-
-
-def _enum_name(field: Field) -> str | None:
-    return field.type.name if isinstance(field.type, Enum) else None
 
 
 def _condition(when: Condition | None) -> dict[str, Any] | None:
@@ -64,9 +61,20 @@ def _accepted(when: Condition) -> list[Any]:
     return [v.name for v in when.values] if when.enum else list(when.numbers)
 
 
+def _alternative(other: Alternative | None) -> dict[str, Any] | None:
+    if other is None:
+        return None
+    return {
+        "unit": other.quantity.unit,
+        "scale": number(other.quantity.scale),
+        "flag": other.flag.name,
+        "field": other.source,
+    }
+
+
 def _leaf(leaf: Leaf) -> dict[str, Any]:
-    field = leaf.field
-    quantity = field.type if isinstance(field.type, Quantity) else None
+    field, type_ = leaf.field, leaf.field.type
+    quantity = type_ if isinstance(type_, Quantity) else None
     result: dict[str, Any] = {
         "path": leaf.path,
         "spec_name": leaf.spec_name,
@@ -77,70 +85,40 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         "scale": number(quantity.scale) if quantity else None,
         "min": number(field.minimum),
         "max": number(field.maximum),
-        "enum": _enum_name(field),
+        "enum": type_.name if isinstance(type_, Enum) else None,
         "reserved": field.reserved,
         "summary": field.summary,
     }
     if quantity:
-        result["quantity"] = quantity.name
-        result["scale_exact"] = str(quantity.scale)
-        if quantity.offset:
-            result["add"] = number(quantity.offset)
+        result.update(quantity=quantity.name, scale_exact=str(quantity.scale))
+        result.update(given(add=number(quantity.offset) or None))
     if field.directions is not None:
         result["positive"] = leaf.direction and leaf.direction.positive
-    if isinstance(field.type, Announced):
-        result["announced"] = field.type.context
-    if isinstance(field.type, Packed):
-        result["packed"] = field.type.name
-    if field.special:
-        result["special"] = {str(s.value): s.meaning for s in field.special}
-    if any(s.name for s in field.special):
-        result["special_names"] = {str(s.value): s.name for s in field.special if s.name}
-    if field.min_count and not field.index:
-        result["min_count"] = field.min_count
-    if leaf.optional:
-        result["may_be_missing"] = True
-    if field.max_count is not None and not field.index:
-        result["max_count"] = field.max_count
-    if field.align != 1:
-        result["align"] = field.align
-    if field.role:
-        result["role"] = field.role
-    if field.variable:
-        result["value_of_variable"] = field.variable
-    if field.counter:
-        result["counted_by"] = field.counter
-    if field.counting != "elements":
-        result["counted_in"] = field.counting
-    if leaf.when:
-        result["when"] = _condition(leaf.when)
-    if field.alternative:
-        other = field.alternative
-        result["alternative"] = {
-            "unit": other.quantity.unit,
-            "scale": number(other.quantity.scale),
-            "flag": other.flag.name,
-            "field": other.source,
-        }
-    if field.since:
-        result["since"] = version(field.since)
-    if field.typical is not None:
-        result["typical"] = element_of(field.typical, leaf.path)
-    if field.deprecated:
-        result["deprecated"] = deprecation(field.deprecated)
-    if field.default:
-        result["default"] = field.default
-    if field.constant:
-        result["constant"] = field.default
-    if field.aliases:
-        result["formerly"] = [alias.spec_name for alias in field.aliases]
-    if field.unconfirmed:
-        result["unconfirmed"] = True
-    if field.errata:
-        result["errata"] = list(field.errata)
-    if leaf.cases:
-        result["cases"] = [_leaf(case) for case in leaf.cases]
-    return result
+    return result | given(
+        announced=type_.context if isinstance(type_, Announced) else None,
+        packed=type_.name if isinstance(type_, Packed) else None,
+        special={str(s.value): s.meaning for s in field.special} or None,
+        special_names={str(s.value): s.name for s in field.special if s.name} or None,
+        min_count=None if field.index else field.min_count or None,
+        may_be_missing=leaf.optional or None,
+        max_count=None if field.index else field.max_count,
+        align=field.align if field.align != 1 else None,
+        role=field.role or None,
+        value_of_variable=field.variable or None,
+        counted_by=field.counter or None,
+        counted_in=field.counting if field.counting != "elements" else None,
+        when=_condition(leaf.when),
+        alternative=_alternative(field.alternative),
+        since=version(field.since),
+        typical=None if field.typical is None else element_of(field.typical, leaf.path),
+        deprecated=deprecation(field.deprecated),
+        default=field.default or None,
+        constant=field.default if field.constant else None,
+        formerly=former_names(field.aliases),
+        unconfirmed=field.unconfirmed or None,
+        errata=list(field.errata) or None,
+        cases=[_leaf(case) for case in leaf.cases] or None,
+    )
 
 
 def _answer(answer: Answer | None) -> dict[str, Any] | None:
@@ -250,18 +228,14 @@ def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Fi
 
 def _group(path: str, field: Field) -> dict[str, Any]:
     """The facts about all fields of a group."""
-    result: dict[str, Any] = {"path": path}
-    if field.when:
-        result["when"] = _condition(field.when)
-    if field.appended:
-        result["may_be_missing"] = True
-    if field.since:
-        result["since"] = version(field.since)
-    if field.unconfirmed:
-        result["unconfirmed"] = True
-    if field.aliases:
-        result["formerly"] = [alias.spec_name for alias in field.aliases]
-    return result
+    return given(
+        path=path,
+        when=_condition(field.when),
+        may_be_missing=field.appended or None,
+        since=version(field.since),
+        unconfirmed=field.unconfirmed or None,
+        formerly=former_names(field.aliases),
+    )
 
 
 def _leaf_in(leaf: Leaf, absent: tuple[str, ...]) -> dict[str, Any]:
@@ -307,19 +281,12 @@ def message_json(message: Message) -> dict[str, Any]:
         "response": _answer(message.answer),
         "layout": [_leaf_in(leaf, absent) for leaf in message.leaves],
     }
-    if message.stops:
-        result["stops"] = [[_stop_value(value) for value in pattern] for pattern in message.stops]
-    if message.preparation:
-        result["preparation"] = message.preparation
-    if message.unconfirmed:
-        result["unconfirmed"] = True
-    if groups:
-        result["groups"] = [_group(path, field) for path, field in groups]
-    if message.lengths:
-        result["sizes"] = [
-            {"since": version(since), "size": size} for since, size in message.lengths
-        ]
-    rules = [rule.text(path) for path, rule in field_rules(message.body)]
-    if rules:
-        result["rules"] = rules
-    return result
+    sizes = [{"since": version(since), "size": size} for since, size in message.lengths]
+    return result | given(
+        stops=[[_stop_value(value) for value in pattern] for pattern in message.stops] or None,
+        preparation=message.preparation or None,
+        unconfirmed=message.unconfirmed or None,
+        groups=[_group(path, field) for path, field in groups] or None,
+        sizes=sizes or None,
+        rules=[rule.text(path) for path, rule in field_rules(message.body)] or None,
+    )

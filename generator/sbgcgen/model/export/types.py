@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model.values import (
+    Alias,
     Availability,
     Deprecation,
     Enum,
@@ -38,8 +39,19 @@ def deprecation(mark: Deprecation | None) -> dict[str, Any] | None:
     return {"since": version(mark.since), "replaced_by": mark.replaced_by or None}
 
 
+def former_names(aliases: tuple[Alias, ...]) -> list[str] | None:
+    """The former names of something; None if it has none."""
+    return [alias.spec_name for alias in aliases] or None
+
+
+def given(**values: Any) -> dict[str, Any]:
+    """The values that are not None, for keys that most objects lack."""
+    return {key: value for key, value in values.items() if value is not None}
+
+
 def _value(value: EnumValue) -> dict[str, Any]:
-    result: dict[str, Any] = {
+    former = value.former
+    return {
         "name": value.name,
         "value": value.value,
         "identifier": value.identifier,
@@ -49,17 +61,11 @@ def _value(value: EnumValue) -> dict[str, Any]:
         "errata": list(value.errata),
         "number": value.number,
         "number_type": value.wire or None,
-    }
-    if value.aliases:
-        result["formerly"] = [alias.spec_name for alias in value.aliases]
-    if value.unconfirmed:
-        result["unconfirmed"] = True
-    if value.former:
-        result["before"] = {
-            **(version(value.former.firmware) or {}),
-            "summary": value.former.summary,
-        }
-    return result
+    } | given(
+        formerly=former_names(value.aliases),
+        unconfirmed=value.unconfirmed or None,
+        before={**(version(former.firmware) or {}), "summary": former.summary} if former else None,
+    )
 
 
 def enum_json(enum: Enum) -> dict[str, Any]:
@@ -102,10 +108,7 @@ def _part(part: Part) -> dict[str, Any]:
         "enum": part.enum.name if part.enum else None,
         "summary": part.summary,
     }
-    if part.signed:
-        result["signed"] = True
-    if part.sign:
-        result["sign"] = part.sign
+    result |= given(signed=part.signed or None, sign=part.sign or None)
     if part.quantity:
         result["quantity"] = part.quantity.name
         result["unit"] = part.quantity.unit
@@ -156,8 +159,4 @@ def variable_json(variable: Variable) -> dict[str, Any]:
     }
     if variable.is_directed:
         result["positive"] = variable.direction and variable.direction.positive
-    if variable.since:
-        result["since"] = version(variable.since)
-    if variable.unconfirmed:
-        result["unconfirmed"] = True
-    return result
+    return result | given(unconfirmed=variable.unconfirmed or None)

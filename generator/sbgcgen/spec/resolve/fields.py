@@ -11,7 +11,6 @@ from typing import Any
 from sbgcgen.model import (
     SCALARS,
     Announced,
-    Availability,
     Blob,
     Context,
     Enum,
@@ -146,28 +145,12 @@ class FieldResolver:
             spec_name="",
             type=Blob("bytes", None),
             dim="rest",
-            count=0,
-            index=(),
-            counter="",
-            is_counter=False,
             offset=None,
             size=None,
             capacity=size,
-            minimum=None,
-            maximum=None,
-            special=(),
-            min_count=0,
-            max_count=None,
-            variable="",
-            align=1,
+            summary=f"What is not used of the {size} bytes; filled up with zeros.",
             reserved=True,
             optional=True,
-            when=None,
-            alternative=None,
-            since=Availability(),
-            deprecated=None,
-            summary=f"What is not used of the {size} bytes; filled up with zeros.",
-            errata=(),
             at=node.position,
         )
 
@@ -265,61 +248,26 @@ class FieldResolver:
         text = "RESERVED" if shorthand else str(node.get("name", ""))
         at = node.at("reserved" if shorthand else "name")
         name = parse_field_name(text)
-        if name is None:
-            hint = "NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}"
-            self.found.add(at, "SBGC031", f"'{text}' is not a field name", hint)
-            self._type(node, tuple(earlier))
-            self._check_broken(node, at, text, owner)
-            return None
         type_ = Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier))
-        if type_ is None:
-            identifier = str(node.get("as", snake_case(name.base)))
-            self.types.identifier(identifier, at)
-            self.examples.untyped.add(identifier)
-            self._broken.append((name, at))
-            self._check_broken(node, at, text, owner)
+        if name is None or type_ is None:
+            self._broken_field(name, node, at, text, owner)
             return None
-        is_reserved = shorthand or bool(node.get("reserved", False))
-        dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
-        counting = self._counting(node, counter, earlier)
-        size = size_of(type_)
-        if isinstance(type_, Blob) and size is None and type_.kind != "string":
-            dim = "rest"
-        max_count = node.get("max_count")
-        if dim == "fixed" and index and "min_count" in node:  # a variable number of named elements
-            dim, count, max_count = "rest", 0, count
-        whole = None if size is None or dim in ("counted", "rest") else size * count
-        when = self.references.condition(node, earlier, contexts)
+        extent = self._extent(name, type_, node, at, earlier, in_struct)
         minimum, maximum, special = self.limits.limits(node, type_, text)
-        smallest = max(1, min_size_of(type_))
-        before = sum(f.size or 0 for f in earlier if not f.is_variable)
-        capacity = max(0, (self.max_body - before) // smallest)
-        if counting == "bits":
-            flags = next(f.type for f in earlier if f.name == counter)
-            capacity = min(capacity, 8 * (size_of(flags) or 0))
-        directions, axis = self.directions.direction(node, type_, name.base, index)
+        directions, axis = self.directions.direction(node, type_, name.base, extent["index"])
+        is_reserved = shorthand or bool(node.get("reserved", False))
         field = Field(
             name=self.types.identifier(str(node.get("as", snake_case(name.base))), at),
             spec_name=name.spec_name,
             type=type_,
-            dim=dim,
-            count=count,
-            index=index,
-            counter=counter,
-            is_counter=False,
             offset=offset,
-            size=whole,
-            capacity=min(capacity, len(index)) if dim == "rest" and index else capacity,
             minimum=minimum,
             maximum=maximum,
             special=special,
-            min_count=int(node.get("min_count", counting == "minus_1")),
-            max_count=max_count,
             variable=self.references.variable(node, earlier),
             align=int(node.get("align", 1)),
             reserved=is_reserved,
-            optional=False,
-            when=when,
+            when=self.references.condition(node, earlier, contexts),
             alternative=self.references.alternative(node),
             since=self.types.availability(node),
             deprecated=self.types.deprecation(node),
@@ -328,7 +276,6 @@ class FieldResolver:
             else self.types.summary(node, at, f"{text} of {owner}"),
             errata=self.types.errata(node),
             role=str(node.get("role", "")),
-            counting=counting,
             default=self._default(node, type_, text),
             constant="constant" in node,
             aliases=self.types.aliases(node),
@@ -336,12 +283,66 @@ class FieldResolver:
             directions=directions,
             axis=axis,
             at=at,
+            **extent,
         )
         self._check_default(field, node, text)
         if field.constant:
             value = Fraction(field.default)
             field = replace(field, minimum=value, maximum=value)
         return self._with_typical(field, node)
+
+    def _broken_field(
+        self, name: FieldName | None, node: Map, at: Position, text: str, owner: str
+    ) -> None:
+        """Check what remains of a field without a valid name or type."""
+        if name is None:
+            hint = "NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}"
+            self.found.add(at, "SBGC031", f"'{text}' is not a field name", hint)
+        else:
+            identifier = str(node.get("as", snake_case(name.base)))
+            self.types.identifier(identifier, at)
+            self.examples.untyped.add(identifier)
+            self._broken.append((name, at))
+        self.limits.limits(node, SCALARS["f32"], text)
+        self.types.availability(node)
+        self.types.deprecation(node)
+        if not node.get("reserved"):
+            self.types.summary(node, at, f"{text} of {owner}")
+        self.types.errata(node)
+
+    def _extent(
+        self,
+        name: FieldName,
+        type_: Type,
+        node: Map,
+        at: Position,
+        earlier: list[Field],
+        in_struct: bool,
+    ) -> dict[str, Any]:
+        """How many elements and bytes a field has, as members of Field."""
+        dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
+        counting = self._counting(node, counter, earlier)
+        size, max_count = size_of(type_), node.get("max_count")
+        if isinstance(type_, Blob) and size is None and type_.kind != "string":
+            dim = "rest"
+        if dim == "fixed" and index and "min_count" in node:  # a variable number of named elements
+            dim, count, max_count = "rest", 0, count
+        before = sum(f.size or 0 for f in earlier if not f.is_variable)
+        capacity = max(0, (self.max_body - before) // max(1, min_size_of(type_)))
+        if counting == "bits":
+            flags = next(f.type for f in earlier if f.name == counter)
+            capacity = min(capacity, 8 * (size_of(flags) or 0))
+        return {
+            "dim": dim,
+            "count": count,
+            "index": index,
+            "counter": counter,
+            "counting": counting,
+            "size": None if size is None or dim in ("counted", "rest") else size * count,
+            "capacity": min(capacity, len(index)) if dim == "rest" and index else capacity,
+            "min_count": int(node.get("min_count", counting == "minus_1")),
+            "max_count": max_count,
+        }
 
     def _default(self, node: Map, type_: Type, text: str) -> int:
         """The raw value in a new message."""
@@ -403,15 +404,6 @@ class FieldResolver:
         if not words:
             return "elements"
         return "bytes" if words[0] == "counted_in" else "minus_1"
-
-    def _check_broken(self, node: Map, at: Position, text: str, owner: str) -> None:
-        """Check the other keys of a field without a valid name or type."""
-        self.limits.limits(node, SCALARS["f32"], text)
-        self.types.availability(node)
-        self.types.deprecation(node)
-        if not node.get("reserved"):
-            self.types.summary(node, at, f"{text} of {owner}")
-        self.types.errata(node)
 
     def _dimension(
         self, name: FieldName, at: Position, earlier: list[Field], in_struct: bool

@@ -153,20 +153,17 @@ class MessageResolver:
         )
         body = self._body(draft, contexts, same_as, both, since)
         original = self._original(draft, same_as)
-        if original is not None:
-            contexts = contexts or original.contexts
         self.open.pop()
         keep = original.keeps_tail if original else draft.direction == "from_board" or both
         tail = str(draft.get("tail", "keep" if keep else "refuse"))
         limit = self.fields.max_body
-        largest = int(draft.get("max_size", max_size(body.fields, limit)))
         if body.min_size > limit:
             message = (
                 f"the body of {draft.name} has {body.min_size} bytes; {limit} fit into a frame"
             )
             self.found.add(draft.at, "SBGC013", message, "split it into several messages")
         open_ended = any(f.dim == "rest" and f.type.kind != "announced" for f in body.fields)
-        message_ = Message(
+        self.done[key] = Message(
             name=draft.name,
             command=draft.command.name,
             command_identifier=draft.command.identifier,
@@ -174,19 +171,7 @@ class MessageResolver:
             direction=draft.direction,
             form=draft.form,
             family=draft.command.family,
-            summary=self._summary(draft),
-            description=" ".join(str(draft.get("description", "")).split()),
-            source=self.types.source(draft.parent, draft.at, draft.name)
-            if not draft.node.get("source")
-            else str(draft.node["source"]),
-            errata=tuple(
-                dict.fromkeys((*self.types.errata(draft.parent), *self.types.errata(draft.node)))
-            ),
             since=since,
-            until=self._until(draft),
-            deprecated=self.types.deprecation(draft.node)
-            or self.types.deprecation(draft.parent)
-            or self.types.deprecation(draft.entry),
             body=body,
             same_as=same_as if same_as != draft.name else "",
             in_both_directions=both,
@@ -194,27 +179,52 @@ class MessageResolver:
             is_open=False,
             tail_capacity=max(0, limit - body.min_size),
             min_size=body.min_size,
-            max_size=largest,
-            contexts=contexts,
-            answer=self.answers.answer(draft.get("answer"), draft.name, body.fields, draft.at)
-            if draft.direction == "to_board"
-            else None,
-            role=self.answers.roles.role(draft.get("role"), draft.direction, body.fields),
-            stores=str(draft.get("stores", "")),
-            effect=self._effect(draft.get("effect"), body.fields),
-            stops=self.fields.examples.stops(body.fields, draft.get("stops"), draft.name),
-            preparation=" ".join(str(draft.get("preparation", "")).split()),
-            example={
-                **(original.example if original else {}),
-                **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
-            },
+            max_size=int(draft.get("max_size", max_size(body.fields, limit))),
+            contexts=contexts or (original.contexts if original else ()),
             has_own_name="as" in draft.node,
-            unconfirmed=bool(draft.get("unconfirmed", False)) or draft.command.unconfirmed,
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,
+            **self._description(draft),
+            **self._behavior(draft, body.fields, original),
         )
-        self.done[key] = message_
-        return message_
+        return self.done[key]
+
+    def _description(self, draft: _Draft) -> dict[str, Any]:
+        """What a reader learns about the message: texts, sources and history."""
+        source = draft.node.get("source") or self.types.source(draft.parent, draft.at, draft.name)
+        errata = *self.types.errata(draft.parent), *self.types.errata(draft.node)
+        return {
+            "summary": self._summary(draft),
+            "description": " ".join(str(draft.get("description", "")).split()),
+            "source": str(source),
+            "errata": tuple(dict.fromkeys(errata)),
+            "until": self._until(draft),
+            "deprecated": self.types.deprecation(draft.node)
+            or self.types.deprecation(draft.parent)
+            or self.types.deprecation(draft.entry),
+            "preparation": " ".join(str(draft.get("preparation", "")).split()),
+            "unconfirmed": bool(draft.get("unconfirmed", False)) or draft.command.unconfirmed,
+        }
+
+    def _behavior(
+        self, draft: _Draft, fields: tuple[Field, ...], original: Message | None
+    ) -> dict[str, Any]:
+        """What the message does and what answers it, with examples of both."""
+        examples, name = self.fields.examples, draft.name
+        is_request = draft.direction == "to_board"
+        return {
+            "answer": self.answers.answer(draft.get("answer"), name, fields, draft.at)
+            if is_request
+            else None,
+            "role": self.answers.roles.role(draft.get("role"), draft.direction, fields),
+            "stores": str(draft.get("stores", "")),
+            "effect": self._effect(draft.get("effect"), fields),
+            "stops": examples.stops(fields, draft.get("stops"), name),
+            "example": {
+                **(original.example if original else {}),
+                **examples.example(fields, draft.get("example"), name),
+            },
+        }
 
     def _effect(self, node: Any, fields: tuple[Field, ...]) -> Effect | None:
         """Resolve the value of `effect:`, which is one word, several, or cases."""

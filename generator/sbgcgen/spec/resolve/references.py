@@ -6,11 +6,11 @@ from typing import Any
 
 from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Scalar, Type
 from sbgcgen.model.names import snake_case
-from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver
 
-
+_RULE = "SBGC026"
 # The words of conditions on each kind of value.
 _WORDS = {
     "a flag set": ("has", "any", "has_not"),
@@ -41,111 +41,73 @@ class ReferenceResolver:
         when = node.get("when")
         if not isinstance(when, Map):
             return None
-        from_context = "context" in when
-        key = "context" if from_context else "field"
-        wanted = str(when.get(key))
-        found: dict[str, tuple[str, Type, bool]] = (
-            {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
-            if from_context
-            else {f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"}
-        )
         unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
-        if from_context and wanted in unknown:
+        if when.get("context") in unknown:
             return None  # the context's unknown type has been reported
-        if wanted not in found:
-            hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
-            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
-            return None
-        source, type_, conditional = found[wanted]
-        kind = _kind(type_)
-        words = [word for words in _WORDS.values() for word in words if word in when]
-        if not kind:
-            message = f"'{wanted}' is neither an integer nor a flag set"
-            self.found.add(when.at(key), "SBGC026", message, "a condition needs values or flags")
-            return None
-        if not words:
-            message = f"the condition on '{wanted}' names no value"
-            self.found.add(when.position, "SBGC026", message, f"use '{_WORDS[kind][0]}' for it")
-            return None
-        if any(word not in _WORDS[kind] for word in words):
-            message = f"'{wanted}' is {kind}"
-            hint = f"use '{_WORDS[kind][0]}' for it"
-            self.found.add(when.position, "SBGC026", message, hint)
-            return None
-        enum = type_ if isinstance(type_, Enum) else None
-        chosen = {word: self._values(type_, when, word) if word in when else () for word in _ALL}
-        for word in words:
-            if kind == "a flag set" and chosen[word] and not any(v.value for v in chosen[word]):
-                message = f"{chosen[word][0].name} has no bits, so it is always set"
-                hint = "a condition needs bits to look at"
-                self.found.add(when.at(word), "SBGC026", message, hint)
-        self._check_clauses(when, chosen)
-        values = chosen["is"] or chosen["is_not"]
-        return Condition(
-            source,
-            from_context,
-            enum,
-            flags=chosen["has"],
-            any_flags=chosen["any"],
-            no_flags=chosen["has_not"],
-            numbers=tuple(v if isinstance(v, int) else v.value for v in values),
-            values=values if enum else (),
-            negated="is_not" in when,
-            may_be_missing=bool(when.get("may_be_missing", False)),
-            source_may_be_missing=conditional,
-        )
+        with self.found.at(when):
+            source, type_, may_be_missing = _source(when, earlier, contexts)
+            _check_words(when, type_)
+            chosen = {word: self._values(type_, when, word) for word in _ALL}
+            self._check_clauses(when, chosen)
+            enum = type_ if isinstance(type_, Enum) else None
+            values = chosen["is"] or chosen["is_not"]
+            return Condition(
+                source,
+                "context" in when,
+                enum,
+                flags=chosen["has"],
+                any_flags=chosen["any"],
+                no_flags=chosen["has_not"],
+                numbers=tuple(v if isinstance(v, int) else v.value for v in values),
+                values=values if enum else (),
+                negated="is_not" in when,
+                may_be_missing=bool(when.get("may_be_missing", False)),
+                source_may_be_missing=may_be_missing,
+            )
+        return None
 
     def _check_clauses(self, when: Map, chosen: dict[str, tuple[Any, ...]]) -> None:
-        """Report clauses that contradict each other."""
+        """Report clauses without bits, and those that contradict each other."""
+        for word in ("has", "any", "has_not"):
+            if chosen[word] and not any(flag.value for flag in chosen[word]):
+                message = f"{chosen[word][0].name} has no bits, so it is always set"
+                self.found.add(when.at(word), _RULE, message, "a condition needs bits to look at")
         if "is" in when and "is_not" in when:
             hint = "'is' already excludes all other values"
-            self.found.add(when.at("is_not"), "SBGC026", "'is_not' stands beside 'is'", hint)
+            self.found.add(when.at("is_not"), _RULE, "'is_not' stands beside 'is'", hint)
         for flag in chosen["has_not"]:
             if flag in chosen["has"] or chosen["any"] == (flag,):
                 message = f"the condition on {flag.name} never holds"
                 hint = "it must be set and must not be set"
-                self.found.add(when.at("has_not"), "SBGC026", message, hint)
+                self.found.add(when.at("has_not"), _RULE, message, hint)
 
     def _values(self, type_: Type, node: Map, key: str) -> tuple[Any, ...]:
-        names = node[key] if isinstance(node[key], list) else [node[key]]
-        enum = type_ if isinstance(type_, Enum) else None
-        if enum is None:
-            assert isinstance(type_, Scalar)
-            for name in names:
-                if not isinstance(name, int):
-                    message = f"'{name}' is not an integer"
-                    hint = f"'{node.get('field')}' has no named values"
-                    self.found.add(node.at(key), "SBGC026", message, hint)
-                elif not type_.holds(name):
-                    message = f"'{node.get('field')}' is never {name}"
-                    hint = f"its type is {type_.name}: {type_.minimum} to {type_.maximum}"
-                    self.found.add(node.at(key), "SBGC026", message, hint)
-            return tuple(name for name in names if isinstance(name, int))
-        by_name = {v.name: v for v in enum.values}
-        for name in names:
-            if name not in by_name:
-                hint = did_you_mean(str(name), by_name) or f"see {enum.at}"
-                self.found.add(node.at(key), "SBGC026", f"{enum.name} has no value '{name}'", hint)
-        return tuple(by_name[n] for n in names if n in by_name)
+        said = node.get(key, [])
+        result = []
+        for name in said if isinstance(said, list) else [said]:
+            with self.found.at(node):
+                result.append(_value(type_, name, node, key))
+        return tuple(result)
 
     def alternative(self, node: Map) -> Alternative | None:
         """The alternative unit of a field, and the flag that selects it."""
         other = node.get("alternative")
         if not isinstance(other, Map):
             return None
-        quantity = self.types.types.quantities.get(str(other["type"]))
-        if quantity is None:
-            hint = did_you_mean(str(other["type"]), self.types.types.quantities)
-            hint = hint or "name one under 'quantities'"
-            self.found.add(other.at("type"), "SBGC010", f"unknown quantity '{other['type']}'", hint)
-            return None
-        for enum in self.types.types.enums.values():
-            for value in enum.values if enum.kind == "flags" else ():
-                if value.name == other["flag"]:
-                    return Alternative(quantity, snake_case(str(other["of"])), value.value, value)
-        flags = [v.name for e in self.types.types.enums.values() for v in e.values]
-        hint = did_you_mean(str(other["flag"]), flags) or "name a value of a flag set"
-        self.found.add(other.at("flag"), "SBGC026", f"there is no flag '{other['flag']}'", hint)
+        types = self.types.types
+        with self.found.at(other):
+            if other["type"] not in types.quantities:
+                hint = did_you_mean(str(other["type"]), types.quantities)
+                hint = hint or "name one under 'quantities'"
+                raise Mistake("SBGC010", f"unknown quantity '{other['type']}'", hint, "type")
+            sets = [enum for enum in types.enums.values() if enum.kind == "flags"]
+            flag = next((v for e in sets for v in e.values if v.name == other["flag"]), None)
+            if flag is None:
+                names = [v.name for enum in types.enums.values() for v in enum.values]
+                hint = did_you_mean(str(other["flag"]), names) or "name a value of a flag set"
+                raise Mistake(_RULE, f"there is no flag '{other['flag']}'", hint, "flag")
+            source = snake_case(str(other["of"]))
+            return Alternative(types.quantities[other["type"]], source, flag.value, flag)
         return None
 
     def variable(self, node: Map, earlier: list[Field]) -> str:
@@ -156,5 +118,54 @@ class ReferenceResolver:
                 return field.name
         if wanted:
             message = f"'{wanted}' is not an earlier field of type {VARIABLE_ID}"
-            self.found.add(node.at("variable"), "SBGC026", message)
+            self.found.add(node.at("variable"), _RULE, message)
         return ""
+
+
+def _source(
+    when: Map, earlier: list[Field], contexts: tuple[Context, ...]
+) -> tuple[str, Type, bool]:
+    """What a condition looks at: its name and type, and whether it may be missing."""
+    key = "context" if "context" in when else "field"
+    known: dict[str, tuple[str, Type, bool]]
+    if key == "context":
+        known = {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
+    else:
+        known = {f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"}
+    wanted = str(when.get(key))
+    if wanted not in known:
+        hint = did_you_mean(wanted, known) or f"known here: {', '.join(known) or 'none'}"
+        raise Mistake(_RULE, f"'{wanted}' is not an earlier {key}", hint, key)
+    if not _kind(known[wanted][1]):
+        message = f"'{wanted}' is neither an integer nor a flag set"
+        raise Mistake(_RULE, message, "a condition needs values or flags", key)
+    return known[wanted]
+
+
+def _check_words(when: Map, type_: Type) -> None:
+    """A condition names values of its source, with the words for its kind."""
+    wanted, kind = when.get("context", when.get("field")), _kind(type_)
+    words = [word for word in _ALL if word in when]
+    hint = f"use '{_WORDS[kind][0]}' for it"
+    if not words:
+        raise Mistake(_RULE, f"the condition on '{wanted}' names no value", hint)
+    if not set(words) <= set(_WORDS[kind]):
+        raise Mistake(_RULE, f"'{wanted}' is {kind}", hint)
+
+
+def _value(type_: Type, name: Any, when: Map, key: str) -> Any:
+    """A value of an enum or flag set, or a number."""
+    if isinstance(type_, Enum):
+        by_name = {value.name: value for value in type_.values}
+        if name not in by_name:
+            hint = did_you_mean(str(name), by_name) or f"see {type_.at}"
+            raise Mistake(_RULE, f"{type_.name} has no value '{name}'", hint, key)
+        return by_name[name]
+    assert isinstance(type_, Scalar)
+    if not isinstance(name, int):
+        hint = f"'{when.get('field')}' has no named values"
+        raise Mistake(_RULE, f"'{name}' is not an integer", hint, key)
+    if not type_.holds(name):
+        hint = f"its type is {type_.name}: {type_.minimum} to {type_.maximum}"
+        raise Mistake(_RULE, f"'{when.get('field')}' is never {name}", hint, key)
+    return name

@@ -10,7 +10,6 @@ from typing import Any
 from sbgcgen.model import (
     COMMAND_IDS,
     SCALARS,
-    Availability,
     Enum,
     EnumValue,
     Former,
@@ -120,10 +119,6 @@ class TypeResolver(Entries):
                     identifier,
                     value["id"],
                     summary,
-                    ours=False,
-                    wire="",
-                    since=Availability(),
-                    errata=(),
                     at=at,
                     aliases=self.aliases(value, "CMD_"),
                 )
@@ -150,10 +145,7 @@ class TypeResolver(Entries):
                     identifier,
                     value["id"],
                     summary,
-                    ours=False,
-                    wire="",
                     since=self.availability(value),
-                    errata=(),
                     at=at,
                     unconfirmed=bool(value.get("unconfirmed", False)),
                 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -18,7 +19,7 @@ from sbgcgen.model import (
     VariableSetting,
 )
 from sbgcgen.model.names import snake_case
-from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.types import TypeResolver
 
@@ -69,37 +70,44 @@ class VariableResolver:
             maximum=maximum,
             summary=self.types.summary(node, at, name),
             errata=self.types.errata(node),
-            settings=tuple(
-                setting
-                for path, place in _paths(node)
-                for setting in [self._setting(path, place, quantity, (minimum, maximum))]
-                if setting is not None
-            ),
+            settings=tuple(self._settings(node, quantity, (minimum, maximum))),
             is_switch=is_switch,
             since=self.types.availability(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
 
-    def _setting(
-        self, text: str, at: Position, quantity: Quantity | None, limits: tuple[int, int]
-    ) -> VariableSetting | None:
-        """The setting at `Message.path`; None if a variable of this quantity cannot set it."""
+    def _settings(
+        self, node: Map, quantity: Quantity | None, limits: tuple[int, int]
+    ) -> Iterator[VariableSetting]:
+        """The settings under `sets`, without those that a variable of this quantity cannot set."""
+        for text, at in _paths(node):
+            with self.found.at(at):
+                message, leaf = self._place(text)
+                scalar = self._number(text, message, leaf)
+                setting = _setting(text, message, leaf, scalar, quantity)
+                _check_values(text, setting, limits)
+                yield setting
+
+    def _place(self, text: str) -> tuple[Message, Leaf]:
+        """The message and the value in it at `Message.path`."""
         name, _, path = text.partition(".")
         message = self.messages.get(name)
         if message is None:
             hint = did_you_mean(name, self.stored) or "name settings, such as ReadParams3"
-            self.found.add(at, "SBGC021", f"there is no message '{name}'", hint)
-            return None
+            raise Mistake("SBGC021", f"there is no message '{name}'", hint)
         leaf = next((leaf for leaf in message.leaves if leaf.path == path), None)
         if leaf is None:
             known = [leaf.path for leaf in message.leaves]
             hint = did_you_mean(path, known) or f"write it like {name}.{known[0] if known else ''}"
-            self.found.add(at, "SBGC021", f"{name} has no value '{path}'", hint)
-            return None
-        scalar = _number(leaf)
+            raise Mistake("SBGC021", f"{name} has no value '{path}'", hint)
+        return message, leaf
+
+    def _number(self, text: str, message: Message, leaf: Leaf) -> Scalar:
+        """The type of a setting that a variable can set."""
+        scalar = _integer(leaf)
         problem = "is not an integer that is always present" if scalar is None else ""
-        if name not in self.stored:
+        if message.name not in self.stored:
             problem = "is not a setting: no message stores it"
         elif leaf.field.role in ("copy", "state") or leaf.field.reserved or leaf.field.is_counter:
             problem = "is not a setting"
@@ -107,41 +115,47 @@ class VariableResolver:
             problem = "is not always present"
         if problem or scalar is None:
             hint = "a variable sets one number among the settings that a message stores"
-            self.found.add(at, "SBGC044", f"'{text}' {problem}", hint)
-            return None
-        ours = quantity
-        theirs = leaf.field.type if isinstance(leaf.field.type, Quantity) else None
-        units = [q.unit if q else None for q in (ours, theirs)]
-        if units[0] != units[1]:
-            words = " and ".join(unit or "a plain number" for unit in units)
-            hint = "give the variable a type of the same unit"
-            self.found.add(at, "SBGC044", f"'{text}' is in another unit: {words}", hint)
-            return None
-        scales = [q.scale if q else Fraction(1) for q in (ours, theirs)]
-        offsets = [q.offset if q else Fraction(0) for q in (ours, theirs)]
-        setting = VariableSetting(
-            message=name,
-            path=path,
-            scalar=scalar,
-            scale=scales[0] / scales[1],
-            offset=(offsets[0] - offsets[1]) / scales[1],
-            direction=leaf.direction,
-        )
-        if setting.denominator != 1:
-            special = tuple(sorted(s.value for s in leaf.field.special))
-            setting = replace(setting, special=special)
-        if any(value + 1 in setting.special for value in setting.special):
-            text = f"a value between two special ones of '{text}' has no raw value"
-            self.found.add(at, "SBGC044", text, "give the variable the type of the setting")
-        elif not all(_fits(scalar, setting.count(value)) for value in limits):
-            text = f"'{text}' cannot hold every value of the range"
-            self.found.add(at, "SBGC044", text, f"it is of type {scalar.name}")
-        elif not _is_told(setting):
-            text = f"not every value of '{text}' fits into a variable"
-            self.found.add(
-                at, "SBGC044", text, f"the value of a variable is sent as {_WIDEST.name}"
-            )
-        return setting
+            raise Mistake("SBGC044", f"'{text}' {problem}", hint)
+        return scalar
+
+
+def _setting(
+    text: str, message: Message, leaf: Leaf, scalar: Scalar, ours: Quantity | None
+) -> VariableSetting:
+    """The setting in `message` that is set by a variable with the quantity `ours`."""
+    theirs = leaf.field.type if isinstance(leaf.field.type, Quantity) else None
+    units = [q.unit if q else None for q in (ours, theirs)]
+    if units[0] != units[1]:
+        words = " and ".join(unit or "a plain number" for unit in units)
+        hint = "give the variable a type of the same unit"
+        raise Mistake("SBGC044", f"'{text}' is in another unit: {words}", hint)
+    scales = [q.scale if q else Fraction(1) for q in (ours, theirs)]
+    offsets = [q.offset if q else Fraction(0) for q in (ours, theirs)]
+    setting = VariableSetting(
+        message=message.name,
+        path=leaf.path,
+        scalar=scalar,
+        scale=scales[0] / scales[1],
+        offset=(offsets[0] - offsets[1]) / scales[1],
+        direction=leaf.direction,
+    )
+    if setting.denominator != 1:
+        special = tuple(sorted(s.value for s in leaf.field.special))
+        setting = replace(setting, special=special)
+    return setting
+
+
+def _check_values(text: str, setting: VariableSetting, limits: tuple[int, int]) -> None:
+    """Every value of the variable must be one of the setting, and the reverse."""
+    if any(value + 1 in setting.special for value in setting.special):
+        problem = f"a value between two special ones of '{text}' has no raw value"
+        raise Mistake("SBGC044", problem, "give the variable the type of the setting")
+    if not all(_fits(setting.scalar, setting.count(value)) for value in limits):
+        problem = f"'{text}' cannot hold every value of the range"
+        raise Mistake("SBGC044", problem, f"it is of type {setting.scalar.name}")
+    if not _is_told(setting):
+        problem = f"not every value of '{text}' fits into a variable"
+        raise Mistake("SBGC044", problem, f"the value of a variable is sent as {_WIDEST.name}")
 
 
 def _paths(node: Map) -> list[tuple[str, Position]]:
@@ -158,7 +172,7 @@ def _fits(scalar: Scalar, value: int) -> bool:
     return scalar.minimum <= value <= scalar.maximum
 
 
-def _number(leaf: Leaf) -> Scalar | None:
+def _integer(leaf: Leaf) -> Scalar | None:
     """The type of a leaf that is a single integer or enum; None for any other."""
     type_ = leaf.field.type
     scalar = type_ if isinstance(type_, Scalar) else None
