@@ -13,12 +13,44 @@ HERE = Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 GENERATOR = PROJECT / "generator"
 PROBE = "probe.yaml"
+BASE = """\
+family: probe
+summary: What a test needs.
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: A message.
+    from_board:
+      source: L1
+      fields:
+        - {name: A, type: u8, summary: A number.}
+"""
+
+
+def _indentation(line: str) -> int:
+    return len(line) - len(line.lstrip(" "))
+
+
+def probe(lines: str) -> str:
+    """Returns BASE with these lines.
+
+    They replace the last line that is indented as the first of them, and what follows it.
+    """
+    before = BASE.splitlines(keepends=True)
+    while _indentation(before.pop()) != _indentation(lines):
+        pass
+    return "".join(before) + lines
 
 
 def write_spec(folder: Path, text: str | bytes | None = None, file: str = PROBE) -> Path:
-    """Writes the minimal spec to folder/spec, with `text` as the content of `file`."""
+    """Writes the minimal spec to folder/spec, with `text` as the content of `file`.
+
+    A text that begins with blanks is completed by probe().
+    """
     spec = folder / "spec"
     shutil.copytree(HERE / "minimal", spec, dirs_exist_ok=True)
+    if isinstance(text, str) and text.startswith(" "):
+        text = probe(text)
     if text is not None:
         content = text.encode() if isinstance(text, str) else text
         (spec / file).write_bytes(content)

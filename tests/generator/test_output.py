@@ -15,20 +15,7 @@ from sbgcgen.build import load_protocol
 from sbgcgen.record import inputs
 from sbgcgen.output import Output
 from sbgcgen.targets import outputs, targets
-from support import GENERATOR, PROJECT, layout_of, write_spec
-
-MESSAGE = """\
-family: probe
-summary: One message.
-commands:
-  CMD_PROBE:
-    id: 9
-    summary: The message.
-    from_board:
-      source: L1
-      fields:
-        - {name: A, type: u8, summary: A number.}
-"""
+from support import BASE, GENERATOR, PROJECT, layout_of, write_spec
 
 
 def snapshot(folder: Path) -> dict[str, str]:
@@ -51,7 +38,7 @@ def age(folder: Path) -> None:
             os.utime(path, ns=(10**18, 10**18))
 
 
-def output(folder: Path, text: str = MESSAGE) -> Output:
+def output(folder: Path, text: str = BASE) -> Output:
     return Output(folder / "out", outputs(layout_of(folder, text), folder))
 
 
@@ -114,7 +101,7 @@ def test_only_what_changes_is_written(tmp_path: Path) -> None:
     output(tmp_path / "a").write()
     folder = tmp_path / "a" / "out"
     age(folder)
-    changed = Output(folder, output(tmp_path / "b", MESSAGE.replace("A number", "Its age")).files)
+    changed = Output(folder, output(tmp_path / "b", BASE.replace("A number", "Its age")).files)
     written = changed.write()
     young = [path for path, at in times(folder).items() if at != 10**18]
     assert 0 < len(young) == written < len(changed.files)
@@ -185,7 +172,7 @@ def test_family_without_messages_gets_no_header(tmp_path: Path) -> None:
 
 
 def test_a_text_with_marks_of_cpp_and_templates_is_only_text(tmp_path: Path) -> None:
-    text = MESSAGE.replace("A number.", "'A */ ?? /* {{ x }} {% y %} \\ \"quoted\" ° end\\'")
+    text = BASE.replace("A number.", "'A */ ?? /* {{ x }} {% y %} \\ \"quoted\" ° end\\'")
     files = output(tmp_path, text).files
     header = next(c.decode() for name, c in files.items() if name.endswith("messages/probe.hpp"))
     comments = [line for line in header.splitlines() if "{{ x }}" in line]

@@ -10,23 +10,11 @@ import pytest
 from sbgcgen.model import Field, Message
 from support import layout_of, message_of
 
-COMMAND = """\
-family: probe
-summary: One message.
-commands:
-  CMD_PROBE:
-    id: 9
-    summary: The message.
-    from_board:
-      source: L1
-      fields:
-"""
-
 
 def message(folder: Path, *fields: str) -> Message:
     """Returns a message with these fields, each a line of YAML."""
     lines = "".join(f"        - {field}\n" for field in fields)
-    return message_of(layout_of(folder, COMMAND + lines), "Probe")
+    return message_of(layout_of(folder, lines), "Probe")
 
 
 def leaves(message_: Message) -> list[tuple[str, str, str, int | None, int | None]]:

@@ -1,8 +1,7 @@
 """Each rule has at least one small spec that breaks it, and is reported at the right position.
 
 `fixtures/SBGC010.txt` has the specs that break that rule: the name of each, and the lines of `probe.yaml`
-that differ from BASE. They replace the last line of BASE that is indented as the first of them, and
-what follows it. A caret marks the place of a finding in the line above it:
+that differ from BASE (see support.probe). A caret marks the place of a finding in the line above it:
 
     == misspelt_key
             - {name: A, typ: u8, summary: A number.}
@@ -24,20 +23,8 @@ import pytest
 
 from sbgcgen.cli import main
 from sbgcgen.model import Position
-from support import GENERATOR, HERE, PROBE, findings, write_spec
+from support import GENERATOR, HERE, PROBE, findings, probe, write_spec
 
-BASE = """\
-family: probe
-summary: A mistake on purpose.
-commands:
-  CMD_PROBE:
-    id: 9
-    summary: What is wrong here.
-    from_board:
-      source: L1
-      fields:
-        - {name: A, type: u8, summary: A number.}
-"""
 _FOUND = re.compile(r"( *)(?:\^|@ (.+):(\d+):(\d+)) (?:(SBGC\d{3}) )?(.+) \| (.+)\n")
 
 
@@ -57,18 +44,11 @@ def _sections(text: str) -> dict[str, str]:
     return {section.split(":")[0]: section for section in re.split("(?m)^(?=[a-z])", text)}
 
 
-def _indentation(line: str) -> int:
-    return len(line) - len(line.lstrip(" "))
-
-
 def _whole(base: str, lines: str) -> str:
     """The text of a file with the lines of a fixture in their place."""
     minimal = HERE / "minimal" / base
     if not base:
-        before = BASE.splitlines(keepends=True)
-        while _indentation(before.pop()) != _indentation(lines):
-            pass
-        return "".join(before) + lines
+        return probe(lines)
     if minimal.is_file():
         sections = {**_sections(minimal.read_text(encoding="utf-8")), **_sections(lines)}
         return "".join(sections.values())

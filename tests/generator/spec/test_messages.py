@@ -10,15 +10,7 @@ from sbgcgen.build import load_protocol
 from sbgcgen.spec.diagnostics import SpecError
 from support import layout_of, message_of, write_spec
 
-HEAD = """\
-family: probe
-summary: Commands.
-commands:
-"""
-
-BOTH = (
-    HEAD
-    + """\
+BOTH = """\
   CMD_LONG_NAME_3:
     id: 9
     summary: Something long.
@@ -33,7 +25,6 @@ BOTH = (
       summary: Ask for it.
       answer: {message: LongName3, retry: safe, timeout_ms: 250}
 """
-)
 
 
 def test_names_follow_the_direction(tmp_path: Path) -> None:
@@ -61,9 +52,7 @@ def test_answer(tmp_path: Path) -> None:
 
 
 def test_answer_is_unsafe_and_takes_the_default_time_unless_it_says_more(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_GO:
     id: 9
     summary: Go.
@@ -72,16 +61,13 @@ def test_answer_is_unsafe_and_takes_the_default_time_unless_it_says_more(tmp_pat
       effect: reads
       answer: {confirm: always, confirmations: 2}
 """
-    )
     answer = message_of(layout_of(tmp_path, text), "Go").answer
     assert answer is not None
     assert (answer.messages, answer.confirm, answer.confirmations) == ((), "always", 2)
     assert (answer.timeout_ms, answer.retry_safe) == (500, False)
 
 
-FORMS = (
-    HEAD
-    + """\
+FORMS = """\
   CMD_MOVE:
     id: 9
     summary: Move.
@@ -110,7 +96,6 @@ FORMS = (
           fields:
             - {name: WHY, type: u8, summary: Why.}
 """
-)
 
 
 def test_forms(tmp_path: Path) -> None:
@@ -136,9 +121,7 @@ def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:
 
 
 def test_include_puts_the_fields_of_another_message_first(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_MORE:
     id: 9
     summary: More.
@@ -158,7 +141,6 @@ def test_include_puts_the_fields_of_another_message_first(tmp_path: Path) -> Non
         - {name: "A[axis]", type: i16, summary: Numbers.}
         - {reserved: 1}
 """
-    )
     made = message_of(layout_of(tmp_path, text), "More")
     assert [(leaf.path, leaf.offset) for leaf in made.leaves] == [
         ("before", 0),
@@ -172,9 +154,7 @@ def test_include_puts_the_fields_of_another_message_first(tmp_path: Path) -> Non
 
 
 def test_same_as_another_message(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_WRITE:
     id: 9
     summary: Write.
@@ -185,7 +165,6 @@ def test_same_as_another_message(tmp_path: Path) -> None:
       stores: Ping
       same_as: Ping
 """
-    )
     layout = layout_of(tmp_path, text)
     made, original = message_of(layout, "Write"), message_of(layout, "Ping")
     assert made.body is original.body
@@ -194,9 +173,7 @@ def test_same_as_another_message(tmp_path: Path) -> None:
 
 
 def test_same_body_in_both_directions_is_one_type(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_VALUES:
     id: 9
     summary: Values.
@@ -212,7 +189,6 @@ def test_same_body_in_both_directions_is_one_type(tmp_path: Path) -> None:
       summary: They are so.
       same_as: Values
 """
-    )
     layout = layout_of(tmp_path, text)
     to_board = message_of(layout, "Values", "to_board")
     from_board = message_of(layout, "Values", "from_board")
@@ -222,9 +198,7 @@ def test_same_body_in_both_directions_is_one_type(tmp_path: Path) -> None:
 
 
 def test_one_id_in_two_directions_may_be_two_commands(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_ORDER:
     id: 9
     summary: An order.
@@ -239,15 +213,12 @@ def test_one_id_in_two_directions_may_be_two_commands(tmp_path: Path) -> None:
       source: L1
       fields: []
 """
-    )
     layout = layout_of(tmp_path, text)
     assert [(m.name, m.id) for m in layout.messages if m.id == 9] == [("Order", 9), ("Report", 9)]
 
 
 def test_context_comes_from_the_request(tmp_path: Path) -> None:
-    text = (
-        HEAD
-        + """\
+    text = """\
   CMD_CUSTOM:
     id: 9
     summary: What was asked for.
@@ -266,7 +237,6 @@ def test_context_comes_from_the_request(tmp_path: Path) -> None:
       fields:
         - {name: FLAGS, type: Options, summary: What to send.}
 """
-    )
     made = message_of(layout_of(tmp_path, text), "Custom")
     (context,) = made.contexts
     assert context.type is not None
@@ -282,9 +252,7 @@ def test_max_size_that_is_known_otherwise(tmp_path: Path) -> None:
     assert message_of(layout_of(tmp_path, text), "LongName3").max_size == 6
 
 
-SAME_AS_A_FORM = """family: probe
-summary: Forms.
-commands:
+SAME_AS_A_FORM = """\
   CMD_LATER:
     id: 9
     summary: The body of a message that comes later, and has that of a form.
@@ -335,9 +303,7 @@ def test_families_use_each_other_in_one_direction(tmp_path: Path) -> None:
     assert finding.code == "SBGC029" and "third family" in finding.hint
 
 
-OTHER_FORMS = (
-    HEAD
-    + """\
+OTHER_FORMS = """\
   CMD_AIM:
     id: 9
     summary: Aim.
@@ -363,7 +329,6 @@ OTHER_FORMS = (
           fields:
             - {name: WHAT, type: u32, summary: At what.}
 """
-)
 
 
 def test_forms_of_any_name(tmp_path: Path) -> None:

@@ -9,22 +9,7 @@ import pytest
 from sbgcgen.model import Layout
 from sbgcgen.targets import Target, View
 from sbgcgen.targets.render import expand, render
-from support import layout_of
-
-MESSAGE = """\
-family: probe
-summary: One message.
-commands:
-  CMD_PROBE:
-    id: 9
-    summary: The message.
-    to_board:
-      source: L1
-      effect: reads
-      answer: none
-      fields:
-        - {name: A, type: u8, summary: A number.}
-"""
+from support import BASE, layout_of
 
 
 class Toy(Target):
@@ -46,7 +31,7 @@ def made(folder: Path, files: dict[str, str]) -> dict[str, bytes]:
         path = folder / "toy" / "templates" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-    return dict(render(Toy(folder / "toy"), layout_of(folder, MESSAGE), folder))
+    return dict(render(Toy(folder / "toy"), layout_of(folder, BASE), folder))
 
 
 def test_paths_name_what_they_are_rendered_for(tmp_path: Path) -> None:
@@ -68,7 +53,7 @@ def test_paths_name_what_they_are_rendered_for(tmp_path: Path) -> None:
 
 
 def test_unknown_word_in_a_path_fails(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, MESSAGE)
+    layout = layout_of(tmp_path, BASE)
     with pytest.raises(KeyError, match="nothing"):
         list(expand({"@nothing@.txt": tmp_path}, layout, {}))
 

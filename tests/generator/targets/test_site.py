@@ -12,26 +12,11 @@ import pytest
 
 from sbgcgen.cli import main
 from sbgcgen.targets import outputs, target
-from support import GENERATOR, layout_of, write_spec
-
-MESSAGE = """\
-family: probe
-summary: One message.
-commands:
-  CMD_PROBE:
-    id: 9
-    summary: The message.
-    to_board:
-      source: L1
-      effect: reads
-      answer: none
-      fields:
-        - {name: A, type: u8, summary: TEXT}
-"""
+from support import BASE, GENERATOR, layout_of, write_spec
 
 
 def files_of(folder: Path, summary: str = "A number.") -> dict[str, bytes]:
-    layout = layout_of(folder, MESSAGE.replace("TEXT", f'"{summary}"'))
+    layout = layout_of(folder, f'        - {{name: A, type: u8, summary: "{summary}"}}\n')
     return dict(target("site").files(layout, folder))
 
 
@@ -75,12 +60,12 @@ def test_guides_are_pages(tmp_path: Path) -> None:
 
 
 def test_site_is_no_part_of_generated(tmp_path: Path) -> None:
-    names = outputs(layout_of(tmp_path, MESSAGE), tmp_path)
+    names = outputs(layout_of(tmp_path, BASE), tmp_path)
     assert not any(name.endswith((".html", ".css")) for name in names)
 
 
 def test_command_writes_and_cleans(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    write_spec(tmp_path, MESSAGE)
+    write_spec(tmp_path, BASE)
     folder = tmp_path / "build" / "site"
     assert main(["site", "--root", str(tmp_path)]) == 0
     first = re.fullmatch(r"(\d+) files, \1 changed\n", capsys.readouterr().out)
@@ -96,7 +81,7 @@ def test_folder_with_other_files_is_not_cleaned(
     tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Applies to other people's web pages and to generated/."""
-    write_spec(tmp_path, MESSAGE)
+    write_spec(tmp_path, BASE)
     folder = tmp_path / "precious"
     folder.mkdir()
     (folder / name).write_text("years of work")
@@ -108,7 +93,7 @@ def test_folder_with_other_files_is_not_cleaned(
 
 
 def test_same_bytes_whatever_run_hash_seed_and_locale(tmp_path: Path) -> None:
-    write_spec(tmp_path, MESSAGE)
+    write_spec(tmp_path, BASE)
     made = []
     for number, seed in enumerate(("1", "4711")):
         folder = tmp_path / str(number)
