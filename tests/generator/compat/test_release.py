@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from compat_cases import MORE_COMMAND, OLD
+from changes import CASES, OLD
 from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
@@ -19,7 +19,7 @@ Capture = pytest.CaptureFixture[str]
 
 SAME = OLD
 REWORDED = OLD.replace("summary: How often.", "summary: Number of times.")
-EXTENDED = OLD.replace("variables:", MORE_COMMAND + "\nvariables:", 1)
+EXTENDED = OLD.replace(*CASES["command added"].edits[0])
 BROKEN = OLD.replace("id: 11", "id: 21")
 
 
