@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from changes import BASE, CASES, OLD, edited_spec
+from edits import BASE, CASES, OLD, edited_spec
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.changes import Level

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from changes import OLD
+from edits import OLD
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat import reading

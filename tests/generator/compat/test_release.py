@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from changes import CASES, OLD
+from edits import CASES, OLD
 from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main

@@ -6,13 +6,43 @@ in tests/data/fidelity_exceptions.yaml, each with its erratum.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from pathlib import Path
 from typing import Any
 
+import yaml
+
+from support import PROJECT
+
 Json = dict[str, Any]
+DATA = PROJECT / "tests" / "data"
+
+
+def loaded(path: Path) -> Json:
+    """Returns the content of a JSON or YAML file."""
+    text = path.read_text(encoding="utf-8")
+    found: Json = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
+    return found
+
+
+def named(things: list[Json], name: str, key: str = "name") -> Json:
+    """Returns the first thing of this name."""
+    return next(thing for thing in things if thing[key] == name)
+
+
+def leaf_of(model: Json, message: str, name: str) -> Json:
+    """Returns the leaf of a message with this protocol name."""
+    return named(named(model["messages"], message)["layout"], name, "spec_name")
+
+
+def value_of(model: Json, enum: str, name: str) -> Json:
+    """Returns a value of an enum."""
+    return named(named(model["enums"], enum)["values"], name)
+
 
 TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
 SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}

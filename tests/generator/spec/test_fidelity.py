@@ -7,44 +7,33 @@ part of the project, so they do not change.
 from __future__ import annotations
 
 import copy
-import json
 from collections import Counter
 from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Any
 
 import pytest
-import yaml
 
-from fidelity import Check, Comparison, Table
+from fidelity import DATA, Check, Comparison, Json, Table, leaf_of, loaded, value_of
 from later import Later
 from sbgcgen.build import load_protocol
 from sbgcgen.model.names import parse_lines
 from support import PROJECT
 
-DATA = PROJECT / "tests" / "data"
 LATER = "Later firmware"  # the source of what the text of 2016 lacks
-Json = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
 def facts() -> Json:
-    loaded: Json = json.loads((DATA / "specification_facts.json").read_text(encoding="utf-8"))
-    return loaded
+    return loaded(DATA / "specification_facts.json")
 
 
 @pytest.fixture(scope="module")
 def model() -> Json:
-    text = (PROJECT / "generated" / "simplebgc.json").read_text(encoding="utf-8")
-    loaded: Json = json.loads(text)
-    return loaded
+    return loaded(PROJECT / "generated" / "simplebgc.json")
 
 
 @pytest.fixture(scope="module")
 def accepted() -> Json:
-    text = (DATA / "fidelity_exceptions.yaml").read_text(encoding="utf-8")
-    loaded: Json = yaml.safe_load(text)
-    return loaded
+    return loaded(DATA / "fidelity_exceptions.yaml")
 
 
 @pytest.fixture(scope="module")
@@ -57,14 +46,9 @@ def not_checked(accepted: Json) -> Table:
     return Table(accepted["not_checked"], set())
 
 
-def _later_facts() -> Json:
-    loaded: Json = json.loads((DATA / "later_facts.json").read_text(encoding="utf-8"))
-    return loaded
-
-
 def _compare(facts: Json, model: Json, table: Table) -> list[Check]:
     """Compares the model with the text; what the notes on later firmware know is no addition."""
-    later = Later(_later_facts(), model, Table([], set()))
+    later = Later(loaded(DATA / "later_facts.json"), model, Table([], set()))
     later.run()
     comparison = Comparison(facts, model, table, later.told)
     return [
@@ -242,36 +226,24 @@ def test_every_source_lies_in_the_text(facts: Json) -> None:
 # Sensitivity of the comparison
 
 
-def _leaf(model: Json, message: str, name: str) -> Json:
-    owner = next(m for m in model["messages"] if m["name"] == message)
-    leaf: Json = next(f for f in owner["layout"] if f["spec_name"] == name)
-    return leaf
-
-
-def _value(model: Json, enum: str, name: str) -> Json:
-    owner = next(e for e in model["enums"] if e["name"] == enum)
-    value: Json = next(v for v in owner["values"] if v["name"] == name)
-    return value
-
-
 MUTATIONS: dict[str, Callable[[Json], object]] = {
     "id": lambda m: m["commands"][0].update(id=200),
-    "type": lambda m: _leaf(m, "BoardInfo", "FIRMWARE_VER").update(type="i16"),
-    "offset": lambda m: _leaf(m, "RealtimeData3", "CYCLE_TIME").update(offset=99),
-    "name": lambda m: _leaf(m, "ReadParams3", "GYRO_SENS").update(spec_name="GYRO_SENSE"),
-    "axis": lambda m: _leaf(m, "ReadParams3", "P").update(path="axes.yaw.p"),
+    "type": lambda m: leaf_of(m, "BoardInfo", "FIRMWARE_VER").update(type="i16"),
+    "offset": lambda m: leaf_of(m, "RealtimeData3", "CYCLE_TIME").update(offset=99),
+    "name": lambda m: leaf_of(m, "ReadParams3", "GYRO_SENS").update(spec_name="GYRO_SENSE"),
+    "axis": lambda m: leaf_of(m, "ReadParams3", "P").update(path="axes.yaw.p"),
     "order": lambda m: m["messages"][0]["layout"].reverse(),
     "missing field": lambda m: m["messages"][0]["layout"].pop(),
     "missing message": lambda m: m["messages"].pop(0),
-    "minimum": lambda m: _leaf(m, "ReadParams3", "SERVO_RATE").update(min=4),
-    "maximum": lambda m: _leaf(m, "CalibInfo", "PROGRESS").update(max=101),
-    "invented range": lambda m: _leaf(m, "ReadParams3", "GYRO_SENS").update(min=0, max=9),
-    "scale": lambda m: _leaf(m, "RealtimeData3", "BAT_LEVEL").update(scale=0.1),
-    "unit": lambda m: _leaf(m, "RealtimeData4", "CURRENT").update(unit="A"),
-    "invented unit": lambda m: _leaf(m, "ReadParams3", "POWER").update(scale=0.5, quantity="W"),
-    "enum value": lambda m: _value(m, "MenuCommand", "MENU_CMD_RUN_SCRIPT3").update(value=99),
-    "enum value's name": lambda m: _value(m, "SystemErrors", "ERR_SYSTEM").update(name="ERR_SYS"),
-    "special value": lambda m: _leaf(m, "ApiVirtChControl", "VAL_CH7").update(special={}),
+    "minimum": lambda m: leaf_of(m, "ReadParams3", "SERVO_RATE").update(min=4),
+    "maximum": lambda m: leaf_of(m, "CalibInfo", "PROGRESS").update(max=101),
+    "invented range": lambda m: leaf_of(m, "ReadParams3", "GYRO_SENS").update(min=0, max=9),
+    "scale": lambda m: leaf_of(m, "RealtimeData3", "BAT_LEVEL").update(scale=0.1),
+    "unit": lambda m: leaf_of(m, "RealtimeData4", "CURRENT").update(unit="A"),
+    "invented unit": lambda m: leaf_of(m, "ReadParams3", "POWER").update(scale=0.5, quantity="W"),
+    "enum value": lambda m: value_of(m, "MenuCommand", "MENU_CMD_RUN_SCRIPT3").update(value=99),
+    "enum value's name": lambda m: value_of(m, "SystemErrors", "ERR_SYSTEM").update(name="ERR_SYS"),
+    "special value": lambda m: leaf_of(m, "ApiVirtChControl", "VAL_CH7").update(special={}),
     "answer": lambda m: [x.update(response=None) for x in m["messages"] if x["id"] == 25],
     "version": lambda m: [x.update(since=None) for x in m["messages"] if x["id"] == 89],
     "variable": lambda m: m["adjustable_variables"][37].update(max=1801),

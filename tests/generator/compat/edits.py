@@ -1,7 +1,7 @@
 """Changes of a spec, and what is reported for them.
 
-`changes.txt` changes probe.yaml, and `growth.txt` changes growth.yaml as firmware does. A case has the class
-and the text of what is reported, or nothing for a change that is none, and then the edits:
+`changes.txt` has edits of changes.yaml, and `growth.txt` those of growth.yaml that firmware really makes. A case
+has the class and the text of what is reported, or nothing for a change that is none, and then the edits:
 
     == field inserted
     WIRE State.MORE: none → u8 in between
@@ -46,8 +46,7 @@ def _edit(lines: str) -> tuple[str, str]:
 
 def _cases(name: str) -> Iterator[tuple[str, Case]]:
     old = (FOLDER / f"{name}.yaml").read_text(encoding="utf-8")
-    file = "changes" if name == "probe" else name
-    text = (FOLDER / f"{file}.txt").read_text(encoding="utf-8")
+    text = (FOLDER / f"{name}.txt").read_text(encoding="utf-8")
     for part in re.split("(?m)^== ", text)[1:]:
         title, lines = part.split("\n", 1)
         reports = re.findall("(?m)^([A-Z]+) (.*)\n", lines)
@@ -56,7 +55,7 @@ def _cases(name: str) -> Iterator[tuple[str, Case]]:
         yield title, Case(old, [_edit(edit) for edit in edits], expected)
 
 
-CASES = dict([*_cases("probe"), *_cases("growth")])
+CASES = dict([*_cases("changes"), *_cases("growth")])
 OLD = CASES["id"].old
 
 
