@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import enum
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import attrgetter
+from typing import Any
 
 from sbgcgen.model import Availability, Position, Versions
 from sbgcgen.model.packed_text import text_of
@@ -17,6 +20,10 @@ class Level(enum.Enum):
     MEANING = "meaning-breaking"
     SOURCE = "source-breaking"
     COMPATIBLE = "compatible"
+
+
+WIRE, MEANING = Level.WIRE, Level.MEANING
+SOURCE, COMPATIBLE = Level.SOURCE, Level.COMPATIBLE
 
 
 @dataclass(frozen=True)
@@ -57,11 +64,9 @@ class Changes:
         if old != new:
             self.add(level, what, old, new, at)
 
-    def since(self, what: str, old: Availability, new: Availability, at: Position) -> None:
-        """Record a change of availability; only a later version than before breaks the meaning."""
-        later = new.firmware > old.firmware or new.board > old.board
-        level = Level.MEANING if later else Level.COMPATIBLE
-        self.compare(level, f"{what}: since", self.versions(old), self.versions(new), at)
+    def pair(self, what: str, old: Any, new: Any) -> Pair:
+        """An object that both versions have; what differs is reported at its new position."""
+        return Pair(self, what, old, new, new.at)
 
     def versions(self, since: Availability) -> str:
         """The versions of an availability in words."""
@@ -75,6 +80,46 @@ class Changes:
     def _append(self, change: Change) -> None:
         if change not in self.found:
             self.found.append(change)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """An object that both versions have, and the position at which what differs is reported."""
+
+    changes: Changes
+    what: str
+    old: Any
+    new: Any
+    at: Position
+
+    def inner(self, what: str, old: Any, new: Any) -> Pair:
+        """A part of the object, reported at the same position."""
+        return Pair(self.changes, self.what + what, old, new, self.at)
+
+    def compare(
+        self,
+        level: Level,
+        label: str,
+        of: str | Callable[[Any], object] = "",
+        added: Level | None = None,
+    ) -> None:
+        """Compare an attribute, or what `of` returns for the object; by default the attribute `label`.
+
+        `added` is the severity if the old version has nothing there.
+        """
+        get: Callable[[Any], object] = attrgetter(of or label) if isinstance(of, str) else of
+        before, now = get(self.old), get(self.new)
+        level = added if added is not None and not before else level
+        self.changes.compare(level, f"{self.what}: {label}", before, now, self.at)
+
+    def mark(self, level: Level, label: str, old: object, new: object) -> None:
+        """Record a change unless both values, which are facts about the object, are equal."""
+        self.changes.compare(level, f"{self.what}: {label}", old, new, self.at)
+
+    def compare_since(self) -> None:
+        """Compare the availability; only a later version than before breaks the meaning."""
+        level = MEANING if self.new.since.is_after(self.old.since) else COMPATIBLE
+        self.compare(level, "since", lambda thing: self.changes.versions(thing.since))
 
 
 def text(value: object) -> str:

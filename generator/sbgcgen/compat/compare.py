@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sbgcgen.compat.changes import Change, Changes, Level
+from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Change, Changes, Level, Pair
 from sbgcgen.compat.fields import compare_fields, compare_rules, compare_structs, places
 from sbgcgen.compat.types import (
     compare_enum,
@@ -54,7 +54,7 @@ def _compare_framings(old: Layout, new: Layout, changes: Changes) -> None:
         if framing.name in now:
             _compare_framing(framing, now[framing.name], changes)
         else:
-            changes.deleted(Level.WIRE, f"framing {framing.name}", at)
+            changes.deleted(WIRE, f"framing {framing.name}", at)
     known = [framing.name for framing in old.framings]
     for name in now:
         if name not in known:
@@ -65,28 +65,24 @@ def _compare_framing(old: Framing, new: Framing, changes: Changes) -> None:
     at = Position(f"spec/{MAIN_FILE}")
     framing = f"framing {new.name}"
     for key in ("start", "header", "trailer", "max_body"):
-        changes.compare(Level.WIRE, f"{framing}: {key}", getattr(old, key), getattr(new, key), at)
+        changes.compare(WIRE, f"{framing}: {key}", getattr(old, key), getattr(new, key), at)
     for checksum in new.checksums:
         other = old.checksum(checksum.name)
-        if other is not None:
-            what = f"{framing}: {checksum.name}"
-            for key in ("kind", "covers", "crc"):
-                before, now = getattr(other, key), getattr(checksum, key)
-                changes.compare(Level.WIRE, f"{what}: {key}", before, now, at)
+        for key in ("kind", "covers", "crc") if other else ():
+            what = f"{framing}: {checksum.name}: {key}"
+            changes.compare(WIRE, what, getattr(other, key), getattr(checksum, key), at)
 
 
 def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
     at = Position(f"spec/{MAIN_FILE}")
     for kind in ("firmware", "board"):
-        names = [
-            found.name if found else ""
-            for found in map(lambda v: v.of(kind), (old.versions, new.versions))
-        ]
-        if names[0]:
-            changes.compare(Level.MEANING, f"versions: {kind}", names[0], names[1], at)
-    newest = (old.newest_firmware, new.newest_firmware)
-    if newest[0]:
-        changes.compare(Level.COMPATIBLE, "newest firmware", newest[0], newest[1], at)
+        before, now = (layout.versions.of(kind) for layout in (old, new))
+        if before:
+            name = now.name if now else ""
+            changes.compare(MEANING, f"versions: {kind}", before.name, name, at)
+    if old.newest_firmware:
+        newest = (old.newest_firmware, new.newest_firmware)
+        changes.compare(COMPATIBLE, "newest firmware", *newest, at)
 
 
 def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
@@ -94,11 +90,11 @@ def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
     at = new.line.at if new.line.at.file else Position(f"spec/{MAIN_FILE}")
     for key in ("baud_rates", "parities"):
         before, now = getattr(old.line, key), getattr(new.line, key)
-        level = Level.MEANING if set(before) - set(now) else Level.COMPATIBLE
+        level = MEANING if set(before) - set(now) else COMPATIBLE
         changes.compare(level, f"line: {key}", list(before), list(now), at)
     for key in ("shortest_pause_ms", "longest_pause_ms"):
         before, now = getattr(old.line, key), getattr(new.line, key)
-        changes.compare(Level.COMPATIBLE, f"line: {key}", before, now, at)
+        changes.compare(COMPATIBLE, f"line: {key}", before, now, at)
 
 
 def _compare_directions(old: Layout, new: Layout, changes: Changes) -> None:
@@ -107,10 +103,10 @@ def _compare_directions(old: Layout, new: Layout, changes: Changes) -> None:
     for now in new.directions:
         was = before.pop(now.axis, None)
         words = (was and was.positive, now.positive)
-        level = Level.MEANING if words[0] else Level.COMPATIBLE
+        level = MEANING if words[0] else COMPATIBLE
         changes.compare(level, f"direction of {now.axis}", *words, now.at)
     for axis, gone in before.items():
-        changes.deleted(Level.MEANING, f"direction of {axis}", gone.at, gone.positive)
+        changes.deleted(MEANING, f"direction of {axis}", gone.at, gone.positive)
 
 
 def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
@@ -123,12 +119,11 @@ def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
         compare_packed(*packed, changes)
     structs = [tuple(s for f in layout.families for s in f.structs) for layout in (old, new)]
     for before, now in pair_named("struct", structs[0], structs[1], _same_struct, changes):
-        what = f"struct {now.name}"
-        compare_structs(what, before, now, changes)
-        sizes = [s.size if s.is_region else None for s in (before, now)]
-        changes.compare(Level.WIRE, f"{what}: size", sizes[0], sizes[1], now.at)
-        changes.compare(Level.SOURCE, f"{what}: family", before.family, now.family, now.at)
-        changes.compare(Level.COMPATIBLE, f"{what}: summary", before.summary, now.summary, now.at)
+        pair = changes.pair(f"struct {now.name}", before, now)
+        compare_structs(pair.what, before, now, changes)
+        pair.compare(WIRE, "size", lambda struct: struct.size if struct.is_region else None)
+        pair.compare(SOURCE, "family")
+        pair.compare(COMPATIBLE, "summary")
 
 
 def _same_struct(old: Struct, new: Struct) -> bool:
@@ -142,10 +137,10 @@ def _compare_revisions(old: Layout, new: Layout, changes: Changes) -> None:
     for revision in new.revisions:
         now = (revision.date, [a.text for a in revision.adds], revision.changes)
         what = f"revision {revision.number}"
-        changes.compare(Level.COMPATIBLE, what, before.pop(revision.number, None), now, revision.at)
+        changes.compare(COMPATIBLE, what, before.pop(revision.number, None), now, revision.at)
     for number in before:
         at = next(r.at for r in old.revisions if r.number == number)
-        changes.deleted(Level.COMPATIBLE, f"revision {number}", at)
+        changes.deleted(COMPATIBLE, f"revision {number}", at)
 
 
 # Commands
@@ -163,11 +158,11 @@ def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, s
         if now is None:
             now = next((c for c in come if _is_renamed(command, old, c, new)), None)
             if now is None:
-                changes.deleted(Level.WIRE, what, command.at, command.id)
+                changes.deleted(WIRE, what, command.at, command.id)
                 continue
             come.remove(now)
             is_alias = command.identifier in {a.name for a in now.aliases}
-            level = Level.COMPATIBLE if is_alias else Level.SOURCE
+            level = COMPATIBLE if is_alias else SOURCE
             changes.add(level, f"{what}: name", command.name, now.name, now.at)
         same[command.name] = now.name
         _compare_command(what, command, now, changes)
@@ -186,16 +181,13 @@ def _is_renamed(old: Command, in_old: Layout, new: Command, in_new: Layout) -> b
 
 
 def _compare_command(what: str, old: Command, new: Command, changes: Changes) -> None:
-    changes.compare(Level.WIRE, f"{what}: id", old.id, new.id, new.at)
+    pair = changes.pair(what, old, new)
+    pair.compare(WIRE, "id")
     if old.name == new.name:
-        names = (old.identifier, new.identifier)
-        changes.compare(Level.SOURCE, f"{what}: C++ name", names[0], names[1], new.at)
-    changes.since(what, old.since, new.since, new.at)
-    marks = (old.undocumented, new.undocumented)
-    changes.compare(Level.COMPATIBLE, f"{what}: undocumented", marks[0], marks[1], new.at)
-    marks = (old.unconfirmed, new.unconfirmed)
-    changes.compare(Level.COMPATIBLE, f"{what}: unconfirmed", marks[0], marks[1], new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
+        pair.compare(SOURCE, "C++ name", "identifier")
+    pair.compare_since()
+    for key in ("undocumented", "unconfirmed", "summary"):
+        pair.compare(COMPATIBLE, key)
 
 
 # Messages
@@ -218,7 +210,7 @@ def _compare_messages(old: Layout, new: Layout, commands: dict[str, str], change
         twin = _other_form(message, commands, now_by_key)
         if twin is None:
             what = f"message {message.name}"
-            changes.deleted(Level.WIRE, what, message.at, f"{message.direction}, {message.id}")
+            changes.deleted(WIRE, what, message.at, f"{message.direction}, {message.id}")
             continue
         now_by_key.pop((twin.command, twin.direction, twin.form))
         pairs.append((message, twin))
@@ -253,46 +245,40 @@ def _other_form(
 
 def _compare_ways(old: Message, new: Message, changes: Changes) -> None:
     """Compare direction and form. Adding further forms to the only one changes no body."""
-    what = f"message {new.name}"
-    changes.compare(Level.WIRE, f"{what}: direction", old.direction, new.direction, new.at)
-    plain = {old.form, new.form} == {None, "simple"}
-    level = Level.COMPATIBLE if plain else Level.WIRE
-    changes.compare(level, f"{what}: form", old.form, new.form, new.at)
+    pair = changes.pair(f"message {new.name}", old, new)
+    pair.compare(WIRE, "direction")
+    pair.compare(COMPATIBLE if {old.form, new.form} == {None, "simple"} else WIRE, "form")
 
 
 def _compare_message(old: Message, new: Message, renamed: dict[str, str], changes: Changes) -> None:
-    what = f"message {new.name}"
-    changes.compare(Level.SOURCE, f"{what}: C++ name", old.name, new.name, new.at)
-    changes.compare(Level.SOURCE, f"{what}: family", old.family, new.family, new.at)
-    if old.keeps_tail != new.keeps_tail:
-        level = Level.COMPATIBLE if new.keeps_tail else Level.WIRE
-        changes.add(level, f"{what}: keeps its tail", old.keeps_tail, new.keeps_tail, new.at)
-    if old.max_size != new.max_size and _lengths(old) == _lengths(new):
-        level = Level.COMPATIBLE if new.max_size > old.max_size else Level.WIRE
-        changes.add(level, f"{what}: max_size", old.max_size, new.max_size, new.at)
-    contexts = [[(c.name, c.type.name if c.type else None) for c in m.contexts] for m in (old, new)]
-    changes.compare(Level.SOURCE, f"{what}: context", contexts[0], contexts[1], new.at)
-    sources = [[(c.sources, c.announced) for c in m.contexts] for m in (old, new)]
-    if contexts[0] == contexts[1]:
-        changes.compare(
-            Level.MEANING, f"{what}: source of its context", sources[0], sources[1], new.at
+    pair = changes.pair(f"message {new.name}", old, new)
+    pair.compare(SOURCE, "C++ name", "name")
+    pair.compare(SOURCE, "family")
+    pair.compare(COMPATIBLE if new.keeps_tail else WIRE, "keeps its tail", "keeps_tail")
+    if _lengths(old) == _lengths(new):
+        pair.compare(COMPATIBLE if new.max_size > old.max_size else WIRE, "max_size")
+    pair.compare(SOURCE, "context", _contexts)
+    if _contexts(old) == _contexts(new):
+        pair.compare(
+            MEANING,
+            "source of its context",
+            lambda message: [(c.sources, c.announced) for c in message.contexts],
         )
-    _compare_answers(what, old, new, renamed, changes)
-    _compare_effects(what, old.effect, new.effect, new.at, changes)
-    changes.compare(Level.MEANING, f"{what}: stops", old.stops, new.stops, new.at)
-    _compare_roles(what, old, new, changes)
-    stores = renamed.get(old.stores, old.stores)
-    changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
-    changes.since(what, old.since, new.since, new.at)
+    _compare_answers(pair, renamed)
+    _compare_effects(pair)
+    pair.compare(MEANING, "stops")
+    _compare_roles(pair)
+    pair.mark(MEANING, "stores", renamed.get(old.stores, old.stores), new.stores)
+    pair.compare_since()
     ends = [_until_words(m.until, renamed if m is old else {}, changes) for m in (old, new)]
-    changes.compare(Level.MEANING, f"{what}: until", ends[0], ends[1], new.at)
-    marks = (bool(old.deprecated), bool(new.deprecated))
-    changes.compare(Level.COMPATIBLE, f"{what}: deprecated", marks[0], marks[1], new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
-    texts = (old.description, new.description)
-    changes.compare(Level.COMPATIBLE, f"{what}: description", texts[0], texts[1], new.at)
-    texts = (old.preparation, new.preparation)
-    changes.compare(Level.COMPATIBLE, f"{what}: preparation", texts[0], texts[1], new.at)
+    pair.mark(MEANING, "until", *ends)
+    pair.compare(COMPATIBLE, "deprecated", lambda message: bool(message.deprecated))
+    for key in ("summary", "description", "preparation"):
+        pair.compare(COMPATIBLE, key)
+
+
+def _contexts(message: Message) -> list[object]:
+    return [(c.name, c.type.name if c.type else None) for c in message.contexts]
 
 
 def _until_words(until: Until | None, renamed: dict[str, str], changes: Changes) -> str | None:
@@ -311,67 +297,55 @@ def _lengths(message: Message) -> tuple[object, ...]:
 NO_ANSWER = Answer((AnswerCase(None, (), "never", 0, 0, 0, False, False, (), ()),))
 
 
-def _compare_answers(
-    what: str, old: Message, new: Message, renamed: dict[str, str], changes: Changes
-) -> None:
+def _compare_answers(messages: Pair, renamed: dict[str, str]) -> None:
     """A client must still receive each response, and a safe retry must stay safe."""
-    before, now = old.answer or NO_ANSWER, new.answer or NO_ANSWER
+    before, now = (message.answer or NO_ANSWER for message in (messages.old, messages.new))
+    pair = messages.inner("", before, now)
     names = tuple(renamed.get(name, name) for name in before.messages)
     lost = set(names) - set(now.messages)
     was_silent = not names and before.confirm == "never"
-    level = Level.MEANING if lost or was_silent else Level.COMPATIBLE
-    changes.compare(level, f"{what}: answered by", sorted(names), sorted(now.messages), new.at)
-    confirm = (before.confirm, now.confirm)
-    changes.compare(_level_of(confirm), f"{what}: confirmed", confirm[0], confirm[1], new.at)
-    if confirm[0] == confirm[1]:
-        counts = (before.confirmations, now.confirmations)
-        changes.compare(Level.MEANING, f"{what}: confirmations", counts[0], counts[1], new.at)
-    level = Level.COMPATIBLE if now.retry_safe else Level.MEANING
-    changes.compare(level, f"{what}: safe to retry", before.retry_safe, now.retry_safe, new.at)
-    times = (before.timeout_ms, now.timeout_ms)
-    changes.compare(Level.COMPATIBLE, f"{what}: timeout_ms", times[0], times[1], new.at)
-    ends = [max(case.finish_ms for case in answer.cases) for answer in (before, now)]
-    changes.compare(Level.COMPATIBLE, f"{what}: finish_ms", ends[0], ends[1], new.at)
-    conditions = [[_condition_words(case) for case in answer.cases] for answer in (before, now)]
-    changes.compare(Level.MEANING, f"{what}: answered when", conditions[0], conditions[1], new.at)
-    if conditions[0] != conditions[1]:
+    level = MEANING if lost or was_silent else COMPATIBLE
+    pair.mark(level, "answered by", sorted(names), sorted(now.messages))
+    _compare_confirm(pair)
+    if before.confirm == now.confirm:
+        pair.compare(MEANING, "confirmations")
+    level = COMPATIBLE if now.retry_safe else MEANING
+    pair.compare(level, "safe to retry", "retry_safe")
+    pair.compare(COMPATIBLE, "timeout_ms")
+    pair.compare(COMPATIBLE, "finish_ms", lambda answer: max(c.finish_ms for c in answer.cases))
+    pair.compare(MEANING, "answered when", _conditions_of_answer)
+    if _conditions_of_answer(before) != _conditions_of_answer(now):
         return
     for index, (first, second) in enumerate(zip(before.cases, now.cases)):
-        case = f"{what}: case {index + 1}" if len(now.cases) > 1 else what
-        kept = sorted(renamed.get(name, name) for name in first.messages)
-        if len(now.cases) > 1:
-            changes.compare(
-                Level.MEANING, f"{case}: answered by", kept, sorted(second.messages), new.at
-            )
-            pair = (first.confirm, second.confirm)
-            changes.compare(_level_of(pair), f"{case}: confirmed", pair[0], pair[1], new.at)
-        correlation = [sorted(c.correlation) for c in (first, second)]
-        changes.compare(Level.MEANING, f"{case}: repeats", correlation[0], correlation[1], new.at)
-        ends_it = (first.restarts, second.restarts)
-        changes.compare(Level.MEANING, f"{case}: restarts the board", *ends_it, new.at)
-        results = [c.result.field.spec_name if c.result else "" for c in (first, second)]
-        changes.compare(Level.MEANING, f"{case}: result", results[0], results[1], new.at)
+        is_only = len(now.cases) == 1
+        case = messages.inner("" if is_only else f": case {index + 1}", first, second)
+        if not is_only:
+            kept = sorted(renamed.get(name, name) for name in first.messages)
+            case.mark(MEANING, "answered by", kept, sorted(second.messages))
+            _compare_confirm(case)
+        case.compare(MEANING, "repeats", lambda one: sorted(one.correlation))
+        case.compare(MEANING, "restarts the board", "restarts")
+        case.compare(MEANING, "result", lambda one: one.result and one.result.field.spec_name)
 
 
-def _compare_effects(
-    what: str, old: Effect | None, new: Effect | None, at: Position, changes: Changes
-) -> None:
+def _conditions_of_answer(answer: Answer) -> list[str]:
+    return [_condition_words(case) for case in answer.cases]
+
+
+def _compare_effects(messages: Pair) -> None:
     """Programs may rely on the effect, for example to confirm requests that move the camera.
 
     New values of an enum may have any.
     """
+    old, new = messages.old.effect, messages.new.effect
     before, now = ([_effect_words(c) for c in e.cases] if e else [] for e in (old, new))
-    level = Level.MEANING if before else Level.COMPATIBLE
-    values = _effects_by_value(old, new)
+    level = MEANING if before else COMPATIBLE
+    values = _effects_by_value(old, new) if before != now else {}
     changed = [name for name, (was, is_) in values.items() if was != is_]
-    if values and before != now:
-        for name in changed:
-            was, is_ = (" ".join(words) for words in values[name])
-            changes.add(level, f"{what}: effect of {name}", was, is_, at)
-        if not changed:
-            changes.add(Level.COMPATIBLE, f"{what}: effect", before, now, at)
-        return
-    changes.compare(level, f"{what}: effect", before, now, at)
+    for name in changed:
+        messages.mark(level, f"effect of {name}", *(" ".join(words) for words in values[name]))
+    if not changed:
+        messages.mark(COMPATIBLE if values else level, "effect", before, now)
 
 
 Words = tuple[str, ...]
@@ -406,11 +380,10 @@ def _effect_words(case: EffectCase) -> str:
     return f"{words} if {_condition_words(case)}" if case.when else words
 
 
-def _level_of(confirm: tuple[str, str]) -> Level:
+def _compare_confirm(pair: Pair) -> None:
     """Clients do not wait for uncertain confirmations, so their likelihood may change."""
-    before, now = confirm
-    is_kept = before != "always" and now in ("unlikely", "possible")
-    return Level.COMPATIBLE if is_kept else Level.MEANING
+    is_kept = pair.old.confirm != "always" and pair.new.confirm in ("unlikely", "possible")
+    pair.compare(COMPATIBLE if is_kept else MEANING, "confirmed", "confirm")
 
 
 def _condition_words(case: AnswerCase | EffectCase) -> str:
@@ -421,28 +394,25 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
     return f"{when.source} {when.words}"
 
 
-def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> None:
+def _compare_roles(messages: Pair) -> None:
     """Compare roles, by which programs find messages."""
-    kinds = [m.role.kind if m.role else "" for m in (old, new)]
-    level = Level.COMPATIBLE if not kinds[0] else Level.MEANING
-    changes.compare(level, f"{what}: role", kinds[0], kinds[1], new.at)
-    if not (old.role and new.role and kinds[0] == kinds[1]):
+    old, new = messages.old.role, messages.new.role
+    kinds = [role.kind if role else "" for role in (old, new)]
+    messages.mark(MEANING if old else COMPATIBLE, "role", *kinds)
+    if not old or not new or old.kind != new.kind:
         return
-    parts = [{part: f.spec_name for part, f in m.parts.items()} for m in (old.role, new.role)]
-    for part in sorted({*parts[0], *parts[1]}):
-        pair = [names.get(part, "") for names in parts]
-        level = Level.MEANING if pair[0] else Level.COMPATIBLE
-        changes.compare(level, f"{what}: role: {part}", pair[0], pair[1], new.at)
+    pair = messages.inner(": role", old, new)
+    for part in sorted({*old.parts, *new.parts}):
+        level = MEANING if part in old.parts else COMPATIBLE
+        pair.mark(
+            level, part, *(r.parts[part].spec_name if part in r.parts else "" for r in (old, new))
+        )
     for key in ("interval_us", "end", "cycle", "cycle_us", "delay_ms"):
-        pair = [getattr(role, key) for role in (old.role, new.role)]
-        changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)
-    limits = [role.limit or None for role in (old.role, new.role)]
-    level = Level.COMPATIBLE if limits[0] is None else Level.MEANING
-    changes.compare(level, f"{what}: role: limit", limits[0], limits[1], new.at)
-    messages = [set(role.messages) for role in (old.role, new.role)]
-    level = Level.MEANING if messages[0] - messages[1] else Level.COMPATIBLE
-    changes.compare(
-        level, f"{what}: role: messages", sorted(messages[0]), sorted(messages[1]), new.at
+        pair.compare(MEANING, key)
+    pair.compare(MEANING, "limit", lambda role: role.limit or None, added=COMPATIBLE)
+    is_less = set(old.messages) - set(new.messages)
+    pair.compare(
+        MEANING if is_less else COMPATIBLE, "messages", lambda role: sorted(set(role.messages))
     )
 
 
@@ -460,9 +430,9 @@ def _compare_variables(old: Layout, new: Layout, changes: Changes) -> None:
         elif variable.id in by_id:
             other = by_id[variable.id]
             names = (variable.name, other.name)
-            changes.add(Level.MEANING, f"variable {variable.id}", *names, other.at)
+            changes.add(MEANING, f"variable {variable.id}", *names, other.at)
         else:
-            changes.deleted(Level.WIRE, what, variable.at, variable.id)
+            changes.deleted(WIRE, what, variable.at, variable.id)
     names_before = {variable.name for variable in old.variables}
     ids_before = {variable.id for variable in old.variables}
     for variable in new.variables:
@@ -471,22 +441,22 @@ def _compare_variables(old: Layout, new: Layout, changes: Changes) -> None:
 
 
 def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes) -> None:
-    changes.compare(Level.WIRE, f"{what}: id", old.id, new.id, new.at)
-    changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
-    changes.compare(Level.SOURCE, f"{what}: C++ name", old.identifier, new.identifier, new.at)
-    units = [
-        (v.quantity.unit, v.quantity.scale, v.quantity.offset) if v.quantity else None
-        for v in (old, new)
-    ]
-    level = Level.MEANING if old.quantity else Level.COMPATIBLE
-    changes.compare(level, f"{what}: unit", units[0], units[1], new.at)
+    pair = changes.pair(what, old, new)
+    pair.compare(WIRE, "id")
+    pair.compare(WIRE, "type", "scalar.name")
+    pair.compare(SOURCE, "C++ name", "identifier")
+    pair.compare(
+        MEANING,
+        "unit",
+        lambda v: v.quantity and (v.quantity.unit, v.quantity.scale, v.quantity.offset),
+        added=COMPATIBLE,
+    )
     narrowed = new.minimum > old.minimum or new.maximum < old.maximum
-    level = Level.MEANING if narrowed else Level.COMPATIBLE
-    ranges = [f"{v.minimum}..{v.maximum}" for v in (old, new)]
-    changes.compare(level, f"{what}: range", ranges[0], ranges[1], new.at)
-    changes.since(what, old.since, new.since, new.at)
-    level = Level.MEANING if old.settings else Level.COMPATIBLE
-    sets = [" ".join(f"{s.message}.{s.path}" for s in v.settings) for v in (old, new)]
-    changes.compare(level, f"{what}: sets", sets[0], sets[1], new.at)
-    changes.compare(level, f"{what}: as_switch", old.is_switch, new.is_switch, new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
+    pair.compare(
+        MEANING if narrowed else COMPATIBLE, "range", lambda v: f"{v.minimum}..{v.maximum}"
+    )
+    pair.compare_since()
+    level = MEANING if old.settings else COMPATIBLE
+    pair.compare(level, "sets", lambda v: " ".join(f"{s.message}.{s.path}" for s in v.settings))
+    pair.compare(level, "as_switch", "is_switch")
+    pair.compare(COMPATIBLE, "summary")

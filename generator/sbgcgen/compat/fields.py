@@ -11,7 +11,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.compat.changes import Changes, Level
+from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Changes, Pair
 from sbgcgen.compat.types import compare_parts, compare_unit, compare_values
 from sbgcgen.model import (
     scalar_of,
@@ -157,12 +157,12 @@ def compare_cases(owner: str, old: Fields, new: Fields, changes: Changes) -> Non
             label = f"{owner}.{now.spec_name}: place"
             counts = (len(where_old[id(before)]), len(where_new[id(now)]))
             was, is_ = f"after {counts[0]} others", f"after {counts[1]} others"
-            changes.add(Level.WIRE, label, was, is_, now.at)
+            changes.add(WIRE, label, was, is_, now.at)
     kept = {id(before) for before, _ in pairs}
     for field in old:
         if id(field) not in kept and not _is_padding(field):
             label = f"{owner}.{field.spec_name}"
-            changes.deleted(Level.WIRE, label, field.at, _form_text(field))
+            changes.deleted(WIRE, label, field.at, _form_text(field))
     known = {id(now) for _, now in pairs}
     for field in new:
         if id(field) not in known and not _is_padding(field):
@@ -190,11 +190,11 @@ def compare_fields(
     named = [f for f in old if id(f) not in kept and _is_named_now(f, new, pairs)]
     for field in named:
         label = f"{owner}.{field.spec_name}"
-        changes.deleted(Level.SOURCE, label, field.at, f"{_form_text(field)}, which has names now")
+        changes.deleted(SOURCE, label, field.at, f"{_form_text(field)}, which has names now")
     gone = [f for f in old if id(f) not in kept and not _is_padding(f) and f not in named]
     for field in gone:
         label = f"{owner}.{field.spec_name}"
-        changes.deleted(Level.WIRE, label, field.at, _form_text(field))
+        changes.deleted(WIRE, label, field.at, _form_text(field))
     free = [f for f in old if _is_padding(f) or f in named]
     explained = _compare_additions(owner, old, new, free, pairs, changes, open_ended)
     explained = _compare_places(owner, old, new, pairs, changes) or explained
@@ -202,7 +202,7 @@ def compare_fields(
     end_old, end_new = places(old)[-1], places(new)[-1]
     if end_old != end_new and not explained:  # only reserved bytes at the end differ
         longer = end_old[:-1] == end_new[:-1] and end_new[-1] > end_old[-1]
-        level = Level.COMPATIBLE if longer and open_ended else Level.WIRE
+        level = COMPATIBLE if longer and open_ended else WIRE
         at = (new or old)[-1].at
         changes.add(level, f"{owner}: end", _place_text(end_old), _place_text(end_new), at)
 
@@ -240,7 +240,7 @@ def _compare_additions(
             changes.added(label, field.at, f"{form} at the end")
         else:
             where = "at the end, where no tail is accepted" if at_the_end else "in between"
-            changes.added(label, field.at, f"{form} {where}", Level.WIRE)
+            changes.added(label, field.at, f"{form} {where}", WIRE)
     return longer
 
 
@@ -287,7 +287,7 @@ def _compare_places(
         more = f" (and {len(moved) - 1} more fields)" if len(moved) > 1 else ""
         was, is_ = _place_text(where_old[id(before)]), _place_text(where_new[id(now)])
         label = f"{owner}.{now.spec_name}: place"
-        changes.add(Level.WIRE, label, was, f"{is_}{more}", now.at)
+        changes.add(WIRE, label, was, f"{is_}{more}", now.at)
     return bool(moved)
 
 
@@ -297,35 +297,31 @@ def _compare_places(
 def _compare_field(
     owner: str, old: Field, new: Field, pairs: list[tuple[Field, Field]], changes: Changes
 ) -> None:
-    label = f"{owner}.{new.spec_name}"
-    at = new.at
+    pair = changes.pair(f"{owner}.{new.spec_name}", old, new)
     is_alias = old.name in {alias.name for alias in new.aliases}
-    level = Level.COMPATIBLE if is_alias else Level.SOURCE
-    changes.compare(level, f"{label}: C++ name", old.name, new.name, at)
-    changes.compare(Level.COMPATIBLE, f"{label}: name", old.spec_name, new.spec_name, at)
-    _compare_types(label, old, new, changes)
+    pair.compare(COMPATIBLE if is_alias else SOURCE, "C++ name", "name")
+    pair.compare(COMPATIBLE, "name", "spec_name")
+    _compare_types(pair)
     names = {before.name: now.name for before, now in pairs}
-    if _times(old) != _times(new):
-        changes.add(Level.WIRE, f"{label}: elements", _times(old), _times(new), at)
-    elif (old.dim, old.index) != (new.dim, new.index):
-        changes.add(Level.SOURCE, f"{label}: index", _index(old), _index(new), at)
-    if names.get(old.counter, old.counter) != new.counter:
-        changes.add(Level.WIRE, f"{label}: counted by", old.counter, new.counter, at)
-    changes.compare(Level.WIRE, f"{label}: counted in", old.counting, new.counting, at)
-    changes.compare(Level.WIRE, f"{label}: may be absent", old.appended, new.appended, at)
-    _compare_conditions(label, old, new, names, changes)
-    _compare_defaults(label, old, new, changes)
-    _compare_limits(label, old, new, changes)
-    _compare_alternatives(label, old, new, changes)
-    changes.compare(Level.MEANING, f"{label}: variable", old.variable, new.variable, at)
-    changes.compare(Level.MEANING, f"{label}: reserved", old.reserved, new.reserved, at)
-    directed = [_directed(old), _directed(new)]
-    level = Level.MEANING if old.directions else Level.COMPATIBLE
-    changes.compare(level, f"{label}: directed", directed[0], directed[1], at)
-    changes.since(label, old.since, new.since, at)
-    marks = [bool(old.deprecated), bool(new.deprecated)]
-    changes.compare(Level.COMPATIBLE, f"{label}: deprecated", marks[0], marks[1], at)
-    changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, at)
+    pair.compare(WIRE, "elements", _times)
+    if _times(old) == _times(new) and (old.dim, old.index) != (new.dim, new.index):
+        pair.mark(SOURCE, "index", _index(old), _index(new))
+    pair.mark(WIRE, "counted by", names.get(old.counter, old.counter), new.counter)
+    pair.compare(WIRE, "counted in", "counting")
+    pair.compare(WIRE, "may be absent", "appended")
+    _compare_conditions(pair, names)
+    # A new default changes what a program sends that does not set the field.
+    pair.compare(MEANING, "default")
+    pair.compare(MEANING if new.constant else COMPATIBLE, "constant")
+    pair.compare(COMPATIBLE, "unconfirmed")
+    _compare_limits(pair)
+    _compare_alternatives(pair)
+    pair.compare(MEANING, "variable")
+    pair.compare(MEANING, "reserved")
+    pair.compare(MEANING if old.directions else COMPATIBLE, "directed", _directed)
+    pair.compare_since()
+    pair.compare(COMPATIBLE, "deprecated", lambda field: bool(field.deprecated))
+    pair.compare(COMPATIBLE, "summary")
 
 
 def _directed(field: Field) -> str:
@@ -335,24 +331,15 @@ def _directed(field: Field) -> str:
     return field.axis or ("as its axis" if field.directions else "unknown")
 
 
-def _compare_defaults(label: str, old: Field, new: Field, changes: Changes) -> None:
-    """A new default changes what a program sends that does not set the field."""
-    changes.compare(Level.MEANING, f"{label}: default", old.default, new.default, new.at)
-    level = Level.MEANING if new.constant else Level.COMPATIBLE
-    changes.compare(level, f"{label}: constant", old.constant, new.constant, new.at)
-    marks = (old.unconfirmed, new.unconfirmed)
-    changes.compare(Level.COMPATIBLE, f"{label}: unconfirmed", *marks, new.at)
-
-
 def compare_rules(what: str, old: Struct, new: Struct, changes: Changes) -> None:
     """Another rule makes values invalid that were valid."""
     before, now = [
         {f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)
     ]
     for rule in sorted(now - before):
-        changes.added(f"{what}: rule", new.at, rule, Level.MEANING)
+        changes.added(f"{what}: rule", new.at, rule, MEANING)
     for rule in sorted(before - now):
-        changes.deleted(Level.COMPATIBLE, f"{what}: rule", old.at, rule)
+        changes.deleted(COMPATIBLE, f"{what}: rule", old.at, rule)
 
 
 def _index(field: Field) -> str:
@@ -373,37 +360,34 @@ def _form_text(field: Field) -> str:
     return type_text(field.type) + times
 
 
-def _compare_types(label: str, old: Field, new: Field, changes: Changes) -> None:
-    before, now, at = old.type, new.type, new.at
+def _compare_types(fields: Pair) -> None:
+    label, before, now = fields.what, fields.old.type, fields.new.type
     names = (getattr(before, "name", None), getattr(now, "name", None))
     if names[0] is not None and names[0] == names[1] and type(before) is type(now):
         return  # compared with the named types
     same_wire = wire_type(before) == wire_type(now)
-    texts = (type_text(before), type_text(now))
-    if not same_wire:
-        changes.add(Level.WIRE, f"{label}: type", *texts, at)
-    elif texts[0] != texts[1]:
-        changes.add(Level.SOURCE, f"{label}: C++ type", *texts, at)
+    if same_wire:
+        fields.mark(SOURCE, "C++ type", type_text(before), type_text(now))
+    else:
+        fields.changes.add(WIRE, f"{label}: type", type_text(before), type_text(now), fields.at)
     if isinstance(before, Struct) and isinstance(now, Struct):
-        compare_structs(label, before, now, changes)
+        compare_structs(label, before, now, fields.changes)
     elif isinstance(before, Quantity) and isinstance(now, Quantity):
-        compare_unit(label, before, now, changes)
+        compare_unit(fields.changes.pair(label, before, now))
     elif isinstance(before, Quantity) and same_wire:
-        changes.add(Level.MEANING, f"{label}: unit", f"{before.scale} {before.unit}", None, at)
+        fields.mark(MEANING, "unit", f"{before.scale} {before.unit}", None)
     elif isinstance(before, Enum) and isinstance(now, Enum):
-        compare_values(label, before, now, changes)
+        compare_values(label, before, now, fields.changes)
     elif isinstance(before, Packed) and isinstance(now, Packed):
-        compare_parts(label, before, now, changes)
+        compare_parts(label, before, now, fields.changes)
 
 
-def _compare_conditions(
-    label: str, old: Field, new: Field, names: dict[str, str], changes: Changes
-) -> None:
-    before, now = old.when, new.when
+def _compare_conditions(fields: Pair, names: dict[str, str]) -> None:
+    before, now = fields.old.when, fields.new.when
     sources = [names.get(before.source, before.source) if before else "", now.source if now else ""]
-    same = _condition(before) == _condition(now) and sources[0] == sources[1]
-    if not same:
-        changes.add(Level.WIRE, f"{label}: when", _when_text(before), _when_text(now), new.at)
+    if _condition(before) != _condition(now) or sources[0] != sources[1]:
+        what = f"{fields.what}: when"
+        fields.changes.add(WIRE, what, _when_text(before), _when_text(now), fields.at)
 
 
 def _when_text(when: Condition | None) -> str:
@@ -427,38 +411,33 @@ def _accepted(when: Condition) -> str:
     )
 
 
-def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> None:
+def _compare_limits(fields: Pair) -> None:
     """Compare range, alignment, role, numbers of elements, and special values."""
+    old, new = fields.old, fields.new
     before, now = _range(old), _range(new)
-    if before and now and before != now:
+    if before and now:
         narrowed = now[0] > before[0] or now[1] < before[1]
-        level = Level.MEANING if narrowed else Level.COMPATIBLE
         texts = (f"{before[0]}..{before[1]}", f"{now[0]}..{now[1]}")
-        changes.add(level, f"{label}: range", *texts, new.at)
-    if old.align != new.align:
-        level = Level.MEANING if old.align % new.align else Level.COMPATIBLE
-        changes.add(level, f"{label}: align", old.align, new.align, new.at)
-    changes.compare(Level.MEANING, f"{label}: role", old.role or None, new.role or None, new.at)
+        fields.mark(MEANING if narrowed else COMPATIBLE, "range", *texts)
+    fields.compare(MEANING if old.align % new.align else COMPATIBLE, "align")
+    fields.compare(MEANING, "role")
     if old.dim == new.dim:
-        level = Level.COMPATIBLE if new.min_count < old.min_count else Level.WIRE
-        changes.compare(level, f"{label}: min_count", old.min_count, new.min_count, new.at)
-    counts = [f.capacity if f.max_count is None else f.max_count for f in (old, new)]
-    if old.max_count != new.max_count and old.dim == new.dim:
-        level = Level.MEANING if counts[1] < counts[0] else Level.COMPATIBLE
-        changes.add(level, f"{label}: max_count", old.max_count, new.max_count, new.at)
-    meanings = {special.value: special.meaning for special in new.special}
+        fields.compare(COMPATIBLE if new.min_count < old.min_count else WIRE, "min_count")
+        counts = [f.capacity if f.max_count is None else f.max_count for f in (old, new)]
+        fields.compare(MEANING if counts[1] < counts[0] else COMPATIBLE, "max_count")
+    come = {special.value: special for special in new.special}
     for special in old.special:
-        what = f"{label}: special {special.value}"
-        changes.compare(
-            Level.MEANING, what, special.meaning, meanings.pop(special.value, None), new.at
-        )
-        name = next((s.name for s in new.special if s.value == special.value), "")
-        level = Level.SOURCE if special.name else Level.COMPATIBLE
-        changes.compare(level, f"{what}: C++ name", special.name, name, new.at)
-    for value, meaning in meanings.items():
+        same = come.pop(special.value, None)
+        pair = fields.inner(f": special {special.value}", special, same)
+        meaning = same.meaning if same else None
+        fields.mark(MEANING, f"special {special.value}", special.meaning, meaning)
+        level = SOURCE if special.name else COMPATIBLE
+        pair.mark(level, "C++ name", special.name, same.name if same else "")
+    for value, special in come.items():
         was_ordinary = before is not None and before[0] <= value <= before[1]
-        level = Level.MEANING if was_ordinary else Level.COMPATIBLE
-        changes.added(f"{label}: special {value}", new.at, meaning, level)
+        level = MEANING if was_ordinary else COMPATIBLE
+        what = f"{fields.what}: special {value}"
+        fields.changes.added(what, fields.at, special.meaning, level)
 
 
 def _range(field: Field) -> tuple[Fraction, Fraction] | None:
@@ -472,16 +451,16 @@ def _range(field: Field) -> tuple[Fraction, Fraction] | None:
     return (Fraction(scalar.minimum), Fraction(scalar.maximum))
 
 
-def _compare_alternatives(label: str, old: Field, new: Field, changes: Changes) -> None:
-    before, now = old.alternative, new.alternative
-    what = f"{label}: alternative unit"
+def _compare_alternatives(fields: Pair) -> None:
+    before, now, changes = fields.old.alternative, fields.new.alternative, fields.changes
+    what = f"{fields.what}: alternative unit"
     if before is None and now is not None:
-        changes.added(what, new.at, f"{now.quantity.name} with {now.flag.name}")
+        changes.added(what, fields.at, f"{now.quantity.name} with {now.flag.name}")
     elif before is not None and now is None:
-        changes.deleted(Level.MEANING, what, old.at, before.quantity.name)
+        changes.deleted(MEANING, what, fields.old.at, before.quantity.name)
     elif before is not None and now is not None:
         if before.quantity.name != now.quantity.name:
-            changes.add(Level.SOURCE, what, before.quantity.name, now.quantity.name, new.at)
-            compare_unit(what, before.quantity, now.quantity, changes)
+            changes.add(SOURCE, what, before.quantity.name, now.quantity.name, fields.at)
+            compare_unit(changes.pair(what, before.quantity, now.quantity))
         flags = [f"{a.source} & {a.mask:#x}" for a in (before, now)]
-        changes.compare(Level.MEANING, f"{what}, chosen by", flags[0], flags[1], new.at)
+        fields.mark(MEANING, "alternative unit, chosen by", *flags)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TypeVar, Union
 
-from sbgcgen.compat.changes import Changes, Level
+from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Changes, Pair
 from sbgcgen.model import Enum, EnumValue, Packed, Part, Quantity, Struct
 
 Named = TypeVar("Named", Quantity, Enum, Packed, Struct)
@@ -28,11 +28,11 @@ def pair_named(
     for thing in gone:
         twin = next((other for other in come if same(thing, other)), None)
         if twin is None:
-            changes.deleted(Level.SOURCE, f"{kind} {thing.name}", thing.at)
+            changes.deleted(SOURCE, f"{kind} {thing.name}", thing.at)
             continue
         come.remove(twin)
         pairs.append((thing, twin))
-        changes.add(Level.SOURCE, f"{kind} {thing.name}: name", thing.name, twin.name, twin.at)
+        changes.add(SOURCE, f"{kind} {thing.name}: name", thing.name, twin.name, twin.at)
     for thing in come:
         changes.added(f"{kind} {thing.name}", thing.at)
     return pairs
@@ -52,18 +52,17 @@ def _unit(quantity: Quantity) -> tuple[object, ...]:
 
 def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
     """Compare type, unit and scale of a quantity."""
-    what = f"quantity {new.name}"
-    changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
-    compare_unit(what, old, new, changes)
-    changes.compare(Level.SOURCE, f"{what}: accessor", old.accessor, new.accessor, new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
+    pair = changes.pair(f"quantity {new.name}", old, new)
+    pair.compare(WIRE, "type", "scalar.name")
+    compare_unit(pair)
+    pair.compare(SOURCE, "accessor")
+    pair.compare(COMPATIBLE, "summary")
 
 
-def compare_unit(what: str, old: Quantity, new: Quantity, changes: Changes) -> None:
+def compare_unit(quantities: Pair) -> None:
     """Compare the conversions of raw values."""
-    changes.compare(Level.MEANING, f"{what}: unit", old.unit, new.unit, new.at)
-    changes.compare(Level.MEANING, f"{what}: scale", old.scale, new.scale, new.at)
-    changes.compare(Level.MEANING, f"{what}: offset", old.offset, new.offset, new.at)
+    for key in ("unit", "scale", "offset"):
+        quantities.compare(MEANING, key)
 
 
 # Enums and flag sets
@@ -77,16 +76,14 @@ def same_enum(old: Enum, new: Enum) -> bool:
 
 def compare_enum(old: Enum, new: Enum, changes: Changes) -> None:
     """Compare type, kind and values of an enum or flag set."""
-    what = f"{new.kind} {new.name}"
-    changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
-    changes.compare(Level.SOURCE, f"{what}: kind", old.kind, new.kind, new.at)
+    pair = changes.pair(f"{new.kind} {new.name}", old, new)
+    pair.compare(WIRE, "type", "scalar.name")
+    pair.compare(SOURCE, "kind")
     if old.name == new.name:
-        changes.compare(Level.SOURCE, f"{what}: C++ member", old.member, new.member, new.at)
-    compare_values(what, old, new, changes)
-    results = [e.success.name if e.success else "" for e in (old, new)]
-    level = Level.MEANING if results[0] else Level.COMPATIBLE
-    changes.compare(level, f"{what}: success", results[0], results[1], new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
+        pair.compare(SOURCE, "C++ member", "member")
+    compare_values(pair.what, old, new, changes)
+    pair.compare(MEANING, "success", lambda e: e.success and e.success.name, added=COMPATIBLE)
+    pair.compare(COMPATIBLE, "summary")
 
 
 def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
@@ -101,12 +98,12 @@ def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
             continue
         other = by_number.get(value.value)
         if other is not None and value.identifier in {a.name for a in other.aliases}:
-            changes.add(Level.COMPATIBLE, label, value.name, other.name, other.at)
+            changes.add(COMPATIBLE, label, value.name, other.name, other.at)
             _compare_value(label, value, replace(other, identifier=value.identifier), changes)
         elif other is not None:
-            changes.add(Level.MEANING, f"{what}: {value.value}", value.name, other.name, other.at)
+            changes.add(MEANING, f"{what}: {value.value}", value.name, other.name, other.at)
         else:
-            changes.deleted(Level.SOURCE, label, value.at, value.value)
+            changes.deleted(SOURCE, label, value.at, value.value)
     names = {value.name for value in old.values}
     numbers = {value.value for value in old.values}
     for value in new.values:
@@ -115,19 +112,16 @@ def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
 
 
 def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes) -> None:
-    changes.compare(Level.MEANING, label, old.value, new.value, new.at)
-    changes.compare(Level.SOURCE, f"{label}: C++ name", old.identifier, new.identifier, new.at)
-    level = Level.WIRE if old.wire else Level.COMPATIBLE
-    changes.compare(level, f"{label}: type it names", old.wire, new.wire, new.at)
-    level = Level.COMPATIBLE if old.number is None else Level.MEANING
-    changes.compare(level, f"{label}: number", old.number, new.number, new.at)
-    changes.since(label, old.since, new.since, new.at)
-    formers = [v.former.summary if v.former else None for v in (old, new)]
-    level = Level.MEANING if new.former else Level.COMPATIBLE
-    changes.compare(level, f"{label}: before", formers[0], formers[1], new.at)
-    marks = (old.unconfirmed, new.unconfirmed)
-    changes.compare(Level.COMPATIBLE, f"{label}: unconfirmed", marks[0], marks[1], new.at)
-    changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, new.at)
+    changes.compare(MEANING, label, old.value, new.value, new.at)
+    pair = changes.pair(label, old, new)
+    pair.compare(SOURCE, "C++ name", "identifier")
+    pair.compare(WIRE, "type it names", "wire", added=COMPATIBLE)
+    pair.compare(COMPATIBLE if old.number is None else MEANING, "number")
+    pair.compare_since()
+    level = MEANING if new.former else COMPATIBLE
+    pair.compare(level, "before", lambda value: value.former and value.former.summary)
+    pair.compare(COMPATIBLE, "unconfirmed")
+    pair.compare(COMPATIBLE, "summary")
 
 
 # Packed integers
@@ -158,19 +152,18 @@ def _cut_text(part: Part) -> str:
 
 def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:
     """Compare type and parts of a packed integer."""
-    what = f"packed {new.name}"
-    changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
-    compare_parts(what, old, new, changes)
-    changes.compare(Level.COMPATIBLE, f"{what}: display", old.display, new.display, new.at)
-    changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
+    pair = changes.pair(f"packed {new.name}", old, new)
+    pair.compare(WIRE, "type", "scalar.name")
+    compare_parts(pair.what, old, new, changes)
+    pair.compare(COMPATIBLE, "display")
+    pair.compare(COMPATIBLE, "summary")
 
 
 def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None:
     """Compare the parts of two packed integers by name."""
     _compare_enums_of(f"{what}: names", old.names, new.names, new, changes)
-    mains = [packed.main.name if packed.main else "" for packed in (old, new)]
-    level = Level.SOURCE if old.main else Level.COMPATIBLE
-    changes.compare(level, f"{what}: main part", mains[0], mains[1], new.at)
+    pair = changes.pair(what, old, new)
+    pair.compare(SOURCE, "main part", lambda p: p.main and p.main.name, added=COMPATIBLE)
     by_name = {part.name: part for part in new.parts}
     come = [part for part in new.parts if part.name not in {p.name for p in old.parts}]
     for part in old.parts:
@@ -179,17 +172,16 @@ def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None
         if now is None:
             now = next((p for p in come if _cut(p) == _cut(part)), None)
             if now is None:
-                changes.deleted(Level.SOURCE, label, part.at, _cut_text(part))
+                changes.deleted(SOURCE, label, part.at, _cut_text(part))
                 continue
             come.remove(now)
-            changes.add(Level.SOURCE, f"{label}: name", part.name, now.name, now.at)
+            changes.add(SOURCE, f"{label}: name", part.name, now.name, now.at)
         elif _cut(part) != _cut(now):
-            changes.add(Level.MEANING, label, _cut_text(part), _cut_text(now), now.at)
+            changes.add(MEANING, label, _cut_text(part), _cut_text(now), now.at)
         _compare_enums_of(label, part.enum, now.enum, now, changes)
-        units = [p.quantity.name if p.quantity else None for p in (part, now)]
-        level = Level.MEANING if units[0] else Level.SOURCE
-        changes.compare(level, f"{label}: quantity", units[0], units[1], now.at)
-        changes.compare(Level.COMPATIBLE, f"{label}: summary", part.summary, now.summary, now.at)
+        pair = changes.pair(label, part, now)
+        pair.compare(MEANING, "quantity", lambda p: p.quantity and p.quantity.name, added=SOURCE)
+        pair.compare(COMPATIBLE, "summary")
     for part in come:
         changes.added(f"{what}.{part.name}", part.at, _cut_text(part))
 
@@ -201,6 +193,6 @@ def _compare_enums_of(
     old_name, new_name = old.name if old else None, new.name if new else None
     if old_name == new_name:
         return
-    changes.add(Level.SOURCE, f"{label}: type", old_name, new_name, owner.at)
+    changes.add(SOURCE, f"{label}: type", old_name, new_name, owner.at)
     if old and new:
         compare_values(label, old, new, changes)
