@@ -107,8 +107,9 @@ class Pair:
 
         `added` is the severity if the old version has nothing there.
         """
-        get: Callable[[Any], object] = attrgetter(of or label) if isinstance(of, str) else of
-        before, now = get(self.old), get(self.new)
+        if isinstance(of, str):
+            of = attrgetter(of or label)
+        before, now = of(self.old), of(self.new)
         level = added if added is not None and not before else level
         self.changes.compare(level, f"{self.what}: {label}", before, now, self.at)
 
