@@ -38,26 +38,11 @@ _SCALARS = """0 -1 255 256 65536 -2147483649 18446744073709551616 1e999 .nan .in
     \N{LINE SEPARATOR} \N{LATIN SMALL LETTER E}\N{COMBINING ACUTE ACCENT}""".split(
     " "
 )
-_SCALARS = [word.strip() for word in _SCALARS] + [
-    "",
-    " ",
-    "\t",
-    "\n",
-    "a\nb",
-    "\x1b[31m",
-    "\x7f",
-    "\x85",
-]
+_SCALARS = [word.strip() for word in _SCALARS]
+_SCALARS += ["", " ", "\t", "\n", "a\nb", "\x1b[31m", "\x7f", "\x85"]
 _HUGE = [
-    "9" * 5000,
-    "-" + "9" * 20000,
-    "0x" + "F" * 5000,
-    "a" * 100_000,
-    "A_" * 20_000,
-    "(" * 20_000,
-    "1.." * 10_000,
-    "CMD_X " * 10_000,
-    "0." + "1" * 10_000,
+    *("9" * 5000, "-" + "9" * 20000, "0x" + "F" * 5000, "a" * 100_000, "A_" * 20_000, "(" * 20_000),
+    *("1.." * 10_000, "CMD_X " * 10_000, "0." + "1" * 10_000),
 ]
 _TAGS = ["!!str", "!!int", "!!binary", "!!set", "!!python/object/apply:os.abort", "!x", "!<y>"]
 
@@ -255,21 +240,8 @@ def _tag(chance: random.Random, root: Any) -> None:
 
 
 CHANGES: list[Change] = [
-    _drop,
-    _empty,
-    _repeat,
-    _multiply,
-    _transplant,
-    _exchange,
-    _rename,
-    _odd,
-    _number,
-    _huge,
-    _retype,
-    _deepen,
-    _alias,
-    _bomb,
-    _tag,
+    *(_drop, _empty, _repeat, _multiply, _transplant, _exchange, _rename, _odd, _number, _huge),
+    *(_retype, _deepen, _alias, _bomb, _tag),
 ]
 
 
@@ -294,47 +266,12 @@ def _changed(chance: random.Random, content: bytes) -> bytes:
 # Text.
 
 _PIECES = [
-    b"\t",
-    b"\t- x",
-    b"\0",
-    b"\x1b",
-    b"\xff",
-    b"\xc3",
-    b"\xed\xa0\x80",
-    b"\xf4\x90\x80\x80",
-    b"\xef\xbb\xbf",
-    b"\r",
-    b"\xc2\x85",
-    b"\xe2\x80\xa8",
-    b"---\n",
-    b"...\n",
-    b"%YAML 3.0\n---\n",
-    b"%TAG ! tag:x\n",
-    b"&a ",
-    b"*a ",
-    b"*nowhere ",
-    b"? ",
-    b"? [a, b]\n: c\n",
-    b"|9\n",
-    b">-\n",
-    b"!!binary ",
-    b"!<",
-    b"@",
-    b"`",
-    b"'",
-    b'"',
-    b'"\\x',
-    b'"\\ud800"',
-    b"{",
-    b"}",
-    b"[" * 50,
-    b"{a: " * 3000,
-    b"[" * 100_000,
-    b"- " * 5000,
-    b"a: &a [" + b"*a, " * 20 + b"]\n",
-    b": ",
-    b"#",
-    b" ",
+    *(b"\t", b"\t- x", b"\0", b"\x1b", b"\xff", b"\xc3", b"\xed\xa0\x80", b"\xf4\x90\x80\x80"),
+    *(b"\xef\xbb\xbf", b"\r", b"\xc2\x85", b"\xe2\x80\xa8", b"---\n", b"...\n"),
+    *(b"%YAML 3.0\n---\n", b"%TAG ! tag:x\n", b"&a ", b"*a ", b"*nowhere ", b"? "),
+    *(b"? [a, b]\n: c\n", b"|9\n", b">-\n", b"!!binary ", b"!<", b"@", b"`", b"'", b'"', b'"\\x'),
+    *(b'"\\ud800"', b"{", b"}", b"[" * 50, b"{a: " * 3000, b"[" * 100_000, b"- " * 5000),
+    *(b"a: &a [" + b"*a, " * 20 + b"]\n", b": ", b"#", b" "),
 ]
 
 
