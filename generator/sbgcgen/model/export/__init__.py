@@ -18,8 +18,6 @@ from sbgcgen.model.export.types import (
     version,
 )
 
-__all__ = ["export"]
-
 
 def export(layout: Layout) -> dict[str, Any]:
     """The whole model as plain data for JSON, with its fingerprint."""
