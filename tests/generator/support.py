@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import cache
 from pathlib import Path
 
 from sbgcgen.build import load_protocol
@@ -69,6 +70,12 @@ def findings(folder: Path, text: str | bytes | None = None, file: str = PROBE) -
 def layout_of(folder: Path, text: str) -> Layout:
     """Returns the Layout of the minimal spec with the family `text`, which must have no findings."""
     return load_protocol(write_spec(folder, text)).layout
+
+
+@cache
+def project_layout() -> Layout:
+    """Returns the Layout of the project's spec."""
+    return load_protocol(PROJECT / "spec").layout
 
 
 def message_of(layout: Layout, name: str, direction: str | None = None) -> Message:

@@ -15,7 +15,7 @@ from sbgcgen.build import load_protocol
 from sbgcgen.record import inputs
 from sbgcgen.output import Output
 from sbgcgen.targets import outputs, targets
-from support import BASE, GENERATOR, PROJECT, layout_of, write_spec
+from support import BASE, GENERATOR, PROJECT, layout_of, project_layout, write_spec
 
 
 def snapshot(folder: Path) -> dict[str, str]:
@@ -76,7 +76,7 @@ def test_same_bytes_whatever_run_folder_hash_seed_zone_and_locale(tmp_path: Path
 
 def test_output_holds_no_dates_no_paths_and_unix_lines() -> None:
     year = re.compile(rb"20[2-9][0-9]-[0-9]{2}")
-    for name, content in outputs(load_protocol(PROJECT / "spec").layout, PROJECT).items():
+    for name, content in outputs(project_layout(), PROJECT).items():
         if name.startswith("fuzz/"):
             continue  # bytes, not text
         assert str(PROJECT).encode() not in content, name

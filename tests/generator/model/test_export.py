@@ -8,9 +8,8 @@ from typing import Any
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.model.export import export
-from support import PROJECT, layout_of
+from support import layout_of, project_layout
 
 SCALARS = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4}
 SCALARS |= {"u24": 3, "i24": 3, "u64": 8, "i64": 8, "f64": 8}
@@ -61,7 +60,7 @@ LEAF: dict[str, tuple[type, ...]] = {
 @pytest.fixture(scope="module")
 def model() -> dict[str, Any]:
     """The real protocol as another program reads it."""
-    exported = export(load_protocol(PROJECT / "spec").layout)
+    exported = export(project_layout())
     read: dict[str, Any] = json.loads(json.dumps(exported))
     return read
 

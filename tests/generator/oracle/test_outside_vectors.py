@@ -7,13 +7,12 @@ from typing import Any
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import choose_message, forms_of, read_frames
-from support import PROJECT
+from support import PROJECT, project_layout
 
 VECTORS: list[dict[str, Any]] = json.loads(
     (PROJECT / "tests" / "data" / "vectors.json").read_text(encoding="utf-8")
@@ -23,7 +22,7 @@ NAMES = [f"{number}-{vector['meaning'][:40]}" for number, vector in enumerate(VE
 
 @pytest.fixture(scope="module")
 def layout() -> Layout:
-    return load_protocol(PROJECT / "spec").layout
+    return project_layout()
 
 
 def values_of(value: Any) -> list[Any]:

@@ -12,7 +12,6 @@ from typing import Any
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.model import (
     Announced,
     Blob,
@@ -39,15 +38,9 @@ from sbgcgen.oracle.json_values import (
     text_to_bytes,
 )
 from sbgcgen.targets import target
-from support import PROJECT, layout_of, message_of
+from support import PROJECT, layout_of, message_of, project_layout
 
 Line = dict[str, Any]
-
-
-@lru_cache(maxsize=None)
-def protocol() -> Layout:
-    """Returns the real protocol."""
-    return load_protocol(PROJECT / "spec").layout
 
 
 @lru_cache(maxsize=None)
@@ -55,7 +48,7 @@ def lines() -> tuple[Line, ...]:
     """Returns every vector of the real protocol."""
     return tuple(
         json.loads(line)
-        for path, content in target("vectors").files(protocol(), PROJECT)
+        for path, content in target("vectors").files(project_layout(), PROJECT)
         if path.startswith("vectors/")
         for line in content.splitlines()
     )
@@ -64,7 +57,7 @@ def lines() -> tuple[Line, ...]:
 @lru_cache(maxsize=None)
 def messages() -> dict[tuple[str, str], Message]:
     """Returns the messages by direction and name."""
-    return {(m.direction, m.name): m for m in protocol().messages}
+    return {(m.direction, m.name): m for m in project_layout().messages}
 
 
 def message_in(line: Line) -> Message:
@@ -272,7 +265,7 @@ def test_crc(name: str) -> None:
 
 
 def test_the_start_byte_says_which_framing_applies() -> None:
-    v1, v2 = protocol().framings
+    v1, v2 = project_layout().framings
     frames = [write_frame(framing, 77, b"") for framing in (v1, v2)]
     assert frames[1] == bytes.fromhex("24 4d 00 4d 44 0a")
     stream = frames[0] + frames[1] + b"\x24" + frames[0][1:] + frames[1]
@@ -311,7 +304,7 @@ def test_vectors_hold_both_ways() -> None:
 
 
 def test_vectors_are_small_and_always_the_same() -> None:
-    first, second = (dict(target("vectors").files(protocol(), PROJECT)) for _ in range(2))
+    first, second = (dict(target("vectors").files(project_layout(), PROJECT)) for _ in range(2))
     assert first == second
     assert sum(map(len, first.values())) < 3_000_000
 
@@ -322,7 +315,7 @@ def test_vectors_are_small_and_always_the_same() -> None:
 def everything_said() -> dict[int, tuple[list[Message], list[Line]]]:
     """Returns the messages of each body (some share one) and the fields of its vectors."""
     found: dict[int, tuple[list[Message], list[Line]]] = defaultdict(lambda: ([], []))
-    for message in protocol().messages:
+    for message in project_layout().messages:
         found[id(message.body)][0].append(message)
     for line in lines():
         if "message" in line and "fields" in line and "hex" in line:
@@ -408,7 +401,7 @@ def named_values(field: Field) -> Iterator[tuple[str, int]]:
 
 def announced() -> set[str]:
     """Returns the types that messages may announce."""
-    contexts = [context for message in protocol().messages for context in message.contexts]
+    contexts = [context for message in project_layout().messages for context in message.contexts]
     return {name for context in contexts if context.announced for name in context.announced.types}
 
 
@@ -502,7 +495,7 @@ def test_bodies_that_are_no_message_have_vectors() -> None:
 
 
 def test_every_message_has_a_seed_that_decodes() -> None:
-    layout = protocol()
+    layout = project_layout()
     forms = forms_of(layout)
     found = set()
     for name, content in target("seeds").files(layout, PROJECT):

@@ -7,12 +7,11 @@ from typing import Any
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import choose_message, forms_of, read_frames, write_frame
-from support import PROJECT
+from support import PROJECT, project_layout
 
 FRAMES: list[dict[str, Any]] = json.loads(
     (PROJECT / "tests" / "data" / "v2_frames.json").read_text(encoding="utf-8")
@@ -33,7 +32,7 @@ def crc16(data: bytes) -> int:
 
 @pytest.fixture(scope="module")
 def layout() -> Layout:
-    return load_protocol(PROJECT / "spec").layout
+    return project_layout()
 
 
 def test_the_checksum_is_that_of_the_catalogue() -> None:

@@ -50,13 +50,18 @@ def keys_of(node: Any, path: str) -> Iterator[tuple[str, Any]]:
             yield from keys_of(item, path)
 
 
+def resolved(rules: Any) -> Any:
+    """Returns the definition that a key refers to, or its own rules."""
+    return SCHEMA["$defs"][rules["$ref"].rpartition("/")[2]] if "$ref" in rules else rules
+
+
 KEYS = [found for name, rules in SCHEMA["$defs"].items() for found in keys_of(rules, name)]
 
 
 def test_every_key_has_a_description() -> None:
     assert len(KEYS) > 200
     for path, rules in KEYS:
-        described = SCHEMA["$defs"][rules["$ref"].rpartition("/")[2]] if "$ref" in rules else rules
+        described = resolved(rules)
         explained = "description" in described or re.search(r"main\.|forms\.", path)
         assert explained or described.get("type") == "object", path
 
@@ -65,7 +70,7 @@ def test_examples_of_the_schema_are_valid() -> None:
     found = 0
     for path, rules in KEYS:
         checker = jsonschema.Draft202012Validator({**rules, "$defs": SCHEMA["$defs"]})
-        for example in rules.get("examples", ()):
+        for example in resolved(rules).get("examples", ()):
             found += 1
             assert not list(checker.iter_errors(example)), f"{path}: {example}"
     assert found > 20

@@ -14,9 +14,8 @@ import pytest
 
 from fidelity import DATA, Check, Comparison, Json, Table, leaf_of, loaded, value_of
 from later import Later
-from sbgcgen.build import load_protocol
 from sbgcgen.model.names import parse_lines
-from support import PROJECT
+from support import PROJECT, project_layout
 
 LATER = "Later firmware"  # the source of what the text of 2016 lacks
 
@@ -210,7 +209,7 @@ def _fields_by_enum(model: Json) -> dict[str, set[str]]:
 
 
 def test_every_source_lies_in_the_text(facts: Json) -> None:
-    layout = load_protocol(PROJECT / "spec").layout
+    layout = project_layout()
     last = facts["specification"]["lines"]
     things: list[tuple[str, str]] = [
         *((m.name, m.source) for m in layout.messages),

@@ -7,10 +7,9 @@ from __future__ import annotations
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
 from sbgcgen.views.history import Revisions
-from support import PROJECT, message_of
+from support import message_of, project_layout
 
 FROM, TO = "from_board", "to_board"
 
@@ -144,7 +143,7 @@ PLACES = [
 
 @pytest.fixture(scope="module")
 def layout() -> Layout:
-    return load_protocol(PROJECT / "spec").layout
+    return project_layout()
 
 
 @pytest.mark.parametrize(("name", "direction", "size"), SIZES)
