@@ -379,6 +379,28 @@ TEST(JsonTextProblems, NoDepthIsTooDeep) {
   }
 }
 
+TEST(JsonTextOutput, NoTextControlsATerminal) {
+  for (std::uint32_t c = 1; c <= 0x10FFFF; c += c < 0x10000 ? 1 : 0x1001) {
+    if (c >= 0xD800 && c < 0xE000) continue;
+    const std::string character = utf8_of(c);
+    msg::ReadProfileNames message;
+    ASSERT_TRUE(message.profile_name[0].assign(character));
+    const std::string text = to_json(message);
+    const bool is_raw = text.find('"' + character + '"') != std::string::npos;
+    const bool is_private = c >= 0xF780 && c < 0xF800;  // stands for a byte that is not UTF-8
+    const bool is_control = c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
+                            c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
+                            (c >= 0x2066 && c <= 0x2069);
+    const bool is_syntax = c == '"' || c == '\\';
+    ASSERT_EQ(is_raw, !is_control && !is_syntax && !is_private) << c;
+    if (is_raw && c % 64 != 0) continue;
+    ASSERT_EQ(detail::json_text(to_dom(message)), text) << "the DOM writes the same";
+    msg::ReadProfileNames copy;
+    ASSERT_TRUE(from_json(text, copy)) << c;
+    ASSERT_EQ(copy, message) << c;
+  }
+}
+
 TEST(JsonTextOutput, GoesAnywhere) {
   const msg::Control message;
   const std::string expected = to_dom(message).dump();

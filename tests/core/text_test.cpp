@@ -112,6 +112,7 @@ TEST(Text, TextsAreQuotedAndHarmless) {
   EXPECT_EQ(detail::quoted("Fußgänger \"1\""), "\"Fußgänger \\\"1\\\"\"");
   EXPECT_EQ(detail::quoted("a\x1b[2J\n\t\r\x1f\x7f\xc2\x9f\\"),
             "\"a\\u001b[2J\\n\\t\\r\\u001f\\u007f\\u009f\\\\\"");
+  EXPECT_EQ(detail::quoted("\u202Eabc\u2066\u2028\u061C"), R"("\u202eabc\u2066\u2028\u061c")");
   EXPECT_EQ(detail::quoted(" ~\xc2\xa0"), "\" ~\xc2\xa0\"") << "no control characters";
 }
 

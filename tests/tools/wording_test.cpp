@@ -16,6 +16,14 @@ TEST(Wording, NoControlCharacterReachesTheTerminal) {
             "?31m?");
 }
 
+TEST(Wording, NoCharacterThatChangesTheDirectionOrEndsALineReachesTheTerminal) {
+  for (const char* const text :
+       {"\u061C", "\u200E", "\u200F", "\u2028", "\u2029", "\u202A", "\u202E", "\u2066", "\u2069"}) {
+    EXPECT_EQ(printable(text), "?");
+    EXPECT_EQ(clipped(text), "?");
+  }
+}
+
 TEST(Wording, NoByteThatIsNotUtf8ReachesTheTerminal) {
   // Terminals of other encodings obey 80 to 9F.
   EXPECT_EQ(printable("\x9B"
@@ -29,7 +37,8 @@ TEST(Wording, AQuotedInputStaysOnOneLine) {
 }
 
 TEST(Wording, OtherCharactersStay) {
-  for (const std::string text : {"", "two\nlines", "45\xC2\xB0", "\xC3\x84\xE2\x82\xAC"}) {
+  for (const std::string text : {"", "two\nlines", "45\xC2\xB0", "\xC3\x84\xE2\x82\xAC",
+                                 "\u00A0\u200D\u2027\u202F\u2065\u206A"}) {
     EXPECT_EQ(printable(text), text);
   }
 }

@@ -207,7 +207,7 @@ void print_text(const Info& info) {
 int print_info(const InfoOptions& options, const CommandContext& context) {
   const Info info = collect(context);
   if (options.format == "json") {
-    fmt::print("{}\n", to_json(info).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", detail::json_text(to_json(info), 2));
   } else {
     print_text(info);
   }

@@ -37,7 +37,7 @@ void ProgressBar::show(const Progress& progress) {
 
 void ProgressBar::show(std::string_view text) {
   if (!is_on_) return;
-  remark_as_is("\r" + printable(std::string(text.substr(0, line_width() - 1))) + "\033[K");
+  remark_as_is("\r" + printable(text.substr(0, line_width() - 1)) + "\033[K");
   is_shown_ = true;
 }
 

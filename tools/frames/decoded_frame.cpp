@@ -171,11 +171,9 @@ void FrameDecoder::decode_arrived(DecodedFrame& result) {
 
 void put_json_string(TextOutput& out, std::string_view text) {
   out.put('"');
-  while (!text.empty()) {
-    const std::size_t size = detail::utf8_length(text);
-    detail::put_escaped(out, size == 0 ? "\xEF\xBF\xBD" : text.substr(0, size));
-    text.remove_prefix(size == 0 ? 1 : size);
-  }
+  detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
+    detail::put_escaped(out, is_utf8 ? sequence : "\xEF\xBF\xBD");
+  });
   out.put('"');
 }
 

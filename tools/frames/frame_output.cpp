@@ -20,7 +20,7 @@ std::string values_text(const DecodedFrame& decoded) {
   for_each_value(decoded, [&](const Leaf& leaf, bool has_arrived) {
     if (has_arrived && !is_unused(leaf)) values[to_string(leaf.path)] = leaf_json(leaf);
   });
-  return ",\"values\":" + values.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return ",\"values\":" + detail::json_text(values);
 }
 
 std::string unit_name(const Leaf& leaf) { return leaf.unit == nullptr ? "" : leaf.unit->name; }

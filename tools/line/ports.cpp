@@ -44,7 +44,7 @@ int print_ports(const PortsOptions& options) {
   const io::PortList list = listed_ports();
   if (list.error) throw std::runtime_error(list.error.message);
   if (options.format == "json") {
-    fmt::print("{}\n", ports_json(list.ports).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", detail::json_text(ports_json(list.ports), 2));
     return success;
   }
   for (const io::PortInfo& port : list.ports) print_text(port);

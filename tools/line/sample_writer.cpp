@@ -89,7 +89,7 @@ class JsonWriter final : public SampleWriter {
                     {"time", std::round(time * 1e6) / 1e6},
                     {"message", message_},
                     {"fields", fields}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return detail::json_text(json) + '\n';
   }
 
  private:

@@ -15,6 +15,7 @@
 
 #include "command/command_error.hpp"
 #include "command/system.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -79,8 +80,9 @@ std::size_t Screen::height() const { return static_cast<std::size_t>(getmaxy(std
 void Screen::clear() { werase(stdscr); }
 
 // NOLINTNEXTLINE(readability-make-member-function-const): it changes the screen
-void Screen::put(std::size_t row, std::size_t column, std::string_view text, Style style) {
+void Screen::put(std::size_t row, std::size_t column, std::string_view any_text, Style style) {
   if (row >= height() || column >= width()) return;
+  const std::string text = printable(any_text);
   const attr_t attribute = is_faint_ ? A_DIM : attributes(style);
   wattrset(stdscr, static_cast<int>(attribute));
   // A text that reaches past the right edge would continue in the next row. Bytes are an upper

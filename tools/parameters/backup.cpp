@@ -191,7 +191,7 @@ Json to_json(const std::vector<ParametersChange>& changes) {
 int report_changes(const DiffOptions& options, const std::vector<ParametersChange>& changes,
                    const std::string& before, const std::string& after) {
   if (options.format == "json") {
-    fmt::print("{}\n", to_json(changes).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", detail::json_text(to_json(changes), 2));
   } else if (!changes.empty()) {
     fmt::print("from {} to {}:\n{}", printable(before), printable(after), changes_text(changes));
   }

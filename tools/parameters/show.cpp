@@ -45,7 +45,7 @@ void print_json(const ChosenProfile& profile, const std::vector<ShownParameter>&
                       {"profile", profile.index + 1},
                       {"active", profile.is_active},
                       {"parameters", std::move(list)}};
-  fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", detail::json_text(document, 2));
 }
 
 bool fits(const ShownParameter& parameter, const std::string& filter) {
@@ -181,7 +181,7 @@ int list_profiles(const ShowOptions& options, const CommandContext& context) {
           {{"profile", i + 1}, {"name", detail::to_utf8(names[i])}, {"active", i == active}});
     }
     const Json document{{"format", "sbgc-profiles"}, {"version", 1}, {"profiles", std::move(list)}};
-    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", detail::json_text(document, 2));
     return success;
   }
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -101,7 +101,7 @@ int print_variables(const VarsOptions& options, const CommandContext& context) {
                       {"max", variable.unit.real(variable.range.highest)}});
     }
     const Json document{{"format", "sbgc-variables"}, {"version", 1}, {"variables", list}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}\n", detail::json_text(document, 2));
     return success;
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -74,7 +74,8 @@ class BridgeService {
       endpoints_.push_back(
           listen_web_socket(context.get_executor(), ports_, at, options.access, {log, log}));
       const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
-      background_stdout().write(fmt::format("bridge: {}{}\n", endpoints_.back()->address(), shown));
+      background_stdout().write(
+          printable(fmt::format("bridge: {}{}\n", endpoints_.back()->address(), shown)));
     }
     line_.begin(ports_, [this](const LinkChange& change) { changed(change); });
     tick();

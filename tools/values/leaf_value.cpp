@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/is_control.hpp>
+#include <sbgc/detail/characters.hpp>
 
 namespace sbgc::tools {
 
@@ -36,16 +36,18 @@ std::string real_text(const Leaf& leaf) {
 
 std::string csv_text(std::string_view text) {
   std::string result;
-  bool is_special = false;
-  for (const char c : text) {
-    is_special = is_special || c == ',' || c == '"';
-    if (detail::is_control(c)) {
-      // A terminal would obey it.
-      result += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
+  detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
+    const auto byte = static_cast<std::uint8_t>(sequence[0]);
+    const char32_t c = is_utf8 ? detail::code_point(sequence) : byte;  // as a terminal of 8 bits
+    if (!detail::is_control(c)) {
+      result += sequence == "\"" ? "\"\"" : sequence;
+    } else if (sequence.size() == 1) {
+      result += fmt::format("\\x{:02x}", byte);
     } else {
-      result += c == '"' ? std::string(2, c) : std::string(1, c);
+      result += detail::escaped(c);
     }
-  }
+  });
+  const bool is_special = text.find_first_of(",\"") != std::string_view::npos;
   return is_special ? '"' + result + '"' : result;
 }
 

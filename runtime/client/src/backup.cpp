@@ -201,7 +201,7 @@ std::string to_json_text(const Backup& backup) {
                          {"created", backup.created},
                          {"board", std::move(board)},
                          {"settings", std::move(settings)}};
-  return document.dump(1) + "\n";
+  return detail::json_text(document, 1) + "\n";
 }
 
 Result<Backup> parse_backup(std::string_view text) {

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sbgc/detail/characters.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json/reader.hpp>
 #include <sbgc/json/writer.hpp>
@@ -132,6 +133,22 @@ class JsonDomSource {
   const Json* at_;
   std::string digits_{};
 };
+
+/// Returns JSON text in which no character controls a terminal. Text that is not UTF-8 gets U+FFFD.
+inline std::string json_text(const Json& json, int indent = -1) {
+  const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  std::string result;
+  for_each_sequence(text, [&](std::string_view sequence, bool) {
+    const char32_t c = code_point(sequence);
+    const bool is_layout = c == '\n';  // outside of strings; dump() escapes it inside
+    if (is_control(c) && !is_layout) {
+      result += escaped(c);
+    } else {
+      result += sequence;
+    }
+  });
+  return result;
+}
 
 }  // namespace detail
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include <sbgc/detail/is_control.hpp>
+#include <sbgc/detail/characters.hpp>
 
 namespace sbgc {
 
@@ -32,11 +32,7 @@ inline std::string shortened(const std::string& key) {
     return size < key.size() && (static_cast<unsigned char>(key[size]) & 0xC0U) == 0x80U;
   };
   while (inside_character()) --size;
-  std::string result = key.substr(0, size) + (size < key.size() ? "..." : "");
-  for (char& c : result) {
-    if (is_control(c)) c = '?';
-  }
-  return result;
+  return without_controls(key.substr(0, size)) + (size < key.size() ? "..." : "");
 }
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <version>
 
+#include <sbgc/detail/characters.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/text_output.hpp>
@@ -95,27 +96,20 @@ inline void put_real(TextOutput& out, double value) {
   }
 }
 
-/// Writes well-formed UTF-8 inside of a JSON string.
-inline void put_escaped(TextOutput& out, std::string_view text) {
-  for (const char c : text) {
-    switch (c) {
-      case '"': out.put("\\\""); break;
-      case '\\': out.put("\\\\"); break;
-      case '\b': out.put("\\b"); break;
-      case '\f': out.put("\\f"); break;
-      case '\n': out.put("\\n"); break;
-      case '\r': out.put("\\r"); break;
-      case '\t': out.put("\\t"); break;
-      default:
-        if (static_cast<unsigned char>(c) < ' ') {
-          out.put("\\u00");
-          const auto byte = static_cast<std::uint8_t>(c);
-          out.put_hex({&byte, 1});
-        } else {
-          out.put(c);
-        }
-    }
+/// Writes a character inside of a JSON string, escaped if it does not belong on a terminal.
+inline void put_escaped(TextOutput& out, std::string_view character) {
+  switch (character[0]) {
+    case '"': return out.put("\\\"");
+    case '\\': return out.put("\\\\");
+    case '\b': return out.put("\\b");
+    case '\f': return out.put("\\f");
+    case '\n': return out.put("\\n");
+    case '\r': return out.put("\\r");
+    case '\t': return out.put("\\t");
+    default: break;
   }
+  if (const char32_t c = code_point(character); is_control(c)) return out.put(escaped(c));
+  out.put(character);
 }
 
 /// A sink of JsonWriter that writes compact text.

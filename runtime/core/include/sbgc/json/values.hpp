@@ -12,32 +12,9 @@
 #include <string_view>
 #include <type_traits>
 
-namespace sbgc::detail {
+#include <sbgc/detail/characters.hpp>
 
-/// Returns the length of the well-formed UTF-8 sequence at the start of `text`; 0 if there is none.
-inline std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
-  };
-  const auto follows = [&](std::size_t i, std::uint8_t low = 0x80, std::uint8_t high = 0xBF) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const std::uint8_t first = byte(0);
-  if (text.empty()) return 0;
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const std::uint8_t low = first == 0xE0 ? 0xA0 : 0x80;
-    const std::uint8_t high = first == 0xED ? 0x9F : 0xBF;
-    return follows(1, low, high) && follows(2) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const std::uint8_t low = first == 0xF0 ? 0x90 : 0x80;
-    const std::uint8_t high = first == 0xF4 ? 0x8F : 0xBF;
-    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
+namespace sbgc::detail {
 
 // Bytes that are not UTF-8 are escaped as U+F780 to U+F7FF, in a private use area. If a text from a
 // board contains these characters itself, their bytes are escaped one by one, to avoid ambiguity.
@@ -51,19 +28,15 @@ inline bool is_escape(std::string_view sequence) {
 /// Converts any bytes to well-formed UTF-8, and calls `use(std::string_view)` for each character.
 template <class Use>
 void for_each_character(std::string_view bytes, Use&& use) {
-  while (!bytes.empty()) {
-    const std::size_t length = utf8_length(bytes);
-    if (length != 0 && !is_escape(bytes.substr(0, length))) {
-      use(bytes.substr(0, length));
-      bytes.remove_prefix(length);
-      continue;
+  for_each_sequence(bytes, [&](std::string_view sequence, bool is_utf8) {
+    if (is_utf8 && !is_escape(sequence)) return use(sequence);
+    for (const char c : sequence) {
+      const auto byte = static_cast<std::uint8_t>(c);
+      const char escape[] = {'\xEF', static_cast<char>(0x9C | byte >> 6),
+                             static_cast<char>(0x80 | (byte & 0x3F))};
+      use(std::string_view(escape, sizeof escape));
     }
-    const auto byte = static_cast<std::uint8_t>(bytes[0]);
-    const char escape[] = {'\xEF', static_cast<char>(0x9C | byte >> 6),
-                           static_cast<char>(0x80 | (byte & 0x3F))};
-    use(std::string_view(escape, sizeof escape));
-    bytes.remove_prefix(1);
-  }
+  });
 }
 
 /// Converts any bytes to well-formed UTF-8.

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/detail/characters.hpp>
 #include <sbgc/detail/part.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json/values.hpp>
@@ -269,30 +270,20 @@ inline std::string packed_text(const PackedInfo& info, std::uint64_t raw) {
   return result;
 }
 
-/// Writes text in quotes, with control characters escaped so that no terminal interprets them.
+/// Writes text in quotes, with characters that do not belong on a terminal escaped.
 inline void put_quoted(TextOutput& out, std::string_view bytes) {
   out.put('"');
-  for_each_character(bytes, [&](std::string_view text) {
-    const auto c = static_cast<std::uint8_t>(text[0]);
-    const bool is_c1 = c == 0xC2 && static_cast<std::uint8_t>(text[1]) < 0xA0;  // of two bytes
-    const auto control = is_c1 ? static_cast<std::uint8_t>(text[1]) : c;
-    switch (c) {
+  for_each_character(bytes, [&](std::string_view character) {
+    switch (character[0]) {
       case '"':
-      case '\\':
-        out.put('\\');
-        out.put(text);
-        break;
-      case '\n': out.put("\\n"); break;
-      case '\t': out.put("\\t"); break;
-      case '\r': out.put("\\r"); break;
-      default:
-        if (c < 0x20 || c == 0x7F || is_c1) {
-          out.put("\\u00");
-          out.put_hex({&control, 1});
-        } else {
-          out.put(text);
-        }
+      case '\\': out.put('\\'); break;
+      case '\n': return out.put("\\n");
+      case '\t': return out.put("\\t");
+      case '\r': return out.put("\\r");
+      default: break;
     }
+    if (const char32_t c = code_point(character); is_control(c)) return out.put(escaped(c));
+    out.put(character);
   });
   out.put('"');
 }

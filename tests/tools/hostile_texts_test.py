@@ -1,0 +1,126 @@
+"""Tests that no text of a board controls the terminal, whatever the output, and that JSON keeps it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import sys
+import unicodedata
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import Result, frame, run
+
+DIRECTIONS = {"LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"}
+MARKS = {"\u061c", "\u200e", "\u200f"}
+"""They change the direction of text, too, but have the class of letters."""
+
+HOSTILE = {
+    c
+    for c in map(chr, range(sys.maxunicode + 1))
+    if unicodedata.category(c) in ("Cc", "Zl", "Zp")
+    or unicodedata.bidirectional(c) in DIRECTIONS
+    or c in MARKS
+}
+"""What a terminal obeys instead of showing it, according to Unicode."""
+
+STRAY = [bytes([byte]) for byte in range(0x80, 0x100)]
+"""Bytes that are not UTF-8; terminals of 8 bits obey the first 32 of them."""
+
+NEIGHBORS = "~\u00a0\u061b\u061d\u200d\u2010\u2027\u202f\u2065\u206a\u00e4\u05d0\U0001f3a5"
+"""Characters that stay as they are, many of them next to hostile ones."""
+
+READ_PROFILE_NAMES, NAMES, NAME_SIZE = 28, 5, 48
+
+
+def frame_with(*texts: bytes) -> bytes:
+    names = [text.ljust(NAME_SIZE, b"\0") for text in texts]
+    return frame(READ_PROFILE_NAMES, b"".join(names).ljust(NAMES * NAME_SIZE, b"\0"))
+
+
+def frames_with_everything() -> Iterator[bytes]:
+    """No text ends with NUL, which would end it before."""
+    texts = [b"<" + c.encode() + b"31m>" for c in sorted(HOSTILE)]
+    texts += [b"<" + byte + b"31m>" for byte in STRAY]
+    for at in range(0, len(texts), NAMES):
+        yield frame_with(*texts[at : at + NAMES])
+
+
+EVERYTHING = b"".join(frames_with_everything())
+
+
+def decode(data: bytes, *options: str) -> Result:
+    result = run("decode", "--raw", "--from", "board", *options, stdin=data)
+    assert result.status == 0, result
+    return result
+
+
+def assert_harmless(output: bytes) -> None:
+    text = output.decode(errors="surrogateescape")
+    stray = {byte.decode(errors="surrogateescape") for byte in STRAY[:32]}
+    found = (HOSTILE | stray) & set(text) - {"\n"}
+    assert not found, found
+
+
+def cell(text: bytes) -> str:
+    """Returns the cell of the first profile name in CSV."""
+    table = decode(frame_with(text), "--format", "csv").out
+    _, line = csv.reader(io.StringIO(table.decode(errors="surrogateescape")))
+    return line[1]
+
+
+@pytest.mark.parametrize("options", [["text"], ["csv"], ["jsonl"], ["jsonl", "--real"]])
+def test_decoded(options: list[str]) -> None:
+    assert_harmless(decode(EVERYTHING, "--format", *options).out)
+
+
+def test_json_keeps_every_byte() -> None:
+    lines = decode(EVERYTHING, "--format", "jsonl").out
+    assert run("encode", stdin=lines).out == EVERYTHING
+
+
+def test_json_escapes_the_code_point() -> None:
+    for c in sorted(HOSTILE - set("\0\b\t\n\f\r")):
+        line = decode(frame_with(f"<{c}>".encode()), "--format", "jsonl")
+        assert f'"<\\u{ord(c):04x}>"' in line.text
+        assert line.objects[0]["fields"]["profile_name"][0] == f"<{c}>"
+
+
+def test_csv_shows_what_it_escapes() -> None:
+    assert cell(b"\x1b[31m\x7f") == r"\x1b[31m\x7f"
+    assert cell("\u009b31m\u202e".encode()) == r"\u009b31m\u202e"
+    assert cell(b"\x9b31m") == r"\x9b31m"
+    assert cell(b'"\x9b, ') == r'"\x9b, '
+
+
+def test_other_characters_stay() -> None:
+    for name in (NEIGHBORS, 'a "quoted", name'):
+        data = frame_with(name.encode())
+        assert cell(name.encode()) == name
+        quoted = name.replace('"', r"\"")
+        for form in ("text", "jsonl"):
+            assert f'"{quoted}"' in decode(data, "--format", form).text
+
+
+def test_of_a_board(tmp_path: Path) -> None:
+    name = "\u009b31m\u202e\x1b\x7f\u2028"
+    with emulated_gimbal() as gimbal:
+        at = ("-p", gimbal.address)
+        backup = tmp_path / "backup"
+        for command in (
+            ["params", "rename", "1", name, "--yes"],
+            ["params", "rename", "1", name + "2", "--yes"],
+            ["params", "profiles"],
+            ["params", "profiles", "--format", "json"],
+            ["send", "CMD_READ_PROFILE_NAMES", "--verbose"],
+            ["send", "CMD_READ_PROFILE_NAMES", "--format", "jsonl"],
+            ["params", "backup", str(backup)],
+        ):
+            result = run(*command, *at)
+            assert result.status == 0, result
+            assert_harmless(result.out)
+            assert_harmless(result.error.encode())
+        assert_harmless(backup.read_bytes())
