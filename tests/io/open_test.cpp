@@ -85,6 +85,45 @@ TEST(Address, MalformedOnesAreExplained) {
             "'slow' is not a timing; timings are original and fast.");
 }
 
+TEST(Address, WithoutItsKindItIsCompletedInTheMessage) {
+  for (const std::string text :
+       {"127.0.0.1:5055", "localhost:1", "gimbal.local:5000", "[::1]:5055"}) {
+    EXPECT_EQ(complaint(text), "the kind is missing; write tcp:" + text + " or udp:" + text + ".");
+    EXPECT_TRUE(parse_address("tcp:" + text)) << "what it says works";
+    EXPECT_TRUE(parse_address("udp:" + text));
+  }
+  for (const std::string text : {"5055", ":5055"}) {
+    EXPECT_EQ(complaint(text), "the host is missing; write tcp:HOST:5055.");
+  }
+  for (const std::string text : {"::1:5055", "fe80::1"}) {
+    EXPECT_EQ(complaint(text), "an IPv6 address needs brackets; write [ADDRESS]:PORT.");
+  }
+  EXPECT_EQ(complaint("[::1]"), "the port is missing; write HOST:PORT.");
+  EXPECT_EQ(complaint("host:65536"), "'65536' is not a port; ports are 1 to 65535.");
+  for (const std::string text : {"192.168.1.5", "gimbal.local", "flight.sbgc"}) {
+    EXPECT_EQ(complaint(text),
+              "write tcp:" + text + ":PORT for a host, capture:" + text + " for a file.");
+  }
+  EXPECT_EQ(complaint("pty"), "write pty:.");
+  EXPECT_THAT(complaint("http://host:1"), HasSubstr("unknown kind 'http'"));
+}
+
+TEST(Address, PortsOfWindowsAreExplained) {
+  for (const std::string text :
+       {"COM3", "com12", "COM3:", "\\\\.\\COM10", "serial:COM3", "serial:COM3?baud=9600"}) {
+    EXPECT_THAT(complaint(text), HasSubstr("it is a port of Windows, where sbgc only")) << text;
+  }
+  EXPECT_EQ(complaint("COMA"), "a port is written with its path, such as /dev/COMA.");
+  EXPECT_EQ(complaint("COM"), "a port is written with its path, such as /dev/COM.");
+}
+
+TEST(Address, WordsAreOfAnyCase) {
+  EXPECT_EQ(parsed("TCP:Host:1"), Address(TcpAddress{"Host", 1}));
+  EXPECT_EQ(parsed("Serial:/dev/ttyS1?parity=Even"),
+            Address(SerialAddress{"/dev/ttyS1", {default_line.baud_rate, Parity::even}}));
+  EXPECT_EQ(parsed("Capture:X?timing=FAST"), Address(CaptureAddress{"X", ReplayTiming::fast}));
+}
+
 TEST(Open, ReportsWhatTheAddressHasWrong) {
   asio::io_context context;
   const OpenResult result = open(context.get_executor(), "tcp:host");

@@ -220,6 +220,8 @@ def test_options_of_a_gimbal_have_to_be_of_use() -> None:
         ("ttyUSB0", 2, "a port is written with its path, such as /dev/ttyUSB0"),
         ("/dev/null", 1, "is not a serial port"),
         ("tpc:a:1", 2, "unknown kind 'tpc'"),
+        ("127.0.0.1:5055", 2, "write tcp:127.0.0.1:5055 or udp:127.0.0.1:5055"),
+        ("COM3", 2, "it is a port of Windows, where sbgc only describes, decodes and encodes"),
     ],
 )
 def test_addresses_without_a_gimbal(address: str, status: int, reason: str) -> None:

@@ -42,6 +42,16 @@ std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {
   return value;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// Parses "path?key=value&key=value". Returns the path and passes each option to `take`, which
@@ -72,35 +82,49 @@ std::string split_options(std::string_view text, const char* known, Take take) {
   return path;
 }
 
+/// Of "COM3", "COM3:" and "\\\\.\\COM3", in any case.
+void reject_port_of_windows(std::string_view path) {
+  if (path.starts_with("\\\\.\\")) path.remove_prefix(4);
+  if (path.ends_with(':')) path.remove_suffix(1);
+  if (lower_case(path.substr(0, 3)) != "com" || !is_number(path.substr(3))) return;
+  throw Malformed{
+      "it is a port of Windows, where sbgc only describes, decodes and encodes messages; WSL has "
+      "the "
+      "port as /dev/ttyUSB0 or /dev/ttyACM0 once usbipd attaches it"};
+}
+
 SerialAddress parse_serial(std::string_view text) {
   SerialAddress result;
   const auto take = [&](std::string_view key, std::string_view value) {
+    const std::string word = lower_case(value);
     if (key == "baud") {
       const auto rate = number(value, std::numeric_limits<std::uint32_t>::max());
       if (!rate) throw Malformed{quoted(value) + " is not a baud rate"};
       result.line.baud_rate = *rate;
     } else if (key == "parity") {
-      if (value != "none" && value != "even") {
+      if (word != "none" && word != "even") {
         throw Malformed{quoted(value) + " is not a parity; parities are none and even"};
       }
-      result.line.parity = value == "even" ? Parity::even : Parity::none;
+      result.line.parity = word == "even" ? Parity::even : Parity::none;
     } else {
       return false;
     }
     return true;
   };
   result.path = split_options(text, "baud=NUMBER and parity=none|even", take);
+  reject_port_of_windows(result.path);
   return result;
 }
 
 CaptureAddress parse_capture(std::string_view text) {
   CaptureAddress result;
   const auto take = [&](std::string_view key, std::string_view value) {
+    const std::string word = lower_case(value);
     if (key != "timing") return false;
-    if (value != "original" && value != "fast") {
+    if (word != "original" && word != "fast") {
       throw Malformed{quoted(value) + " is not a timing; timings are original and fast"};
     }
-    result.timing = value == "fast" ? ReplayTiming::fast : ReplayTiming::original;
+    result.timing = word == "fast" ? ReplayTiming::fast : ReplayTiming::original;
     return true;
   };
   result.file = split_options(text, "timing=original|fast", take);
@@ -130,14 +154,38 @@ T parse_host_and_port(std::string_view text) {
   return {std::string(host), static_cast<std::uint16_t>(*port)};
 }
 
+/// Says what to write in place of an address without a known kind.
+[[noreturn]] void fail_without_kind(std::string_view text) {
+  const std::string given(text);
+  const std::size_t colon = text.find(':');
+  if (lower_case(text) == "pty") throw Malformed{"write pty:"};
+  if (is_number(text) || (colon == 0 && is_number(text.substr(1)))) {
+    throw Malformed{"the host is missing; write tcp:HOST:" + given.substr(colon + 1)};
+  }
+  if (colon == std::string_view::npos) {
+    const bool is_host_or_file = text.find('.') != std::string_view::npos;
+    throw Malformed{is_host_or_file ? "write tcp:" + given + ":PORT for a host, capture:" + given +
+                                          " for a file"
+                                    : "a port is written with its path, such as /dev/" + given};
+  }
+  const bool is_ipv6 =
+      text.find_first_not_of("0123456789abcdefABCDEF:") == std::string_view::npos &&
+      text.find(':', colon + 1) != std::string_view::npos;
+  if (text.starts_with('[') || is_ipv6 || is_number(text.substr(colon + 1))) {
+    static_cast<void>(parse_host_and_port<TcpAddress>(text));  // says what else is wrong
+    throw Malformed{"the kind is missing; write tcp:" + given + " or udp:" + given};
+  }
+  throw Malformed{"unknown kind " + quoted(text.substr(0, colon)) +
+                  "; kinds are serial, tcp, udp, pty and capture"};
+}
+
 Address parse(std::string_view text) {
   const std::size_t colon = text.find(':');
-  const std::string_view kind = text.substr(0, colon);
+  const std::string kind = lower_case(text.substr(0, colon));
   if (text.empty()) throw Malformed{"it is empty"};
-  if (kind.find('/') != std::string_view::npos) return parse_serial(text);
-  if (colon == std::string_view::npos) {
-    throw Malformed{"a port is written with its path, such as /dev/" + std::string(text)};
-  }
+  reject_port_of_windows(text);
+  if (kind.find('/') != std::string::npos) return parse_serial(text);
+  if (colon == std::string_view::npos) fail_without_kind(text);
   const std::string_view rest = text.substr(colon + 1);
   if (kind == "serial") return parse_serial(rest);
   if (kind == "tcp") return parse_host_and_port<TcpAddress>(rest);
@@ -147,7 +195,7 @@ Address parse(std::string_view text) {
     if (!rest.empty()) throw Malformed{"nothing may follow 'pty:'"};
     return PtyAddress{};
   }
-  throw Malformed{"unknown kind " + quoted(kind) + "; kinds are serial, tcp, udp, pty and capture"};
+  fail_without_kind(text);
 }
 
 }  // namespace

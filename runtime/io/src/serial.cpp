@@ -210,8 +210,11 @@ OpenResult open_serial(const asio::any_io_executor& executor, const std::string&
     if (reason == ENOENT || reason == ENOTDIR) return {nullptr, missing_error(path)};
     return {nullptr, system_error(path, reason)};
   }
-  if (!S_ISCHR(status.st_mode))
-    return {nullptr, {Errc::not_a_port, path + " is not a serial port."}};
+  if (!S_ISCHR(status.st_mode)) {
+    const std::string hint =
+        S_ISREG(status.st_mode) ? "; write capture:" + path + " for a capture" : "";
+    return {nullptr, {Errc::not_a_port, path + " is not a serial port" + hint + "."}};
+  }
   detail::Descriptor fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!fd) return {nullptr, open_error(path, errno, status)};
   if (!detail::is_terminal(fd.get())) {
