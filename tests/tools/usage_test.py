@@ -9,11 +9,13 @@ import re
 import struct
 import subprocess
 import termios
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from sbgc_command import MODEL, PROGRAM, ROOT, frame, run
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import MODEL, PROGRAM, ROOT, Result, frame, run
 
 GET_ANGLES = frame(73)
 LINE = '{"message":"GetAnglesRequest","fields":{}}\n'
@@ -195,6 +197,12 @@ def test_what_stands_before_a_bad_digit_is_decoded_once() -> None:
         assert [line["offset"] for line in result.objects] == [0, 5]
 
 
+def assert_one_complaint(result: Result) -> None:
+    assert result.status == 1
+    (complaint,) = re.findall(r"^sbgc: .*writ.*", result.error, re.MULTILINE)
+    assert "standard output" in complaint
+
+
 @pytest.mark.parametrize(
     "arguments, stdin",
     [(arguments, b"") for arguments in HELP]
@@ -211,6 +219,11 @@ def test_what_stands_before_a_bad_digit_is_decoded_once() -> None:
         (["encode", "--hex"], LINE.encode()),
         (["ports"], b""),
         (["ports", "--format", "json"], b""),
+        (["describe"], b""),
+        (["menu", "--list"], b""),
+        (["calibrate", "--list"], b""),
+        (["completion", "bash"], b""),
+        (["manual", "decode"], b""),
         (["record", "pty:", "/dev/null", "--seconds", "0"], b""),
         (["record", "pty:", "-", "--seconds", "0"], b""),
         (["emulate", "--seconds", "0"], b""),
@@ -221,8 +234,35 @@ def test_output_that_can_not_be_written(arguments: list[str], stdin: bytes) -> N
         pytest.skip("no /dev/full")
     with open("/dev/full", "wb") as full:
         result = run(*arguments, stdin=stdin, stdout=full.fileno())
-    assert result.status == 1
-    assert "output" in result.error or "write" in result.error
+    assert_one_complaint(result)
+
+
+@pytest.fixture(scope="module")
+def gimbal() -> Iterator[EmulatedGimbal]:
+    with emulated_gimbal() as running:
+        yield running
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("info", "info --format json", "params show", "params show --format json"),
+        *("params get pitch.p", "params profiles", "params profiles --format json"),
+        *("params set pitch.p=99 --dry-run", "params rename 1 x --yes", "vars list"),
+        *("vars list --format json", "vars set LPF_FREQ_ROLL=31Hz --yes", "script list"),
+        *(
+            "send CMD_GET_ANGLES",
+            "send CMD_GET_ANGLES --format jsonl",
+            "send CMD_GET_ANGLES --dry-run",
+        ),
+        *("stream RealtimeData4 --for 0.2s", "stream RealtimeData4 --for 0.2s --format csv"),
+        *("record --for 0.2s -", "record --for 0.2s /dev/null"),
+    ],
+)
+def test_output_of_a_gimbal_that_can_not_be_written(gimbal: EmulatedGimbal, command: str) -> None:
+    with open("/dev/full", "wb") as full:
+        result = run(*command.split(), "-p", gimbal.address, stdout=full.fileno())
+    assert_one_complaint(result)
 
 
 @pytest.mark.parametrize(
@@ -252,6 +292,15 @@ def test_options_need_finite_numbers(arguments: list[str]) -> None:
 )
 def test_help_names_values(command: list[str], words: str) -> None:
     assert words in run(*command, "--help").text
+
+
+def test_words_have_any_case() -> None:
+    for word in ("JSONL", "Jsonl", "jsonl"):
+        decoded = run("decode", "--from", "BOARD", "--format", word, stdin=frame(67, b"\0\0"))
+        assert decoded.objects[0]["direction"] == "from_board"
+    assert run("emulate", "--parity", "EVEN", "--baud", "Settings", "--seconds", "0").status == 0
+    assert "unknown calibration" not in run("calibrate", "GYRO", "-p", "TCP:127.0.0.1:1").error
+    assert run("completion", "BASH").text == run("completion", "bash").text
 
 
 @pytest.mark.parametrize(

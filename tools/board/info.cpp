@@ -14,6 +14,7 @@
 #include <sbgc/meta/all.hpp>
 
 #include "board/connection.hpp"
+#include "command/choices.hpp"
 #include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
@@ -220,9 +221,7 @@ void add_info(CLI::App& app, CommandContext& context) {
   auto* const command =
       app.add_subcommand("info", "Show the board, its line and its features")->group(heading::look);
   auto options = std::make_shared<InfoOptions>();
-  command->add_option("--format", options->format, "Output format")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
+  add_format(*command, options->format);
   add_gimbal_options(*command, context.gimbal);
   command->footer(
       "'without' lists the features that the board reports it lacks, 'not supported' the commands "

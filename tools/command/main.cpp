@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
     tools::remark("sbgc: {}\n", tools::as_message(error.what()));
     status = error.status();
   } catch (const std::exception& error) {
-    tools::remark("sbgc: {}\n", error.what());
+    // A failed write to the standard output is reported below.
+    if (std::ferror(stdout) == 0) tools::remark("sbgc: {}\n", error.what());
   }
   // An earlier failed write sets the error flag even if there is nothing left to flush.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

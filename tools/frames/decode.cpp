@@ -16,6 +16,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text/values.hpp>
 
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/input.hpp"
@@ -30,6 +31,7 @@
 #include "frames/rejected_candidates.hpp"
 #include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
+#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -76,8 +78,8 @@ std::optional<std::chrono::microseconds> parse_time(const std::string& text) {
 }
 
 std::optional<Direction> parse_side(const std::string& text) {
-  if (text == "board") return Direction::from_board;
-  if (text == "host") return Direction::to_board;
+  if (is_same_word(text, "board")) return Direction::from_board;
+  if (is_same_word(text, "host")) return Direction::to_board;
   return std::nullopt;
 }
 
@@ -442,7 +444,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->type_name("auto|board|host|TIME")
       ->allow_extra_args(false)
       ->check([](const std::string& text) -> std::string {
-        if (text == "auto" || parse_side(text) || parse_time(text)) return {};
+        if (is_same_word(text, "auto") || parse_side(text) || parse_time(text)) return {};
         return fmt::format("'{}' is neither auto, board or host, nor a time", text);
       });
   command
@@ -461,13 +463,12 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->allow_extra_args(false);
   command
       ->add_option("-w,--where", options->conditions,
-                   "Show only frames whose field holds such a value: \"angle.pitch > 10deg\", "
-                   "\"cmd=CMD_CONTROL\", \"system_error & ERR_LOW_VOLTAGE1\"; may be repeated")
+                   "Show only frames whose field holds such a value, as in the examples; may be "
+                   "repeated")
       ->type_name("CONDITION")
       ->allow_extra_args(false);
-  command->add_option("--format", options->format, "Output format; csv for one kind of message")
-      ->check(CLI::IsMember({"text", "jsonl", "csv"}))
-      ->capture_default_str();
+  add_format(*command, options->format, {"text", "jsonl", "csv"},
+             "Output format; csv for one kind of message");
   command->add_flag("--real", options->real,
                     "Add the values in their units, and their names, to JSON lines");
   command
@@ -499,6 +500,12 @@ void add_decode(CLI::App& app, CommandContext& context) {
       "unit; "
       "the first column is the time since the start of the capture, or the offset "
       "of raw bytes.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc decode --where \"cmd=CMD_CONTROL\" capture\n"
+      "  sbgc decode --where \"system_error & ERR_LOW_BAT1\" --from 0 --to 60 capture\n"
+      "  sbgc decode --where \"angle.pitch > 10deg\" --format csv capture\n"
+      "\n"
       "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
       "could not be read or contained none; 2 for wrong usage.");
   command->callback([options, &context] { context.status = decode_file(*options); });

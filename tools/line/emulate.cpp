@@ -21,12 +21,14 @@
 #include <sbgc/text.hpp>
 
 #include "command/background_output.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
 #include "serving/service.hpp"
+#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -145,7 +147,7 @@ constexpr std::uint32_t fastest_rate = 4'000'000;
 
 /// Returns 0 for "settings".
 std::uint32_t parse_rate(const std::string& text) {
-  if (text == "settings") return 0;
+  if (is_same_word(text, "settings")) return 0;
   std::uint32_t rate = 0;
   if (!CLI::detail::lexical_cast(text, rate) || rate < slowest_rate || rate > fastest_rate) {
     throw std::invalid_argument(
@@ -274,7 +276,7 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
             line.board.parity = parity == "even" ? Parity::even : Parity::none;
           },
           "Parity of the line; a byte with parity takes 11 bits [none]")
-      ->check(CLI::IsMember({"none", "even"}))
+      ->transform(one_of({"none", "even"}))
       ->type_name("PARITY")
       ->group("The line");
   const auto add_share = [&](const char* name, double& share, const char* help) {

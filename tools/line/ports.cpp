@@ -11,6 +11,7 @@
 #include <sbgc/io/ports.hpp>
 #include <sbgc/text/values.hpp>
 
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
 #include "line/listed_ports.hpp"
@@ -58,9 +59,7 @@ void add_ports(CLI::App& app, CommandContext& context) {
   auto* const command =
       app.add_subcommand("ports", "List the serial ports of this machine")->group(heading::look);
   auto options = std::make_shared<PortsOptions>();
-  command->add_option("--format", options->format, "Output format")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
+  add_format(*command, options->format);
   command->callback([options, &context] { context.status = print_ports(*options); });
 }
 

@@ -9,11 +9,13 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "board/reconnecting.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/help_text.hpp"
@@ -92,7 +94,7 @@ SampleFormat format_named(std::string_view name) {
 bool write_out(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  if (errno != EPIPE) throw CommandError("cannot write to the standard output");
+  if (errno != EPIPE) throw std::runtime_error("cannot write to the standard output");
   std::clearerr(stdout);
   return false;
 }
@@ -196,13 +198,11 @@ void add_stream(CLI::App& app, CommandContext& context) {
       ->type_name("STREAM")
       ->required();
   add_rate(*command, options->rate);
-  command->add_option("--format", options->format, "Output format; text is a table")
-      ->check(CLI::IsMember({"text", "jsonl", "csv"}))
-      ->capture_default_str();
+  add_format(*command, options->format, {"text", "jsonl", "csv"}, "Output format; text is a table");
   command
       ->add_option("--fields", options->fields,
                    "Only these fields, separated by commas: paths, unique ends of paths, or "
-                   "patterns such as 'angle.*'")
+                   "patterns with *")
       ->type_name("FIELDS");
   command
       ->add_option("--with", options->with,
@@ -217,7 +217,11 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
       "empty. The time is that of arrival. If the line is lost, the command connects again and "
       "goes on. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
-      "there is no connection or no such stream on this board, 2 for wrong usage.");
+      "there is no connection or no such stream on this board, 2 for wrong usage.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
+      "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");
   command->callback([options, &context] { context.status = run_stream(*options, context); });
 }
 

@@ -16,6 +16,7 @@
 
 #include "board/configuration.hpp"
 #include "care/calibrations.hpp"
+#include "command/choices.hpp"
 #include "command/command_error.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
@@ -309,7 +310,7 @@ void add_completion(CLI::App& app, CommandContext& context) {
   auto options = std::make_shared<CompletionOptions>();
   command->add_option("shell", options->shell, "The shell")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->transform(one_of({"bash", "zsh", "fish"}));
   command->footer(
       "An installed sbgc has them. Otherwise:\n"
       "  bash:  source <(sbgc completion bash)\n"
