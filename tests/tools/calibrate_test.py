@@ -83,15 +83,15 @@ def test_a_calibration_that_does_not_report_its_end(gimbal: EmulatedGimbal) -> N
     assert "it does not report the end" in result.error
 
 
-def test_one_that_moves_the_motors_says_so() -> None:
-    result = run("calibrate", "poles", "-p", "tcp:127.0.0.1:1")
+def test_one_that_moves_the_motors_says_so(gimbal: EmulatedGimbal) -> None:
+    result = calibrate(gimbal, "poles")
     text = " ".join(result.error.split())
     assert result.status == 1 and "add --yes" in text
     assert "The camera can move" in text and "fasten the frame" in text
 
 
-def test_other_actions_say_what_they_do() -> None:
-    result = run("calibrate", "gyro", "imu_idx=MAIN", "action=RESET", "-p", "tcp:127.0.0.1:1")
+def test_other_actions_say_what_they_do(gimbal: EmulatedGimbal) -> None:
+    result = calibrate(gimbal, "gyro", "imu_idx=MAIN", "action=RESET")
     text = " ".join(result.error.split())
     assert result.status == 1
     assert "The board restarts" in text and "It deletes stored data" in text

@@ -166,8 +166,13 @@ def test_a_signal_stops_the_camera(
 
 
 @pytest.mark.parametrize("arguments, request_id", SENT)
-def test_a_request_arrives(arguments: tuple[str, ...], request_id: int) -> None:
+def test_a_request_arrives(tmp_path: Path, arguments: tuple[str, ...], request_id: int) -> None:
+    script = tmp_path / "script"
+    script.write_text("wait 1\n")
     with one_board() as board, full_output("stopped terminal") as output:
+        if "start" in arguments:
+            put = run("files", "put", "0", str(script), "--yes", "-p", board.gimbal.address)
+            assert put.status == 0
         with running(*arguments, "--verbose", "-p", board.address, output=output) as process:
             board.await_command(request_id)
             process.terminate()

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import MODEL, PROGRAM, decode, run
+from sbgc_command import MODEL, PROGRAM, Result, decode, run
 
 PortsFile = Callable[..., None]
 
@@ -227,6 +227,22 @@ def test_options_of_a_gimbal_have_to_be_of_use() -> None:
 def test_addresses_without_a_gimbal(address: str, status: int, reason: str) -> None:
     result = run("info", "-p", address)
     assert result.status == status and reason in result.error, result
+
+
+def test_a_malformed_address_is_wrong_usage(tmp_path: Path) -> None:
+    capture = str(tmp_path / "capture")
+    for command in (
+        *("info", "bridge --tcp 0", "stream RealtimeData4", "reset --yes", "motors on"),
+        *("move --yaw 1", f"record {capture}"),
+    ):
+        assert_complains_about_address(run(*command.split(), "-p", "COM3"))
+    for command in ("bridge COM3 --tcp 0", f"record COM3 {capture}"):
+        assert_complains_about_address(run(*command.split()))
+
+
+def assert_complains_about_address(result: Result) -> None:
+    assert result.status == 2, result
+    assert result.error.startswith("sbgc: the address 'COM3' is malformed: "), result
 
 
 def test_a_silent_board() -> None:

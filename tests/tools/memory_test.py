@@ -150,11 +150,18 @@ def test_the_board_vanishes_in_the_middle(tmp_path: Path) -> None:
         ("script", "start", "1"),
     ],
 )
-def test_nothing_is_written_unarmed(arguments: tuple[str, ...], tmp_path: Path) -> None:
+def test_nothing_is_written_unarmed(
+    gimbal: EmulatedGimbal, arguments: tuple[str, ...], tmp_path: Path
+) -> None:
     (tmp_path / "data").write_text("x")
+    for file in ("0", "1"):  # the first is the script in slot 1
+        assert sbgc(gimbal, "files", "put", file, tmp_path / "data", "--yes").status == 0
+    files = sbgc(gimbal, "files", "list").text
+    (tmp_path / "data").write_text("changed")
     words = [word.format(data=tmp_path / "data") for word in arguments]
-    result = run(*words, "-p", "tcp:127.0.0.1:1")
+    result = sbgc(gimbal, *words)
     assert result.status == 1 and "add --yes" in result.error
+    assert sbgc(gimbal, "files", "list").text == files
 
 
 def test_files_that_can_not_be_read(tmp_path: Path) -> None:

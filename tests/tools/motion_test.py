@@ -20,10 +20,17 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
 from optical_axis import degrees_down, degrees_right, right_side_down
 from relay import relay_to
-from sbgc_command import PROGRAM, run
+from sbgc_command import MODEL, PROGRAM, run
 
 SPEED_STEP = 0.1220740379
 """Degrees per second of a unit of speed."""
+
+READING = {
+    message["id"]
+    for message in MODEL["messages"]
+    if (message["effect"] or {}).get("does") == ["reads"]
+}
+"""Commands that change nothing."""
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -63,8 +70,10 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
         ),
     ],
 )
-def test_the_sentence_before_a_motion_says_where_to(arguments: str, sentence: str) -> None:
-    result = run(*arguments.split(), "-p", "tcp:127.0.0.1:1")
+def test_the_sentence_before_a_motion_says_where_to(
+    gimbal: EmulatedGimbal, arguments: str, sentence: str
+) -> None:
+    result = run(*arguments.split(), "-p", gimbal.address)
     assert result.status == 1
     assert sentence in " ".join(result.error.split())
 
@@ -236,11 +245,19 @@ def processor_time_of_children() -> float:
         ("reset",),
     ],
 )
-def test_nothing_happens_unarmed(arguments: tuple[str, ...]) -> None:
-    """Without a terminal to ask on, and before the board is even looked for."""
-    result = run(*arguments, "-p", "tcp:127.0.0.1:1")
+def test_nothing_happens_unarmed(gimbal: EmulatedGimbal, arguments: tuple[str, ...]) -> None:
+    """Without a terminal to ask on, the board is only read."""
+    sent: set[int] = set()
+
+    def note(data: bytes) -> bytes:
+        sent.add(data[1])
+        return data
+
+    with relay_to(gimbal.address, note) as address:
+        result = run(*arguments, "-p", address)
     assert result.status == 1
     assert "add --yes" in result.error
+    assert sent and sent <= READING
 
 
 @pytest.mark.parametrize(
@@ -407,9 +424,28 @@ def test_jog_needs_a_terminal() -> None:
     assert unseen.returncode == 1 and b"jog needs a terminal" in unseen.stderr
 
 
-def test_a_question_that_is_denied() -> None:
-    terminal = Terminal("move", "--pitch", "5", "-p", "tcp:127.0.0.1:1")
+def test_a_question_that_is_denied(gimbal: EmulatedGimbal) -> None:
+    terminal = Terminal("move", "--pitch", "5", "-p", gimbal.address)
     terminal.await_text(b"[y/N]")
     terminal.press(b"\n")
     assert terminal.status() == 1
     assert b"not confirmed" in terminal.shown
+
+
+@pytest.mark.parametrize("command", ["move --pitch 5 --wait", "speed --yaw 5 --for 1s", "jog"])
+def test_ctrl_c_at_the_question_moves_nothing(
+    gimbal: EmulatedGimbal, observer: Observer, command: str
+) -> None:
+    terminal = Terminal(*command.split(), "-p", gimbal.address)
+    terminal.await_text(b"[y/N]")
+    terminal.press(b"\x03")
+    assert terminal.status() == -signal.SIGINT
+    assert not observer.is_turning()
+
+
+def test_jog_asks_nothing_while_the_motors_are_off() -> None:
+    with emulated_gimbal() as gimbal:
+        assert run("motors", "off", "--yes", "-p", gimbal.address).status == 0
+        terminal = Terminal("jog", "-p", gimbal.address)
+        assert terminal.status() == 1
+        assert b"the motors are off" in terminal.shown and b"[y/N]" not in terminal.shown

@@ -240,8 +240,8 @@ def test_what_reads_needs_no_confirmation_and_what_moves_does(board: str) -> Non
         ),
     ],
 )
-def test_the_question_says_what_is_sent(values: list[str], words: str) -> None:
-    result = run("send", "Control", *values, "-p", "tcp:127.0.0.1:1")
+def test_the_question_says_what_is_sent(board: str, values: list[str], words: str) -> None:
+    result = run("send", "Control", *values, "-p", board)
     assert result.status == 1
     assert " ".join(result.error.split()).startswith(words)
 

@@ -8,6 +8,10 @@
 
 namespace sbgc::tools {
 
+/// As require_possible(). Precondition: the message goes to the board.
+void require_any_possible(const Client& client, const MessageType& message, const Json& fields,
+                          bool validate = true);
+
 /// Sends a message and waits for the response that the protocol specifies. Throws JsonError if
 /// `fields` do not describe it. Precondition: the message goes to the board.
 Result<Reply> call_any(Client& client, const MessageType& message, const Json& fields,

@@ -11,15 +11,16 @@
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
+#include "values/words.hpp"
 
 namespace sbgc::tools {
 
 void add_arming(CLI::App& command, Arming& arming) {
   command.add_flag("-y,--yes", arming.yes, "Do it without asking");
+  command.parse_complete_callback(remark_in_background);
 }
 
 void arm(const Arming& arming, const std::string& what_will_happen) {
-  remark_in_background();
   remark("{}\n", wrapped(what_will_happen, line_width()));
   if (arming.yes) return;
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
@@ -29,7 +30,9 @@ void arm(const Arming& arming, const std::string& what_will_happen) {
   background_stderr().wait();  // nothing moves yet
   std::string answer;
   std::getline(std::cin, answer);
-  if (answer != "y" && answer != "Y" && answer != "yes") throw CommandError("not confirmed");
+  if (!is_same_word(answer, "y") && !is_same_word(answer, "yes")) {
+    throw CommandError("not confirmed");
+  }
 }
 
 }  // namespace sbgc::tools

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/io/open.hpp>
+
 #include "board/frame_printer.hpp"
 #include "command/interruption.hpp"
 #include "command/wording.hpp"
@@ -79,10 +81,16 @@ std::string find_gimbal_port(const ConnectOptions& options) {
 
 }  // namespace
 
+void require_address(const std::string& address) {
+  const io::AddressResult parsed = io::parse_address(address);
+  if (!parsed) throw CommandError(parsed.error.message, wrong_usage);
+}
+
 LineChoice choose_line(const GimbalOptions& given, Wrap wrap) {
   const GimbalOptions options = with_configuration(given);
   LineChoice choice{options.port, connect_options(options)};
   if (choice.address.empty()) choice.address = find_gimbal_port(choice.options);
+  require_address(choice.address);
   choice.options.wrap = std::move(wrap);
   if (options.verbose) choice.options.wrap = with_frame_printer(std::move(choice.options.wrap));
   return choice;
@@ -90,12 +98,7 @@ LineChoice choose_line(const GimbalOptions& given, Wrap wrap) {
 
 Client connect(const GimbalOptions& options, Wrap wrap) {
   const LineChoice line = choose_line(options, std::move(wrap));
-  Result<Client> client = Client::connect(line.address, line.options);
-  // An address that means nothing is a mistake on the command line.
-  if (!client && client.error().code == ErrorCode::invalid) {
-    throw CommandError(client.error().message, wrong_usage);
-  }
-  return value_of(std::move(client));
+  return value_of(Client::connect(line.address, line.options));
 }
 
 void fail(const ClientError& error) {

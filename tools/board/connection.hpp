@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/request.hpp>
 #include <sbgc/io/transport.hpp>
 
 #include "board/gimbal_options.hpp"
@@ -22,6 +23,9 @@ struct LineChoice {
   std::string address{};
   ConnectOptions options{};
 };
+
+/// Throws CommandError if the address is malformed, which is wrong usage.
+void require_address(const std::string& address);
 
 /// Returns the address of the options, or of the only gimbal found, and the options of the library,
 /// with the printing of frames if that is wanted. `wrap` is applied to the transport first. Throws
@@ -43,6 +47,13 @@ T value_of(Result<T> result) {
 }
 inline void value_of(const Result<void>& result) {
   if (!result) fail(result.error());
+}
+
+/// Throws CommandError if the board lacks the command, or, if `validate`, does not allow a value,
+/// as Client::call() finds without sending anything.
+template <Message M>
+void require_possible(const Client& client, const M& request, bool validate = true) {
+  value_of(detail::prepare(request, client.identity().versions(), validate));
 }
 
 }  // namespace sbgc::tools

@@ -17,6 +17,7 @@
 #include "board/any_call.hpp"
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
@@ -24,6 +25,7 @@
 #include "command/wording.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_text.hpp"
+#include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
 #include "values/message_names.hpp"
@@ -46,7 +48,7 @@ struct SendOptions {
 struct Outgoing {
   const MessageType* type = nullptr;
   Json fields{};
-  std::string values{};  ///< as given, for the user, and what holds for the others
+  std::string values{};  ///< for the user
 };
 
 /// Returns the number of values that the user can set.
@@ -56,6 +58,30 @@ std::size_t number_of_values(const Outgoing& out) {
     if (!leaf.field.reserved && leaf.kind != LeafKind::counter) ++number;
   });
   return number;
+}
+
+/// Returns the values as given, and what holds for the others. A profile is also named as people
+/// count it, from 1: "profile_id = 1 (profile 2)".
+std::string values_text(const Outgoing& out, const std::vector<Assignment>& assignments) {
+  std::vector<std::string> shown;
+  out.type->for_each_value(out.fields, [&](const Leaf& leaf) {
+    if (!is_profile_index(leaf.field)) return;
+    const char* const special = special_meaning(leaf);
+    shown.push_back(
+        fmt::format("{} = {} ({})", to_string(leaf.path), leaf.integer,
+                    special != nullptr ? special : fmt::format("profile {}", leaf.integer + 1)));
+  });
+  for (const Assignment& one : assignments) {
+    const FieldInfo* const info = find_fields(out.type->fields(), one.name).front().type->info;
+    if (info != nullptr && is_profile_index(*info)) continue;
+    shown.push_back(fmt::format("{} = {}", one.name, one.value));
+  }
+  std::string text;
+  for (const std::string& one : shown) text += (text.empty() ? "" : ", ") + one;
+  if (!shown.empty() && number_of_values(out) > shown.size()) {
+    text += "; every other field is 0, empty or its default";
+  }
+  return text;
 }
 
 Outgoing outgoing_of(const SendOptions& options) {
@@ -78,17 +104,13 @@ Outgoing outgoing_of(const SendOptions& options) {
     const std::vector<Assignment> assignments = parse_assignments(options.values);
     std::vector<std::string> names;
     Outgoing out;
-    for (const Assignment& one : assignments) {
-      names.push_back(one.name);
-      out.values += fmt::format("{}{} = {}", out.values.empty() ? "" : ", ", one.name, one.value);
-    }
+    names.reserve(assignments.size());
+    for (const Assignment& one : assignments) names.push_back(one.name);
     out.type = &form_with(forms, names);
     out.fields = initial_fields(out.type->fields());
     assign(*out.type, assignments, out.fields);
     add_demanded(*out.type, out.fields);
-    if (!assignments.empty() && number_of_values(out) > assignments.size()) {
-      out.values += "; every other field is 0, empty or its default";
-    }
+    out.values = values_text(out, assignments);
     const std::string problems =
         options.no_validate ? "" : violations_of(*out.type, out.fields, newest);
     if (!problems.empty()) throw ValueError(problems);
@@ -173,12 +195,13 @@ int send(const SendOptions& options, const CommandContext& context) {
   if (options.dry_run) return dry_run(options, out);
   const MessageInfo& info = *out.type->info;
   const Effects effects = effects_of(out);
+  Client client = connect(context.gimbal);
+  require_any_possible(client, *out.type, out.fields, !options.no_validate);
   if (needs_arming(info, effects)) {
     arm(options.arming,
         fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",
                     out.values, effect_text(effects)));
   }
-  Client client = connect(context.gimbal);
   FramePrinting printing(options.format == "jsonl");
   const std::vector<std::uint8_t> bytes = encoded(*out.type, out.fields, basic_framing);
   printing.learn(frame_of(bytes, info.id), Direction::to_board);
@@ -217,13 +240,9 @@ void add_send(CLI::App& app, CommandContext& context) {
                    "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
       ->type_name("MESSAGE")
       ->required();
-  command
-      ->add_option("values", options->values,
-                   "Values of fields, such as axes.pitch.angle=-30deg; others are 0 or empty")
+  command->add_option("values", options->values, "Values of fields; others are 0 or empty")
       ->type_name("FIELD=VALUE");
-  command->add_option("--format", options->format, "Output format, as of `sbgc decode`")
-      ->check(CLI::IsMember({"text", "jsonl"}))
-      ->capture_default_str();
+  add_format(*command, options->format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
   command->add_flag("--dry-run", options->dry_run,
                     "Print the frame and what it does; send nothing and open no line");
   command->add_flag("--no-validate", options->no_validate,
@@ -234,8 +253,15 @@ void add_send(CLI::App& app, CommandContext& context) {
       "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
       "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
       "which may be written behind it; raw:NUMBER is the number on the wire. Enums and flags take "
-      "names: MODE_ANGLE, FLAG_A|FLAG_B. Bytes are hex. Lists take values with commas between "
-      "them, or one by one: params[0].param_id=1.\n"
+      "names, with | between flags. Bytes are hex. Lists take values with commas between them, or "
+      "one by one.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc send get_angles\n"
+      "  sbgc send CMD_CONTROL control_mode=MODE_ANGLE pitch.angle=-30deg --dry-run\n"
+      "  sbgc send CMD_SET_ADJ_VARS_VAL params[0].param_id=LPF_FREQ_ROLL "
+      "params[0].param_value=30Hz\n"
+      "\n"
       "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
       "confirmed, 2 for wrong usage.");
   command->callback([options, &context] { context.status = send(*options, context); });

@@ -10,6 +10,7 @@
 
 #include <sbgc/client/calibration.hpp>
 
+#include "board/any_call.hpp"
 #include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
@@ -23,6 +24,7 @@
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
 #include "values/message_names.hpp"
+#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -41,10 +43,10 @@ struct CalibrateOptions {
 const Calibration& calibration_named(const std::string& name) {
   std::vector<std::string> names;
   for (const Calibration& one : calibrations()) {
-    if (one.name == name) return one;
+    if (is_same_word(name, one.name)) return one;
     names.push_back(one.name);
   }
-  const auto near = nearest(name, names);
+  const auto near = nearest(lower_case(name), names);
   throw CommandError(fmt::format("unknown calibration '{}'{}", clipped(name),
                                  did_you_mean(near, "`sbgc calibrate --list` lists them")),
                      wrong_usage);
@@ -138,8 +140,9 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
     throw CommandError("say what to calibrate; `sbgc calibrate --list` lists it", wrong_usage);
   }
   Chosen chosen = choose(calibration_named(command.name), command);
-  arm(command.arming, sentences(chosen));
   Client client = connect(context.gimbal);
+  require_any_possible(client, *chosen.type, chosen.fields);
+  arm(command.arming, sentences(chosen));
   const Interruption interruption;
   ProgressBar bar;
   chosen.options.progress = [&](const CalibrationProgress& progress) {

@@ -32,11 +32,16 @@ constexpr std::chrono::seconds longest_restart{30};
 /// Between attempts to connect: a port that is missing is reported at once.
 constexpr std::chrono::milliseconds attempt_interval{100};
 
-void begin_restart(const LineChoice& line, const CommandContext& context) {
+/// Asks, and restarts the board.
+void begin_restart(const LineChoice& line, const Arming& arming, const CommandContext& context) {
   Client client = value_of(Client::connect(line.address, line.options));
   msg::ResetRequestExt request;
   request.confirm = msg::ResetOption::notify;
   request.delay_ms = msg::Milliseconds(static_cast<std::uint16_t>(restart_delay.count()));
+  require_possible(client, request);
+  arm(arming,
+      "The board restarts. The motors have no power until it is up again: the camera drops to its "
+      "heavy side, then jumps to its target angle.");
   const auto confirmed = client.call(request, call_options(context.gimbal));
   if (!confirmed && confirmed.error().code == ErrorCode::timeout) {
     throw CommandError("the board has not confirmed that it restarts: " +
@@ -53,11 +58,8 @@ bool pause(std::chrono::milliseconds time) {
 }
 
 int reset(const Arming& arming, const CommandContext& context) {
-  arm(arming,
-      "The board restarts. The motors have no power until it is up again: the camera drops to its "
-      "heavy side, then jumps to its target angle.");
   const LineChoice line = choose_line(context.gimbal);
-  begin_restart(line, context);
+  begin_restart(line, arming, context);
   const Interruption interruption;
   ProgressBar bar;
   bar.show("the board restarts");

@@ -269,6 +269,7 @@ int run_record(RecordOptions options, CommandContext& context) {
   }
   reject_options_of_a_board(context.gimbal);
   options.address = options.places.front();
+  require_address(options.address);
   return record_line(options);
 }
 
@@ -288,8 +289,8 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->type_name("[ADDRESS] FILE");
   command
       ->add_option("--stream", options->streams,
-                   "Ask the board for this data stream, such as RealtimeData4, or "
-                   "'RealtimeDataCustom:IMU_ANGLES|RC_DATA'; may be repeated")
+                   "Ask the board for this data stream, with the flags that choose its contents; "
+                   "may be repeated")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME[:WITH]");
@@ -308,7 +309,11 @@ void add_record(CLI::App& app, CommandContext& context) {
       "it connects again, and the capture gets a new session. With an address only, it sends "
       "nothing, and ends with the line. `sbgc decode` shows a capture, and `sbgc replay` or "
       "capture:FILE replays it; `sbgc record ADDRESS - | sbgc decode` shows the frames live. The "
-      "exit status is 0 if everything was recorded, 1 if not, 2 for wrong usage.");
+      "exit status is 0 if everything was recorded, 1 if not, 2 for wrong usage.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc record --stream RealtimeData4 --rate 20 --for 5s capture\n"
+      "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 5s capture");
   command->callback([options, &context] {
     if (options->seconds) {
       options->time = std::chrono::milliseconds(std::llround(*options->seconds * 1000));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/memory.hpp>
+#include <sbgc/messages/storage.hpp>
 #include <sbgc/roles.hpp>
 
 #include "board/arming.hpp"
@@ -31,9 +32,14 @@ struct EepromOptions {
   Arming arming{};
 };
 
+/// Returns 0 if the board does not tell it.
+std::size_t eeprom_size(const BoardIdentity& board) {
+  return board.details ? roles::eeprom_size(*board.details).raw() : 0;
+}
+
 /// The number of bytes from the address to the end of the EEPROM.
 std::size_t rest_of(const BoardIdentity& board, std::uint32_t address) {
-  const std::size_t size = board.details ? roles::eeprom_size(*board.details).raw() : 0;
+  const std::size_t size = eeprom_size(board);
   if (size == 0) throw CommandError("the board does not tell the size of its EEPROM; use --size");
   if (address >= size) {
     throw CommandError(fmt::format("the EEPROM ends before address {}: it has {}", address,
@@ -61,11 +67,19 @@ int read(const EepromOptions& options, const CommandContext& context) {
 int write(const EepromOptions& options, const CommandContext& context) {
   constexpr std::size_t most = 1U << 24U;
   auto data = read_local_file(options.file, most);
+  Client client = connect(context.gimbal);
+  require_possible(client, msg::EepromWrite{}, false);
+  if (eeprom_size(client.identity()) != 0) {
+    const std::size_t room = rest_of(client.identity(), options.address);
+    if (data.size() > room) {
+      throw CommandError(fmt::format("{} do not fit: the EEPROM has {} from address {} on",
+                                     counted(data.size(), "byte"), room, options.address));
+    }
+  }
   arm(options.arming,
       fmt::format("{} of the EEPROM are overwritten, from address {} on. The EEPROM also holds the "
                   "parameters: wrong bytes can make the board unusable. The camera can move.",
                   counted(data.size(), "byte"), options.address));
-  Client client = connect(context.gimbal);
   const Interruption interruption;
   ProgressBar bar("bytes");
   TransferOptions transfer;

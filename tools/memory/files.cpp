@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/memory.hpp>
+#include <sbgc/messages/storage.hpp>
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
@@ -69,11 +70,12 @@ int get(const FilesOptions& options, const CommandContext& context) {
 
 int put(const FilesOptions& options, const CommandContext& context) {
   auto data = read_local_file(options.file, std::numeric_limits<std::uint16_t>::max());
+  Client client = connect(context.gimbal);
+  require_possible(client, msg::WriteFile{}, false);
   arm(options.arming,
       fmt::format("File {} in the memory of the board gets {}; a file with this id is replaced. If "
                   "it is a script, the next start of the board may run it.",
                   options.id, counted(data.size(), "byte")));
-  Client client = connect(context.gimbal);
   const Interruption interruption;
   ProgressBar bar("bytes");
   const std::size_t size = data.size();
@@ -84,10 +86,15 @@ int put(const FilesOptions& options, const CommandContext& context) {
 }
 
 int remove(const FilesOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  if (options.all) {
+    require_possible(client, msg::FsClearAll{});
+  } else {
+    value_of(client.file_size(options.id));
+  }
   arm(options.arming,
       options.all ? "All files in the memory of the board are deleted."
                   : fmt::format("File {} in the memory of the board is deleted.", options.id));
-  Client client = connect(context.gimbal);
   value_of(options.all ? client.delete_all_files() : client.delete_file(options.id));
   remark("deleted\n");
   return success;

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -35,13 +37,33 @@ void run(Client& client, const ScriptOptions& options, msg::ScriptMode mode,
   value_of(Result<void>(client.call(request, call)));
 }
 
+/// Returns the sizes of the scripts by slot, 0 for an empty one; nothing if the board does not
+/// tell.
+std::vector<std::size_t> script_sizes(const Client& client) {
+  std::vector<std::size_t> sizes;
+  const std::optional<msg::BoardInfo3>& details = client.identity().details;
+  if (!details) return sizes;
+  for (const auto& size : details->script_slot_size) sizes.push_back(size.raw());
+  for (const auto& size : details->script_slot_6_to_10_size) sizes.push_back(size.raw());
+  return sizes;
+}
+
+void require_script(const Client& client, unsigned slot) {
+  const std::vector<std::size_t> sizes = script_sizes(client);
+  if (sizes.empty() || (slot <= sizes.size() && sizes[slot - 1] != 0)) return;
+  throw CommandError(
+      fmt::format("there is no script in slot {}; `sbgc script list` shows the scripts", slot));
+}
+
 int start(const ScriptOptions& options, const CommandContext& context) {
+  Client client = connect(context.gimbal);
+  require_possible(client, msg::RunScript{});
+  require_script(client, options.slot);
   arm(options.arming,
       fmt::format("The board runs the script in slot {}. It can do whatever a command can do: move "
                   "the camera, change parameters, restart the board. It goes on after this command "
                   "has ended; `sbgc script stop {}` stops it.",
                   options.slot, options.slot));
-  Client client = connect(context.gimbal);
   run(client, options, msg::ScriptMode::start, context);
   remark("the script in slot {} has started\n", options.slot);
   return success;
@@ -57,11 +79,12 @@ int stop(const ScriptOptions& options, const CommandContext& context) {
 }
 
 int list(const CommandContext& context) {
-  Client client = connect(context.gimbal);
-  if (!client.identity().details) throw CommandError("the board does not tell about its scripts");
-  unsigned slot = 1;
-  for (const auto& size : client.identity().details->script_slot_size) {
-    fmt::print("{}  {}\n", slot++, counted(size.raw(), "byte"));
+  const std::vector<std::size_t> sizes = script_sizes(connect(context.gimbal));
+  if (sizes.empty()) throw CommandError("the board does not tell about its scripts");
+  constexpr std::size_t always_shown = 5;  // only later firmware has more slots
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (i >= always_shown && sizes[i] == 0) continue;
+    fmt::print("{}  {}\n", i + 1, counted(sizes[i], "byte"));
   }
   return success;
 }

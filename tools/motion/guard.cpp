@@ -97,12 +97,7 @@ Guard::~Guard() {
   ::close(channel_);
 }
 
-void Guard::take(io::Transport& transport, AfterStop after) const {
-  const int line = transport.native_handle();
-  if (line < 0) {
-    throw CommandError("nothing can be moved over this line: no guard process can hold it (" +
-                       transport.description() + ")");
-  }
+void Guard::take(int line, AfterStop after) const {
   if (!send_line(channel_, {line, after})) fail_to_start(errno);
 }
 

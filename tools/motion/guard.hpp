@@ -3,8 +3,6 @@
 
 #include <sys/types.h>
 
-#include <sbgc/io/transport.hpp>
-
 namespace sbgc::tools {
 
 /// What the guard does after the stop.
@@ -24,8 +22,8 @@ class Guard {
   /// Releases the guard, which ends, unless the stop was left to it.
   ~Guard();
 
-  /// Hands over the line. Throws CommandError if the transport has no descriptor.
-  void take(io::Transport& transport, AfterStop after) const;
+  /// Hands over the line; the descriptor stays the caller's. Throws CommandError.
+  void take(int line, AfterStop after) const;
   /// Lets the guard stop the camera. It goes on after this process.
   void leave_it_to_guard();
   /// False once the guard has ended: from then on, nobody stops the camera if this process dies.

@@ -23,7 +23,6 @@
 #include "command/system.hpp"
 #include "monitor/terminal_restorer.hpp"
 #include "motion/axis_values.hpp"
-#include "motion/motor_state.hpp"
 #include "motion/moving_gimbal.hpp"
 #include "motion/raw_terminal.hpp"
 
@@ -197,16 +196,15 @@ int jog(const Arming& arming, const CommandContext& context) {
     throw CommandError("jog needs a terminal with a keyboard");
   }
   const TerminalRestorer restorer(TerminalRestorer::Screen::normal);
+  MovingGimbal gimbal(context.gimbal);
   arm(arming,
       fmt::format("Up looks up, and down looks down: the reverse of sbgc 0.1.0. The camera turns "
                   "while a key is held, at up to {:g} deg/s.",
                   speeds.back()));
-  MovingGimbal gimbal(context.gimbal, AfterStop::remove_timeout);
-  require_motors(gimbal.client());
   remark(
       "arrows or w, a, s, d: up, left, down, right    z, c: roll    space: stop\n"
       "+, -: speed    q: quit\n");
-  gimbal.begins_to_move();
+  gimbal.begins_to_move(AfterStop::remove_timeout);
   Result<void> ended;
   bool is_interrupted = false;
   {

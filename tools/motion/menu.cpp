@@ -91,13 +91,14 @@ int menu(const MenuOptions& command, const CommandContext& context) {
     throw CommandError("say which action; `sbgc menu --list` lists them", wrong_usage);
   }
   const ValueInfo& action = action_of(command.action);
-  arm(command.arming, fmt::format("The board performs the menu action {}: {} The camera can move.",
-                                  short_name(action), action.summary));
-  Client client = connect(context.gimbal);
-  CallOptions options = call_options(context.gimbal);
-  options.expect_confirmation = true;
   msg::ExecuteMenu request;
   request.cmd_id = static_cast<msg::MenuCommand>(action.value);
+  Client client = connect(context.gimbal);
+  require_possible(client, request);
+  arm(command.arming, fmt::format("The board performs the menu action {}: {} The camera can move.",
+                                  short_name(action), action.summary));
+  CallOptions options = call_options(context.gimbal);
+  options.expect_confirmation = true;
   value_of(Result<void>(client.call(request, options)));
   remark("The board has accepted {}.\n", short_name(action));
   return success;

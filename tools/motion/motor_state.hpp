@@ -14,7 +14,7 @@ Result<bool> are_motors_on(Client& client);
 /// camera does not turn. Throws CommandError.
 void require_motors(Client& client);
 
-/// Returns the names of the current errors of the board, such as "ERR_LOW_VOLTAGE1"; "" if there
+/// Returns the names of the current errors of the board, such as "ERR_LOW_BAT1"; "" if there
 /// are none or it does not tell.
 std::string current_errors(Client& client);
 

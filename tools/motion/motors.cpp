@@ -9,6 +9,7 @@
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "motion/motor_state.hpp"
@@ -24,9 +25,10 @@ struct MotorsCommand {
 
 int turn_motors(const MotorsCommand& command, const CommandContext& context) {
   const bool on = command.state == "on";
+  Client client = connect(context.gimbal);
+  on ? require_possible(client, msg::MotorsOn{}) : require_possible(client, msg::MotorsOff{});
   arm(command.arming, on ? "The motors turn on, and the camera jumps to its target angle."
                          : "The motors lose power, and the camera drops to its heavy side.");
-  Client client = connect(context.gimbal);
   CallOptions options = call_options(context.gimbal);
   options.expect_confirmation = true;
   Result<void> done = on ? Result<void>(client.call(msg::MotorsOn{}, options))
@@ -50,7 +52,7 @@ void add_motors(CLI::App& app, CommandContext& context) {
   auto options = std::make_shared<MotorsCommand>();
   command->add_option("state", options->state, "on or off")
       ->required()
-      ->check(CLI::IsMember({"on", "off"}));
+      ->transform(one_of({"on", "off"}));
   add_arming(*command, options->arming);
   add_gimbal_options(*command, context.gimbal);
   command->footer(

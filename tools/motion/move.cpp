@@ -51,9 +51,18 @@ std::string angles_text(const MoveTarget& target, const MoveProgress& progress) 
   return text;
 }
 
+void ask(const MoveCommand& command) {
+  const std::string angles = axes_text(command.angles, "deg");
+  // "turns 30 deg down (pitch 30)", but "turns to roll -5 deg"
+  const bool begins_with_axis = !angles.empty() && angles.front() >= 'a' && angles.front() <= 'z';
+  const char* const word = command.relative ? "by " : begins_with_axis ? "to " : "";
+  arm(command.arming,
+      fmt::format("The camera turns {}{}, at up to {} deg/s.", word, angles, command.speed));
+}
+
 void move_and_wait(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
-  MovingGimbal gimbal(context.gimbal, AfterStop::nothing);
-  require_motors(gimbal.client());
+  MovingGimbal gimbal(context.gimbal);
+  ask(command);
   const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
   const MoveTarget target = target_of(command, state);
   options.timeout = time_for_move(target, state, options.speed);
@@ -62,7 +71,7 @@ void move_and_wait(const MoveCommand& command, const CommandContext& context, Mo
     bar.show(angles_text(target, progress));
     return !gimbal.must_stop();
   };
-  gimbal.begins_to_move();
+  gimbal.begins_to_move(AfterStop::nothing);
   options.stop_on_failure = false;  // give_up() stops it
   const Result<MoveProgress> moved = gimbal.client().move_to(target, options);
   if (!moved) gimbal.give_up(moved.error());
@@ -75,6 +84,7 @@ void move_and_wait(const MoveCommand& command, const CommandContext& context, Mo
 void begin_to_move(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
   Client client = connect(context.gimbal);
   require_motors(client);
+  ask(command);
   const auto state = value_of(Result<msg::GetAngles>(client.get_angles()));
   options.timeout = std::chrono::seconds(3);
   const MoveTarget target = target_of(command, state);
@@ -91,12 +101,6 @@ int move(const MoveCommand& command, const CommandContext& context) {
                        wrong_usage);
   }
   if (!command.relative) static_cast<void>(target_of(command, {}));  // before anything is asked
-  const std::string angles = axes_text(command.angles, "deg");
-  // "turns 30 deg down (pitch 30)", but "turns to roll -5 deg"
-  const bool begins_with_axis = !angles.empty() && angles.front() >= 'a' && angles.front() <= 'z';
-  const char* const word = command.relative ? "by " : begins_with_axis ? "to " : "";
-  arm(command.arming,
-      fmt::format("The camera turns {}{}, at up to {} deg/s.", word, angles, command.speed));
   if (command.wait) {
     move_and_wait(command, context, options);
   } else {

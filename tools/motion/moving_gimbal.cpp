@@ -4,9 +4,13 @@
 #include <csignal>
 #include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include <sbgc/io/transport.hpp>
+
+#include "motion/motor_state.hpp"
 
 namespace sbgc::tools {
 
@@ -26,19 +30,32 @@ StaysAwake::~StaysAwake() {
   for (std::size_t i = 0; i < ignored.size(); ++i) ::sigaction(ignored[i], &previous_[i], nullptr);
 }
 
-MovingGimbal::MovingGimbal(const GimbalOptions& options, AfterStop after)
-    : guard_(std::make_unique<Guard>()) {
-  const auto hand_over = [&](std::unique_ptr<io::Transport> transport) {
-    guard_->take(*transport, after);
-    return transport;
+MovingGimbal::MovingGimbal(const GimbalOptions& options) {
+  const auto keep_line = [&](std::unique_ptr<io::Transport> transport) {
+    if (line_ >= 0) ::close(line_);
+    line_ = ::fcntl(transport->native_handle(), F_DUPFD_CLOEXEC, 0);
+    if (line_ >= 0) return transport;
+    throw CommandError("nothing can be moved over this line: no guard process can hold it (" +
+                       transport->description() + ")");
   };
-  client_ = std::make_unique<Client>(connect(options, hand_over));
-  if (must_stop()) give_up({});
+  client_ = std::make_unique<Client>(connect(options, keep_line));
+  require_motors(*client_);
 }
 
 MovingGimbal::~MovingGimbal() {
   client_.reset();  // so that only the guard holds the line
+  if (line_ >= 0) ::close(line_);
   if (motion_ == Motion::maybe) guard_->leave_it_to_guard();
+}
+
+void MovingGimbal::begins_to_move(AfterStop after) {
+  awake_.emplace();
+  interruption_.emplace();
+  guard_.emplace();
+  guard_->take(line_, after);
+  ::close(std::exchange(line_, -1));
+  if (must_stop()) give_up({});
+  motion_ = Motion::maybe;
 }
 
 void MovingGimbal::give_up(const ClientError& problem) {
@@ -50,14 +67,16 @@ void MovingGimbal::give_up(const ClientError& problem) {
   }
   if (motion_ == Motion::ended) end = "; the camera has stopped";
   if (was_interrupted()) throw CommandError("interrupted" + end, interrupted);
-  if (!guard_->is_alive()) {
+  if (guard_ && !guard_->is_alive()) {
     throw CommandError("the guard process, which stops the gimbal if this one dies, has ended" +
                        end);
   }
   throw CommandError(problem.message + end);
 }
 
-bool MovingGimbal::must_stop() const { return was_interrupted() || !guard_->is_alive(); }
+bool MovingGimbal::must_stop() const {
+  return was_interrupted() || (guard_ && !guard_->is_alive());
+}
 
 bool MovingGimbal::wait(std::chrono::milliseconds time, int descriptor) const {
   std::array<pollfd, 3> waiting{{{interruption_descriptor(), POLLIN, 0},

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
-#include <string>
+#include <optional>
 
 #include <sbgc/client/client.hpp>
 
@@ -28,12 +28,12 @@ class StaysAwake {
   std::array<struct sigaction, 4> previous_{};
 };
 
-/// A gimbal with a guard. Signals do not end the program as long as it exists; the motion must end
-/// when must_stop() says so.
+/// A gimbal whose camera a command moves. From begins_to_move() on, it has a guard, and signals do
+/// not end the program; the motion must end when must_stop() says so.
 class MovingGimbal {
  public:
-  /// Connects. Throws CommandError.
-  MovingGimbal(const GimbalOptions& options, AfterStop after);
+  /// Connects. Throws CommandError, also if the motors are off or no guard can hold the line.
+  explicit MovingGimbal(const GimbalOptions& options);
   MovingGimbal(const MovingGimbal&) = delete;
   MovingGimbal& operator=(const MovingGimbal&) = delete;
   /// Leaves a camera that may still turn to the guard.
@@ -41,8 +41,9 @@ class MovingGimbal {
 
   Client& client() noexcept { return *client_; }
 
-  /// Call this before the first command that moves the camera.
-  void begins_to_move() noexcept { motion_ = Motion::maybe; }
+  /// Starts the guard. Call this before the first command that moves the camera. Throws
+  /// CommandError.
+  void begins_to_move(AfterStop after);
   /// The camera has stopped.
   void has_stopped() noexcept { motion_ = Motion::ended; }
   /// Ends a motion that went wrong: stops the camera, and ends the command with `problem`, or with
@@ -58,10 +59,11 @@ class MovingGimbal {
  private:
   enum class Motion : unsigned char { none, maybe, ended };
 
-  StaysAwake awake_;
-  Interruption interruption_;
-  std::unique_ptr<Guard> guard_;
-  std::unique_ptr<Client> client_;
+  std::optional<StaysAwake> awake_{};
+  std::optional<Interruption> interruption_{};
+  std::optional<Guard> guard_{};
+  int line_ = -1;  // a duplicate of the descriptor of the client, for the guard
+  std::unique_ptr<Client> client_{};
   Motion motion_ = Motion::none;
 };
 

@@ -18,7 +18,6 @@
 #include "command/remark.hpp"
 #include "command/system.hpp"
 #include "motion/axis_values.hpp"
-#include "motion/motor_state.hpp"
 #include "motion/moving_gimbal.hpp"
 
 namespace sbgc::tools {
@@ -60,13 +59,12 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   if (!command.time && !is_terminal(stdin)) {
     throw CommandError("without a terminal, say how long to turn: --for TIME", wrong_usage);
   }
+  MovingGimbal gimbal(context.gimbal);
   arm(command.arming, fmt::format("The camera turns at {}, {}.", axes_text(command.speeds, "deg/s"),
                                   command.time ? "for " + duration_text(*command.time)
                                                : "until Ctrl-C is pressed"));
-  MovingGimbal gimbal(context.gimbal, AfterStop::remove_timeout);
-  require_motors(gimbal.client());
+  gimbal.begins_to_move(AfterStop::remove_timeout);
   const auto end = command.time ? Clock::now() + *command.time : Clock::time_point::max();
-  gimbal.begins_to_move();
   Result<void> turned;
   {
     SpeedControl control(gimbal.client());

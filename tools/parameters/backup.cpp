@@ -15,6 +15,7 @@
 #include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -201,6 +202,7 @@ int report_changes(const DiffOptions& options, const std::vector<ParametersChang
 /// Compares one profile with the factory defaults.
 int compare_with_defaults(const DiffOptions& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
+  require_possible(client, msg::UseDefaults{});
   const ChosenProfile profile = choose_profile(client, options.profile);
   const std::size_t active = value_of(client.active_profile());
   // The last profile that the board does not work with.
@@ -320,6 +322,7 @@ int reset(const ResetChoice& options, const CommandContext& context) {
     throw CommandError("--all and --profile exclude each other", wrong_usage);
   }
   Client client = connect(context.gimbal);
+  require_possible(client, msg::UseDefaults{});
   const ChosenProfile profile = choose_profile(client, options.profile);
   const std::string save_to =
       options.save_to.empty() ? dated_name("parameters.json", "before-reset") : options.save_to;
@@ -389,9 +392,7 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
                     "back to them in another profile for a moment");
   add_profile_option(*command, options->profile);
   add_arming(*command, options->arming);
-  command->add_option("--format", options->format, "Output format")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
+  add_format(*command, options->format);
   add_gimbal_options(*command, context.gimbal);
   command->footer(
       "The exit status is 0 if there are no differences, 1 if there are, 3 if they could not be "

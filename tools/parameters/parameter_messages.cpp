@@ -96,6 +96,18 @@ bool is_general(const FoundField& field) {
   return field.type->info != nullptr && field.type->info->role == FieldRole::general;
 }
 
+bool is_profile_index(const FieldInfo& field) {
+  static const std::string name = [] {
+    for (const ParameterMessage& message : parameter_messages()) {
+      for (const FieldType& one : message.type->fields()) {
+        if (one.info != nullptr && one.info->role == FieldRole::copy) return std::string(one.name);
+      }
+    }
+    return std::string();
+  }();
+  return field.name == name;
+}
+
 std::string ShownParameter::text() const {
   if (meaning.empty()) return raw;
   return is_special ? fmt::format("{} ({})", raw, meaning) : meaning;

@@ -43,6 +43,9 @@ FoundParameters find_parameters(std::string_view name);
 /// True if the field is the same in all profiles.
 bool is_general(const FoundField& field);
 
+/// True if the value is the index of a profile. The specification gives such fields one name.
+bool is_profile_index(const FieldInfo& field);
+
 /// One value for the user.
 struct ShownParameter {
   std::string message{};

@@ -201,9 +201,10 @@ void add_params_set(CLI::App& params, CommandContext& context) {
   auto* const command = params.add_subcommand("set", "Change parameters");
   auto options = std::make_shared<SetOptions>();
   command
-      ->add_option("values", options->values,
-                   "For example pitch.p=20, rc_min_angle=-30deg or follow_mode=FOLLOW_MODE_FC; "
-                   "without an axis, all axes are set")
+      ->add_option(
+          "values", options->values,
+          "Parameters by their paths, unique ends of paths, or names in the specification; "
+          "without an axis, all axes are set")
       ->type_name("PARAMETER=VALUE")
       ->required();
   add_profile_option(*command, options->profile);
@@ -216,7 +217,11 @@ void add_params_set(CLI::App& params, CommandContext& context) {
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
       "back and compares. A number is in the unit that `params show` prints, which may be written "
       "behind it; raw:NUMBER is the number on the wire. A general parameter is set in all "
-      "profiles.");
+      "profiles.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc params set pitch.p=20\n"
+      "  sbgc params set rc_min_angle=-30deg follow_mode=FOLLOW_MODE_FC --profile 2");
   command->callback([options, &context] { context.status = set(*options, context); });
 }
 

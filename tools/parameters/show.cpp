@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/profiles.hpp>
+#include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/choices.hpp"
 #include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
@@ -208,18 +210,13 @@ int rename_one(const RenameOptions& options, const CommandContext& context) {
     fmt::print("profile {} already has this name\n", options.profile);
     return success;
   }
+  require_possible(client, msg::WriteProfileNames{});
   arm(options.arming, fmt::format("Renames profile {} from {} to {}.", options.profile,
                                   detail::quoted(names[index]), detail::quoted(options.name)));
   value_of(client.rename_profile(index, options.name));
   fmt::print("profile {}: {} -> {}\n", options.profile, detail::quoted(names[index]),
              detail::quoted(options.name));
   return success;
-}
-
-void add_format(CLI::App& command, std::string& format) {
-  command.add_option("--format", format, "Output format")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
 }
 
 }  // namespace

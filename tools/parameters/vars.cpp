@@ -9,11 +9,14 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/variables.hpp>
+#include <sbgc/messages/adjustable_variables.hpp>
+#include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -158,6 +161,8 @@ int set_them(const VarsOptions& options, const CommandContext& context) {
   if (changed.empty()) fmt::print("nothing to change\n");
   std::fflush(stdout);
   if (changed.empty() && !options.save) return success;
+  if (!changed.empty()) require_possible(client, msg::SetAdjVarsVal{}, false);
+  if (options.save) require_possible(client, msg::SaveParams3{});
   arm(options.arming, what_happens(changed.size(), options.save));
   const Interruption interruption;
   if (!changed.empty()) value_of(client.set_variables(changed));
@@ -197,11 +202,6 @@ void add_vars(CLI::App& app, CommandContext& context) {
     add_gimbal_options(*command, context.gimbal);
     return command;
   };
-  const auto add_format = [](CLI::App& command, std::string& format) {
-    command.add_option("--format", format, "Output format")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-  };
   auto listing = std::make_shared<VarsOptions>();
   auto* const list = add("list", "List all variables with their values and ranges");
   add_format(*list, listing->format);
@@ -217,11 +217,14 @@ void add_vars(CLI::App& app, CommandContext& context) {
 
   auto setting = std::make_shared<VarsOptions>();
   auto* const set = add("set", "Set variables");
-  set->add_option("values", setting->names, "For example LPF_FREQ_ROLL=30Hz")
+  set->add_option("values", setting->names, "Names and units as `vars list` prints them")
       ->type_name("VARIABLE=VALUE")
       ->required();
   set->add_flag("--save", setting->save, "Save the change, so that it survives a restart");
   add_arming(*set, setting->arming);
+  set->footer(
+      "Example:\n"
+      "  sbgc vars set LPF_FREQ_ROLL=30Hz --save");
   set->callback([setting, &context] { context.status = set_them(*setting, context); });
 }
 
