@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <asio/ip/udp.hpp>
@@ -14,20 +16,32 @@ namespace sbgc::serving {
 
 /// UDP does not report that a sender has left, and anyone can send from any number of addresses.
 /// Therefore the number of places is limited, and a new host replaces the one that has been silent
-/// longest: among those that sent only one datagram, or else among all.
+/// longest: among those that have not sent again after an answer, or else among those to which
+/// nothing was sent either for some time. A sender that found no place and tries again goes before
+/// those that send for the first time, however many they are.
 class DatagramHosts {
  public:
-  /// How long a place is reserved after the first datagram and after each later one.
+  /// How long a place is reserved after the first datagram from others that send for the first
+  /// time, and from all after the last datagram of a host that has sent again, or to it.
   static constexpr Duration safe_once = milliseconds(500);
   static constexpr Duration safe_again = seconds(5);
+  /// How long a host that has tried again, or has an answer, keeps its place to go on.
+  static constexpr Duration time_to_go_on = milliseconds(50);
   /// A host that has been silent for this long is removed, even if its place is not needed.
   static constexpr Duration idle_time = seconds(60);
+  /// A sender that finds no place is remembered for at least this long, at most for twice as long.
+  /// Another one with the same address is soon taken for it: there are some 28,000 ports.
+  static constexpr Duration memory = seconds(1);
+  /// Unless there are more of them.
+  static constexpr std::size_t most_remembered = 4096;
 
   struct Host {
     asio::ip::udp::endpoint endpoint{};
     std::size_t port{};
     Instant heard{};
-    bool is_known{};  ///< true if it has sent more than one datagram
+    bool has_tried{};                   ///< it found no place before
+    std::optional<Instant> answered{};  ///< when something was sent to it
+    bool is_known{};                    ///< it has sent again after that
   };
 
   explicit DatagramHosts(std::size_t places) : places_(places) {}
@@ -44,7 +58,7 @@ class DatagramHosts {
 
   /// Precondition: not full, and the endpoint is not a host yet.
   const Host& add(const asio::ip::udp::endpoint& endpoint, std::size_t port, Instant now) {
-    return hosts_.emplace_back(Host{endpoint, port, now, false});
+    return hosts_.emplace_back(Host{endpoint, port, now, has_tried(endpoint), {}, {}});
   }
 
   /// Records another datagram from a known host.
@@ -52,18 +66,29 @@ class DatagramHosts {
     for (Host& host : hosts_) {
       if (host.endpoint != endpoint) continue;
       host.heard = now;
-      host.is_known = true;
+      host.is_known = host.answered.has_value();
     }
   }
 
-  /// Removes the host to be replaced; returns nothing if all places are reserved. A known host may
-  /// be listening to a stream, so it stays while there is an unknown one.
-  std::optional<Host> make_room(Instant now) {
-    const bool all_known = std::ranges::all_of(hosts_, &Host::is_known);
-    return remove_first([&](const Host& host) {
-      const Duration safe = host.is_known ? safe_again : safe_once;
-      return host.is_known == all_known && now - host.heard >= safe;
+  /// Records that something was sent to a host.
+  void answer(const asio::ip::udp::endpoint& endpoint, Instant now) {
+    for (Host& host : hosts_) {
+      if (host.endpoint == endpoint) host.answered = now;
+    }
+  }
+
+  /// Removes the host that this sender replaces; returns nothing if all places are reserved.
+  std::optional<Host> make_room(const asio::ip::udp::endpoint& endpoint, Instant now) {
+    const bool tries_again = has_tried(endpoint);
+    const auto replaced = remove_first([&](const Host& host) {
+      const Duration silent = now - host.heard;
+      // It may be listening to a stream.
+      if (host.is_known) return silent >= safe_again && now - *host.answered >= safe_again;
+      if (!tries_again) return silent >= safe_once;
+      return silent >= time_to_go_on || (!host.has_tried && !host.answered);
     });
+    remember(replaced ? replaced->endpoint : endpoint, now);
+    return replaced;
   }
 
   /// Removes a host that has been silent for too long, if any.
@@ -72,6 +97,19 @@ class DatagramHosts {
   }
 
  private:
+  /// True for a sender that was refused or replaced.
+  bool has_tried(const asio::ip::udp::endpoint& endpoint) const {
+    return recent_.contains(endpoint) || earlier_.contains(endpoint);
+  }
+
+  void remember(const asio::ip::udp::endpoint& endpoint, Instant now) {
+    if (recent_.size() >= most_remembered || now - since_ >= memory) {
+      earlier_ = std::exchange(recent_, {});
+      since_ = now;
+    }
+    recent_.insert(endpoint);
+  }
+
   template <class Matches>
   std::optional<Host> remove_first(Matches&& matches) {
     auto first = hosts_.end();
@@ -90,6 +128,9 @@ class DatagramHosts {
 
   std::size_t places_;
   std::vector<Host> hosts_{};
+  std::set<asio::ip::udp::endpoint> recent_{};  // senders without a place, since since_
+  std::set<asio::ip::udp::endpoint> earlier_{};
+  Instant since_{};
 };
 
 }  // namespace sbgc::serving

@@ -90,7 +90,7 @@ class UdpEndpoint final : public Endpoint {
       return known;
     }
     if (hosts_.is_full()) {
-      const auto gone = hosts_.make_room(now);
+      const auto gone = hosts_.make_room(endpoint, now);
       if (!gone) return nullptr;
       leave(*gone);
     }
@@ -122,6 +122,7 @@ class UdpEndpoint final : public Endpoint {
       const std::size_t size = std::min(waiting.size(), datagram_size);
       std::error_code lost;  // ignored, like a lost datagram
       socket_.send_to(asio::buffer(waiting.data(), size), endpoint, 0, lost);
+      hosts_.answer(endpoint, board_.now());
       board_.take(port, size);
     }
   }

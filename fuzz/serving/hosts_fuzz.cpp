@@ -273,15 +273,20 @@ class Datagrams {
       return hosts_.hear(from, now_);
     }
     if (hosts_.is_full()) {
-      const auto gone = hosts_.make_room(now_);
-      if (!gone) return;
-      require(now_ - gone->heard >=
-              (gone->is_known ? DatagramHosts::safe_again : DatagramHosts::safe_once));
+      const auto gone = hosts_.make_room(from, now_);
+      if (!gone) {
+        strangers_.insert(from);
+        return;
+      }
+      const auto safe = gone->is_known ? DatagramHosts::safe_again : DatagramHosts::safe_once;
+      require(now_ - gone->heard >= safe || (!gone->is_known && strangers_.contains(from)));
+      strangers_.insert(gone->endpoint);
       leave(*gone);
     }
     std::size_t port = 0;
     while (!ports_.insert(port).second) ++port;
     hosts_.add(from, port, now_);
+    if (code % 2 == 0) hosts_.answer(from, now_);
   }
 
   void leave(const DatagramHosts::Host& host) {
@@ -296,6 +301,7 @@ class Datagrams {
   Input& input_;
   DatagramHosts hosts_{places};
   std::set<std::size_t> ports_{};
+  std::set<asio::ip::udp::endpoint> strangers_{};  // refused or replaced before
   Instant now_{1'000'000};
 };
 
