@@ -392,6 +392,9 @@ def web_address(bridge: Bridge) -> str:
         (f"?token={TOKEN[:-1]}", None, None, 401),
         ("", None, "sbgc, token.wrong", 401),
         ("", None, f"token.{TOKEN}", 400),
+        # Only the first would have been looked at.
+        (f"?token={TOKEN}", "http://localhost:8000\r\nOrigin: http://evil.example", None, 400),
+        (f"?token={TOKEN}", "http://localhost:8000\r\nOrigin: http://localhost:8000", None, 400),
     ],
 )
 def test_only_those_who_may_connect_over_a_web_socket(
@@ -485,6 +488,31 @@ def test_only_so_many_web_sockets() -> None:
             assert [page.status for page in pages] == [101] * 16 + [503]
             for page in pages:
                 page.close()
+
+
+def test_a_web_socket_without_a_place_that_sends_a_text() -> None:
+    """Both are reasons to close it."""
+    with emulated_gimbal() as gimbal:
+        with bridge_to(
+            gimbal.address, "--tcp", "0", "--udp", "0", "--ws", "0", "--token", TOKEN
+        ) as bridge:
+            hosts = [Host(bridge.address) for _ in range(16)]
+            assert all(host.ask(BOARD_INFO) for host in hosts)
+            _, address, port = bridge.addresses[1].split(":")
+            senders = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(16)]
+            for sender in senders:
+                sender.settimeout(20)
+                sender.connect((address, int(port)))
+                sender.send(frame(BOARD_INFO))
+                assert sender.recv(100)
+            for _ in range(50):  # the text arrives before or while the place is refused
+                page = WebSocket(bridge.addresses[2], f"?token={TOKEN}")
+                page.send(b"hello", 1)
+                assert page.receive()[0] == 8
+                page.close()
+            assert hosts[0].ask(BOARD_INFO)
+            for one in [*hosts, *senders]:
+                one.close()
 
 
 def test_it_shows_which_web_sockets_come_and_go() -> None:

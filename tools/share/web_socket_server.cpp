@@ -141,6 +141,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void read_next() {
     stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return self->finish();
+      if (self->is_closing_) return;  // the end of the closing ends the session
       if (!self->stream_.got_binary()) return self->close("binary messages only");
       const auto data = self->buffer_.cdata();
       const auto* const begin = static_cast<const std::uint8_t*>(data.data());
@@ -167,6 +168,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void drop() { stream_.next_layer().close(); }
 
   void close(const std::string& reason) {
+    if (std::exchange(is_closing_, true)) return;  // the stream allows no second one at a time
     stream_.async_close({websocket::close_code::policy_error, reason},
                         [self = shared_from_this()](beast::error_code) { self->finish(); });
   }
@@ -178,6 +180,10 @@ class Session : public std::enable_shared_from_this<Session> {
     if (!websocket::is_upgrade(request)) return refuse(http::status::upgrade_required);
     // A client has to wait for the response; what it sent before would be read without its frame.
     if (buffer_.size() != 0) return refuse(http::status::bad_request);
+    if (request.count(http::field::origin) > 1) {
+      events_.refused(name_ + " refused: its request has several origins");
+      return refuse(http::status::bad_request);
+    }
     const auto origin = request.find(http::field::origin);
     if (origin != request.end() && !access_.allows_origin(view(origin->value()))) {
       events_.refused(name_ + " refused: pages of '" + printable(view(origin->value())) +
@@ -241,6 +247,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::string name_;
   bool is_accepted_ = false;
   bool is_open_ = false;
+  bool is_closing_ = false;
   http::request_parser<http::empty_body> parser_;
   http::response<http::empty_body> response_;
   beast::flat_buffer buffer_{max_message + max_header};
