@@ -38,6 +38,11 @@ std::shared_ptr<Host> Host::connect(HostPorts& board, std::unique_ptr<io::Transp
 void Host::start() { wake(); }
 
 void Host::wake() {
+  if (!is_closed_ && !has_read_all_ && board_.must_leave(port_)) {
+    has_read_all_ = true;
+    written_at_ = io::Clock::now();
+    linger();  // not at once, because this may be a call from the board
+  }
   read();
   write();
 }
@@ -90,6 +95,10 @@ void Host::end_or_linger() {
   if (is_writing_ && io::Clock::now() - written_at_ > patience) {
     return end(asio::error::timed_out);
   }
+  linger();
+}
+
+void Host::linger() {
   linger_.expires_after(linger_for);
   linger_.async_wait([self = shared_from_this()](std::error_code aborted) {
     if (!aborted && !self->is_closed_) self->end_or_linger();

@@ -44,6 +44,7 @@ class Host : public std::enable_shared_from_this<Host> {
   void write();
   void finish_reading(std::error_code error);
   void end_or_linger();
+  void linger();
   void end(std::error_code error);
 
   HostPorts& board_;
@@ -55,7 +56,7 @@ class Host : public std::enable_shared_from_this<Host> {
   std::vector<std::uint8_t> output_{};  // being written
   bool is_reading_ = false;
   bool is_writing_ = false;
-  bool has_read_all_ = false;
+  bool has_read_all_ = false;  // or reads no more
   bool is_closed_ = true;
 };
 

@@ -37,6 +37,8 @@ class HostPorts {
   virtual std::size_t room(std::size_t port) const = 0;
   /// True if nothing more is to come for this host, apart from unsolicited messages.
   virtual bool is_quiet(std::size_t port) const = 0;
+  /// True if bytes for the host were lost: it gets those before them, then it must leave.
+  virtual bool must_leave(std::size_t) const { return false; }
   virtual void receive(std::size_t port, std::span<const std::uint8_t> bytes) = 0;
   /// The bytes for the host.
   virtual std::span<const std::uint8_t> output(std::size_t port) const = 0;

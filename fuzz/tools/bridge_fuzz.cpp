@@ -256,9 +256,12 @@ class Player {
       expected.erase(expected.begin(), place + 1);
     }
     if (const auto exclusive = ports_.exclusive_host()) hosts_.at(*exclusive).had_line = true;
-    std::size_t most = 0;
-    for (const auto& [port, host] : hosts_) most = std::max(most, ports_.output(port).size());
-    require(most <= BridgePorts::max_output + BridgePorts::max_requests * sbgc::max_frame_size);
+    for (const auto& [port, host] : hosts_) {
+      const std::size_t most =
+          host.had_line ? BridgePorts::max_raw_output : BridgePorts::max_output;
+      require(ports_.output(port).size() <=
+              most + BridgePorts::max_requests * sbgc::max_frame_size);
+    }
     require(board_.open.size() <= hosts_.size() * (BridgePorts::max_requests + 1) + unowned());
   }
 

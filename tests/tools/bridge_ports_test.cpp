@@ -18,6 +18,7 @@
 namespace sbgc::tools {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -594,12 +595,57 @@ TEST_F(Bridge, AHostWithTheLineForItselfSendsNoFasterThanTheLine) {
   EXPECT_GT(wakes[0], before);
 }
 
-TEST_F(Bridge, TheBytesForAHostWithTheLineForItselfAreLimited) {
+TEST_F(Bridge, AHostWithTheLineForItselfLosesNoBytes) {
   const std::size_t host = join();
   ask(host, msg::BootMode3{});
-  for (int i = 0; i < 1000; ++i) ports.raw_arrived(Bytes(1000));
-  EXPECT_LE(ports.output(host).size(), BridgePorts::max_output);
-  EXPECT_GT(ports.counters()[0].dropped, 0U);
+  Bytes all;
+  for (int i = 0; i < 300; ++i) {
+    const Bytes piece(1000, static_cast<std::uint8_t>(i));
+    ports.raw_arrived(piece);
+    all.insert(all.end(), piece.begin(), piece.end());
+  }
+  EXPECT_EQ(read(host), all);
+}
+
+TEST_F(Bridge, AHostWithTheLineForItselfThatDoesNotReadMustLeave) {
+  const std::size_t host = join();
+  const std::size_t other = join();
+  ask(host, msg::BootMode3{});
+  std::size_t arrived = 0;
+  for (; !ports.must_leave(host); arrived += 1000) {
+    ASSERT_LE(arrived, 10'000'000U);
+    ports.raw_arrived(Bytes(1000, 0x55));
+  }
+  EXPECT_FALSE(line.is_taken);
+  EXPECT_THAT(logged, Contains("host 0 must leave: it does not read what the board sends"));
+  EXPECT_NE(ports.room(other), 0U);
+  EXPECT_EQ(ports.room(host), 0U);
+  // It gets what came before the loss, and nothing behind it.
+  ports.raw_arrived(Bytes(1));
+  send(msg::Reset{});
+  EXPECT_EQ(read(host), Bytes(arrived - 1000, 0x55));
+  ask(host, msg::GetAnglesRequest{});
+  EXPECT_THAT(line.sent, IsEmpty());
+  EXPECT_TRUE(ports.is_quiet(host)) << "its connection ends now";
+}
+
+TEST_F(Bridge, NoByteIsSentTwiceOfAHostWithTheLineForItself) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  line.raw.clear();
+  // A false start of a frame, and a frame in its body.
+  Bytes bytes{'>', 86, 200, 30};
+  const Bytes inner = frame_of(msg::BoardInfoRequest{});
+  bytes.insert(bytes.end(), inner.begin(), inner.end());
+  ports.receive(host, bytes);
+  time = time + seconds(1);
+  ports.tick();
+  EXPECT_EQ(line.raw, bytes);
+  ports.receive(host, bytes);
+  ports.line_lost();
+  time = time + seconds(1);
+  ports.tick();
+  EXPECT_THAT(line.sent, IsEmpty()) << "raw bytes are no requests";
 }
 
 TEST_F(Bridge, AHostThatLeavesGivesTheLineBack) {

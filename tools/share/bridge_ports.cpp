@@ -95,7 +95,10 @@ void BridgePorts::disconnect(std::size_t port) {
 
 void BridgePorts::end_input(std::size_t port) {
   Host& host = *hosts_[port];
-  host.parser.flush([&](const Frame& frame) { take_request(port, frame); });
+  const bool is_raw = exclusive_host() == port;  // the board has got the bytes already
+  host.parser.flush([&](const Frame& frame) {
+    if (!is_raw) take_request(port, frame);
+  });
 }
 
 std::size_t BridgePorts::queued_bytes(std::size_t port) const {
@@ -104,6 +107,7 @@ std::size_t BridgePorts::queued_bytes(std::size_t port) const {
 
 std::size_t BridgePorts::room(std::size_t port) const {
   const Host& host = *hosts_[port];
+  if (host.must_leave) return 0;
   if (exclusive_ && (exclusive_->port != port || !exclusive_->is_active)) return 0;
   if (exclusive_) {
     const std::size_t waiting = line_.raw_waiting();
@@ -122,6 +126,7 @@ bool BridgePorts::is_quiet(std::size_t port) const {
 
 void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
   Host& host = *hosts_[port];
+  if (host.must_leave) return;
   host.heard = now();
   if (exclusive_ && exclusive_->port == port && exclusive_->is_active) return receive_raw(bytes);
   host.parser.feed(bytes, [&](const Frame& frame) { take_request(port, frame); });
@@ -181,12 +186,8 @@ void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
   if (!exclusive_ || !exclusive_->is_active) return;
   Host& host = *hosts_[exclusive_->port];
   exclusive_->last = now();
-  // A host that does not read loses bytes.
-  if (host.output.size() + bytes.size() <= max_output) {
-    host.output.insert(host.output.end(), bytes.begin(), bytes.end());
-  } else {
-    ++host.counters.dropped;
-  }
+  if (host.output.size() + bytes.size() > max_raw_output) return expel_exclusive();
+  host.output.insert(host.output.end(), bytes.begin(), bytes.end());
   bool is_back = false;
   exclusive_->from_board.feed(bytes, [&](const Frame& frame) {
     ++host.counters.messages;
@@ -203,22 +204,34 @@ void BridgePorts::raw_sent() {
 
 bool BridgePorts::line_lost() {
   unanswered_ = 0;
-  if (exclusive_) {
-    exclusive_.reset();
-    wake_all();
-  }
+  if (exclusive_) forget_exclusive();
   return !std::exchange(is_reopening_, false);
 }
 
 void BridgePorts::end_exclusive() {
-  const bool was_active = exclusive_->is_active;
-  exclusive_.reset();
-  is_reopening_ = was_active;
-  if (was_active) {
+  is_reopening_ = exclusive_->is_active;
+  if (exclusive_->is_active) {
     log("the line is opened again for all hosts");
     line_.give_line_back();
   }
+  forget_exclusive();
+}
+
+void BridgePorts::forget_exclusive() {
+  const auto& host = hosts_[exclusive_->port];
+  // The rest of its raw bytes is no request.
+  if (host && exclusive_->is_active) host->parser.flush([](const Frame&) {});
+  exclusive_.reset();
   wake_all();
+}
+
+/// The line is not read more slowly instead: no UART of a board waits for its reader, so the bytes
+/// would be lost there, and nothing would tell.
+void BridgePorts::expel_exclusive() {
+  const std::size_t port = exclusive_->port;
+  hosts_[port]->must_leave = true;
+  log(fmt::format("host {} must leave: it does not read what the board sends", port));
+  end_exclusive();
 }
 
 void BridgePorts::wake_all() {
@@ -460,6 +473,7 @@ void BridgePorts::give_all(const Frame& frame) {
 
 void BridgePorts::give(std::size_t port, const Frame& frame, bool may_be_dropped) {
   Host& host = *hosts_[port];
+  if (host.must_leave) return;
   if (may_be_dropped && host.output.size() > most_for_samples) {
     ++host.counters.dropped;
     return;

@@ -65,7 +65,8 @@ class BridgeLine {
 /// - A request that fails has no response, as on a line to the board.
 /// - After a request that restarts the board, its host has the line for itself, with all bytes as
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
-///   left, the board introduces itself again, or nothing of that kind happens.
+///   left, the board introduces itself again, or nothing of that kind happens. The board does not
+///   wait: a host that has the line for itself and does not read must leave.
 class BridgePorts final : public serving::HostPorts {
  public:
   static constexpr std::size_t max_hosts = 32;
@@ -93,6 +94,8 @@ class BridgePorts final : public serving::HostPorts {
   static constexpr Duration longest_answer = sbgc::seconds(60);
   /// Bytes of a host that has the line for itself that wait to be sent.
   static constexpr std::size_t max_raw = 4096;
+  /// Bytes of the board that wait for it: what a board sends in over a minute at 115200 baud.
+  static constexpr std::size_t max_raw_output = std::size_t{1} << 20;
 
   struct HostCounters {
     std::size_t port{};
@@ -115,6 +118,7 @@ class BridgePorts final : public serving::HostPorts {
   std::size_t queued_bytes(std::size_t port) const override;
   std::size_t room(std::size_t port) const override;
   bool is_quiet(std::size_t port) const override;
+  bool must_leave(std::size_t port) const override { return hosts_[port]->must_leave; }
   void receive(std::size_t port, std::span<const std::uint8_t> bytes) override;
   std::span<const std::uint8_t> output(std::size_t port) const override;
   void take(std::size_t port, std::size_t size) override;
@@ -153,6 +157,7 @@ class BridgePorts final : public serving::HostPorts {
     Instant heard{};
     std::vector<std::uint8_t> output{};
     std::size_t pending = 0;
+    bool must_leave = false;
     HostCounters counters{};
   };
   /// Identifies a data stream by the id of its messages and its configuration.
@@ -196,6 +201,8 @@ class BridgePorts final : public serving::HostPorts {
   void log(const std::string& text) const;
   void begin_exclusive();
   void end_exclusive();
+  void forget_exclusive();
+  void expel_exclusive();
   void wake_all();
   /// Notes what the host wants; returns the request that the board gets instead.
   RawRequest merged(std::size_t port, const RawRequest& request);

@@ -40,10 +40,13 @@ int run_replay(const ReplayOptions& options) {
   signals.async_wait([&](std::error_code error, int) {
     if (!error) loop.stop();
   });
-  ReplayPorts ports(std::move(capture.transport), [&] {
-    // The hosts get their last bytes first.
-    asio::post(loop, [&] { loop.stop(); });
-  });
+  ReplayPorts ports(
+      std::move(capture.transport),
+      [&] {
+        // The hosts get their last bytes first.
+        asio::post(loop, [&] { loop.stop(); });
+      },
+      log);
   const auto endpoints =
       open_places(loop.get_executor(), ports, options.places, "replay", {log, log});
   loop.run();

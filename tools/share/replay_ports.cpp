@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace sbgc::tools {
 
 std::optional<std::size_t> ReplayPorts::connect(bool, std::function<void()> wake) {
@@ -36,7 +38,12 @@ void ReplayPorts::read() {
       return end_if_done();
     }
     for (auto& [port, host] : hosts_) {
-      if (host.output.size() + size > max_output) continue;
+      if (host.must_leave) continue;
+      if (host.output.size() + size > max_output) {
+        host.must_leave = true;
+        log_(fmt::format("host {} must leave: it does not read", port));
+        continue;
+      }
       host.output.insert(host.output.end(), buffer_.begin(),
                          buffer_.begin() + static_cast<std::ptrdiff_t>(size));
     }

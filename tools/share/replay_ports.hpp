@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -17,12 +18,14 @@
 namespace sbgc::tools {
 
 /// Gives all hosts what a board sent, from the moment when the first one connects, and ignores what
-/// they send. A host that does not read loses bytes.
+/// they send. A host that does not read must leave.
 class ReplayPorts final : public serving::HostPorts {
  public:
-  /// `on_end` is called once all bytes have been given and all hosts have taken them or left.
-  ReplayPorts(std::unique_ptr<io::Transport> capture, std::function<void()> on_end)
-      : capture_(std::move(capture)), on_end_(std::move(on_end)) {}
+  /// `on_end` is called once all bytes have been given and all hosts have taken them or left. `log`
+  /// receives sentences for the user.
+  ReplayPorts(std::unique_ptr<io::Transport> capture, std::function<void()> on_end,
+              std::function<void(const std::string&)> log)
+      : capture_(std::move(capture)), on_end_(std::move(on_end)), log_(std::move(log)) {}
 
   std::optional<std::size_t> connect(bool, std::function<void()> wake) override;
   void disconnect(std::size_t port) override;
@@ -30,7 +33,10 @@ class ReplayPorts final : public serving::HostPorts {
   void set_host_rate(std::size_t, std::uint32_t) override {}
   std::size_t queued_bytes(std::size_t) const override { return 0; }
   std::size_t room(std::size_t) const override { return room_of_host; }
-  bool is_quiet(std::size_t port) const override { return has_ended_ && output(port).empty(); }
+  bool is_quiet(std::size_t port) const override {
+    return (has_ended_ || must_leave(port)) && output(port).empty();
+  }
+  bool must_leave(std::size_t port) const override { return hosts_.at(port).must_leave; }
   void receive(std::size_t, std::span<const std::uint8_t>) override {}
   std::span<const std::uint8_t> output(std::size_t port) const override;
   void take(std::size_t port, std::size_t size) override;
@@ -44,6 +50,7 @@ class ReplayPorts final : public serving::HostPorts {
   struct Host {
     std::function<void()> wake{};
     std::vector<std::uint8_t> output{};
+    bool must_leave = false;
   };
 
   void read();
@@ -51,6 +58,7 @@ class ReplayPorts final : public serving::HostPorts {
 
   std::unique_ptr<io::Transport> capture_;
   std::function<void()> on_end_;
+  std::function<void(const std::string&)> log_;
   std::array<std::uint8_t, 4096> buffer_{};
   std::map<std::size_t, Host> hosts_{};
   bool is_playing_ = false;

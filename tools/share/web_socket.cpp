@@ -118,6 +118,9 @@ class WebSocketEndpoint final : public serving::Endpoint {
     }
     if (host.input.empty() && !std::exchange(host.is_reading, true)) server_.read_next(id);
     const std::span<const std::uint8_t> waiting = ports_.output(host.port);
+    if (waiting.empty() && !host.is_writing && ports_.must_leave(host.port)) {
+      return server_.close(id, "bytes were lost: they were not read in time");
+    }
     if (waiting.empty() || std::exchange(host.is_writing, true)) return;
     const std::size_t size = std::min(waiting.size(), most_per_write);
     Block bytes(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(size));
