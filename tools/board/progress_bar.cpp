@@ -18,8 +18,7 @@ ProgressBar::ProgressBar(std::string unit) : is_on_(is_terminal(stderr)), unit_(
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::clear() {
-  if (is_shown_) remark_as_is("\r\033[K");
-  is_shown_ = false;
+  if (is_on_) show_status("");
 }
 
 void ProgressBar::show(const Progress& progress) {
@@ -37,8 +36,7 @@ void ProgressBar::show(const Progress& progress) {
 
 void ProgressBar::show(std::string_view text) {
   if (!is_on_) return;
-  remark_as_is("\r" + printable(text.substr(0, line_width() - 1)) + "\033[K");
-  is_shown_ = true;
+  show_status(printable(text.substr(0, line_width() - 1)));
 }
 
 ProgressHandler ProgressBar::handler() {

@@ -9,7 +9,8 @@
 
 namespace sbgc::tools {
 
-/// Draws one line that changes, if standard error is a terminal; otherwise nothing.
+/// Draws one line that changes, if standard error is a terminal; otherwise nothing. Remarks go
+/// above it. One at a time.
 class ProgressBar {
  public:
   /// `unit` of the counts, such as "bytes"; "" shows the step instead.
@@ -30,7 +31,6 @@ class ProgressBar {
 
  private:
   bool is_on_;
-  bool is_shown_ = false;
   std::string unit_;
 };
 

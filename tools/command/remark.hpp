@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -17,9 +18,34 @@ namespace sbgc::tools {
 inline std::atomic<void (*)(const std::string& text)> remark_writer{
     [](const std::string& text) { std::fputs(text.c_str(), stderr); }};
 
+/// The line below the remarks on a terminal; empty if there is none.
+struct StatusLine {
+  std::mutex mutex{};
+  std::string text{};
+};
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): as standard error is
+inline StatusLine status_line;
+
+/// Erases the line of the terminal that the cursor is in.
+inline constexpr const char* erase_line = "\r\033[K";
+
+/// Replaces the line below the remarks of a terminal; "" removes it.
+inline void show_status(const std::string& text) {
+  const std::lock_guard lock(status_line.mutex);
+  if (text.empty() && status_line.text.empty()) return;
+  status_line.text = text;
+  remark_writer.load()(erase_line + text);
+}
+
 /// Prints text that may control the terminal. Ignores errors: a terminal that is gone must not keep
 /// a command from stopping the camera.
-inline void remark_as_is(const std::string& text) { remark_writer.load()(text); }
+inline void remark_as_is(const std::string& text) {
+  const std::lock_guard lock(status_line.mutex);
+  std::string& status = status_line.text;
+  if (status.empty()) return remark_writer.load()(text);
+  if (!text.ends_with('\n')) status.clear();  // it has no line of its own any more
+  remark_writer.load()(erase_line + text + status);
+}
 
 /// Prints like fmt::print(stderr, ...) what printable() makes of it; otherwise as remark_as_is().
 template <class... Args>

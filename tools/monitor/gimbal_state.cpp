@@ -108,6 +108,11 @@ void GimbalState::add(const LinkChange& change) {
   log(change.message);
 }
 
+void GimbalState::add(const ClientError& error) {
+  const std::lock_guard lock(mutex_);
+  log(error.message);
+}
+
 void GimbalState::log(std::string text) {
   constexpr std::size_t most = 200;
   state_.log.push_back({std::chrono::system_clock::now(), std::move(text)});

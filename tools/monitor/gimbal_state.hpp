@@ -81,6 +81,7 @@ class GimbalState {
   void add(const LiveMessage& message);
   void add(const Notice& notice);
   void add(const LinkChange& change);
+  void add(const ClientError& error);
 
   GimbalSnapshot snapshot() const;
 

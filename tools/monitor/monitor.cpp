@@ -124,6 +124,12 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
   ReconnectOptions reconnect{.connection = line.options};
   reconnect.list_ports = listed_ports;
   GimbalState state;
+  // A remark would be written across the screen.
+  reconnect.connection.on_capture_error =
+      [&state, has_lost_capture = context.gimbal.has_lost_capture](const ClientError& error) {
+        *has_lost_capture = true;
+        state.add(error);
+      };
   ReconnectingClient client = value_of(ReconnectingClient::connect(line.address, reconnect));
   const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
   const Subscription notices = client.on_notice([&](const Notice& notice) { state.add(notice); });
@@ -132,6 +138,7 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
   const std::chrono::milliseconds interval(static_cast<std::int64_t>(1000 / options.rate));
   const Subscription stream = value_of(start_stream(client, interval, state));
   Monitor(client, state).run();
+  if (*context.gimbal.has_lost_capture) throw CommandError("the capture is incomplete");
   return success;
 }
 
