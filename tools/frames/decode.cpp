@@ -150,6 +150,11 @@ std::string to_text(const ParserCounters& counters) {
                      counters.header_errors, counters.body_errors);
 }
 
+/// True if bytes without a frame were probably frames before a driver changed them.
+bool looks_changed(std::span<const RejectedCandidate> rejected) {
+  return !rejected.empty() && std::ranges::all_of(rejected, &RejectedCandidate::is_changed);
+}
+
 /// True if bytes without a frame were probably intended as frames: in noise, most start bytes are
 /// not followed by a valid header.
 bool looks_intended(const ParserCounters& counters) {
@@ -205,7 +210,7 @@ class RawDecoder {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
     std::string guess = guess_input(begin_, is_hex_);
-    const bool is_meant = looks_intended(parser_.counters());
+    const bool is_meant = looks_intended(parser_.counters()) || looks_changed(rejected);
     if (guess.empty() && !is_meant) guess = line_may_be_wrong;
     const bool explains = !shows_gaps_ && is_meant;
     return no_frame(size_, guess,
@@ -295,7 +300,8 @@ class CaptureDecoder final : private CaptureListener {
     if (!problems_.empty()) throw InputError(problems_);
     if (found_ != 0 || skipped_ == 0) return success;
     const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
-                          looks_intended(frames_.counters(Direction::from_board));
+                          looks_intended(frames_.counters(Direction::from_board)) ||
+                          looks_changed(rejected_);
     const bool explains = !shows_gaps_ && is_meant;
     return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
                     explains ? std::span<const RejectedCandidate>(rejected_)

@@ -9,6 +9,7 @@
 #include <sbgc/frame.hpp>
 
 #include "frames/command_lookup.hpp"
+#include "frames/terminal_changes.hpp"
 
 namespace sbgc::tools {
 
@@ -115,13 +116,18 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
       fmt::format("{}, {},", trailer.name(size == 0 ? "empty body" : "body"), right_value);
   if (candidate.verdict == Verdict::bad_body) {
     if (!is_next_frame(bytes.subspan(place))) {
-      return result + fmt::format("{} is {}, not {}", trailer.name("body"),
-                                  trailer.value(&bytes[place]), right_value);
+      return result +
+             fmt::format("{} is {}, not {}", trailer.name("body"), trailer.value(&bytes[place]),
+                         right_value) +
+             remark_on_replaced(bytes);
     }
-    return result + own_checksum + " is missing: the next frame begins in its place";
+    return result + own_checksum + " is missing: the next frame begins in its place" +
+           remark_on_removed(bytes.first(place));
   }
   const std::size_t missing = candidate.size - bytes.size();
-  if (missing == trailer.size) return result + own_checksum + " is missing at the end";
+  if (missing == trailer.size) {
+    return result + own_checksum + " is missing at the end" + remark_on_removed(bytes);
+  }
   if (missing == 1) {
     return result + fmt::format("the last of its {} bytes is missing", candidate.size);
   }
@@ -141,7 +147,15 @@ std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t>
     if (candidate.verdict == Verdict::frame) continue;  // belongs to another candidate
     const bool has_header =
         candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;
-    result.push_back({at, candidate.verdict, has_header, reason(candidate, from, direction)});
+    if (const auto changed = has_header ? std::nullopt : changed_header(from, direction)) {
+      result.push_back(
+          {at, candidate.verdict, true, true,
+           fmt::format("looks like {}, but {}", claimed(changed->id, changed->size, direction),
+                       changed->change)});
+      continue;
+    }
+    result.push_back(
+        {at, candidate.verdict, has_header, false, reason(candidate, from, direction)});
   }
   return result;
 }

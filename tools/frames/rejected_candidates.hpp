@@ -17,7 +17,8 @@ namespace sbgc::tools {
 struct RejectedCandidate {
   std::uint64_t offset{};  ///< in the examined bytes
   Verdict verdict{};       ///< incomplete, bad_header or bad_body
-  bool has_header{};       ///< has a valid header, so it was probably intended as a frame
+  bool has_header{};       ///< probably intended as a frame: its header is, or was, valid
+  bool is_changed{};       ///< a driver has probably changed its header
   std::string text{};      ///< the reason, such as "a start byte, but no command has the id 0"
 };
 
