@@ -15,6 +15,8 @@
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
 #include <sbgc/json_dom.hpp>
+#include <sbgc/meta/parameters.hpp>
+#include <sbgc/meta/system.hpp>
 
 #include "task_test.hpp"
 #include "temporary_folder.hpp"
@@ -365,6 +367,8 @@ TEST_F(BackupTest, AFileFromBeforeReservedBytesHadNamesIsRestored) {
   const Result<Backup> backup = load_backup(SBGC_TEST_DATA "/backup_of_rev_0.15.json");
   ASSERT_TRUE(backup) << backup.error().message;
   ASSERT_THAT(backup->parameters.all(), SizeIs(6));
+  EXPECT_THAT(backup->missing, IsEmpty()) << "it does not list what it holds";
+  EXPECT_THAT(left_alone(client().identity(), *backup), SizeIs(make().parameters.all().size() - 6));
   const WriteReport report =
       client().restore(*backup, {.save_current = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
@@ -445,6 +449,132 @@ TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
                                      .allow_other_firmware = true});
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_NE(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
+}
+
+TEST_F(BackupTest, AParameterSetThatWasRemovedFromTheFileIsNamed) {
+  Json document = Json::parse(to_json_text(make()));
+  change();
+  const Json removed = document["settings"][4];  // not the one that change() changes
+  document["settings"].erase(4);
+  const Result<Backup> backup = parse_backup(document.dump());
+  ASSERT_TRUE(backup) << backup.error().message;
+  const ParametersId id{removed["message"], removed["copy"]};
+  EXPECT_THAT(backup->missing, ElementsAre(id));
+  EXPECT_THAT(left_alone(client().identity(), *backup), ElementsAre(id));
+  EXPECT_EQ(parse_backup(to_json_text(*backup))->missing, backup->missing) << "it stays known";
+
+  for (const bool dry_run : {true, false}) {
+    const auto outcome =
+        client().restore(*backup, {.save_current = save_to(file("a.json")), .dry_run = dry_run});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.outcome.error().code, ErrorCode::bad_file);
+    EXPECT_THAT(outcome.outcome.error().message,
+                HasSubstr("the backup lacks what it lists: " + to_text(id)));
+  }
+  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
+  const WriteReport report =
+      client().restore(*backup, {.save_current = save_to(file("a.json")), .allow_partial = true});
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_NE(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
+}
+
+TEST_F(BackupTest, ABackupWithoutParametersRestoresNothing) {
+  Json document = Json::parse(to_json_text(make()));
+  document["settings"] = Json::array();
+  const auto refused = [&] {
+    const Result<Backup> backup = parse_backup(document.dump());
+    EXPECT_TRUE(backup) << backup.error().message;
+    const WriteReport report = client().restore(*backup, {.dry_run = true, .allow_partial = true});
+    EXPECT_FALSE(report);
+    return report ? "" : report.outcome.error().message;
+  };
+  EXPECT_EQ(refused(), "the backup holds no parameters");
+  document.erase("contents");
+  document.erase("checksum");
+  EXPECT_EQ(refused(), "the backup holds no parameters") << "also in a file of 0.1.0";
+}
+
+/// Replaces a body, and the fields that it decodes to.
+template <class M, class Change>
+void edit(Json& json, Change&& change) {
+  M message{};
+  const auto body = detail::from_hex(json["body"].get<std::string>());
+  ASSERT_TRUE(body && decode(std::span(*body), message));
+  change(message);
+  json["body"] = detail::to_hex(packet(message).body);
+  json["fields"] = to_dom(message);
+}
+
+TEST_F(BackupTest, AnEditedIdentityIsNoticed) {
+  for (const char* key : {"model", "firmware", "serial_number"}) {
+    EXPECT_THAT(wrong([key](Json& json) { json["board"][key] = "3.1"; }).message,
+                HasSubstr(std::string("board.") + key + ": differs from the body, which says \""));
+  }
+  const auto edited = [](const ClientError& error) {
+    EXPECT_EQ(error.code, ErrorCode::bad_file);
+    EXPECT_THAT(error.message, HasSubstr("the identity of the board, or 'contents', was edited"));
+  };
+  // Consistently in all places.
+  edited(wrong([](Json& json) {
+    edit<msg::BoardInfo>(json["board"]["info"],
+                         [](auto& info) { info.board_ver = msg::BoardVersion(31); });
+    json["board"]["model"] = "3.1";
+  }));
+  edited(wrong([](Json& json) {
+    edit<msg::BoardInfo>(json["board"]["info"],
+                         [](auto& info) { info.firmware_ver = msg::FirmwareVersion(2604); });
+    json["board"]["firmware"] = "2.60b4";
+  }));
+  edited(wrong([](Json& json) {
+    edit<msg::BoardInfo3>(json["board"]["details"],
+                          [](auto& details) { details.device_id[0] ^= 1; });
+    json["board"].erase("serial_number");
+  }));
+  edited(wrong([](Json& json) {
+    json["board"].erase("details");
+    json["board"].erase("serial_number");
+  }));
+  edited(wrong([](Json& json) { json["contents"].erase(0); }));
+  EXPECT_THAT(wrong([](Json& json) { json.erase("contents"); }).message,
+              HasSubstr("contents: it is missing"));
+  EXPECT_THAT(wrong([](Json& json) { json.erase("checksum"); }).message,
+              HasSubstr("checksum: it is missing"));
+}
+
+TEST_F(BackupTest, ValuesMayBeEdited) {
+  Json document = Json::parse(to_json_text(make()));
+  document["created"] = "today";
+  edit<msg::ReadParams3>(document["settings"][0], [](auto& params) { params.gyro_trust = 77; });
+  const Result<Backup> backup = parse_backup(document.dump());
+  ASSERT_TRUE(backup) << backup.error().message;
+  EXPECT_THAT(backup->missing, IsEmpty());
+  ASSERT_TRUE(client().restore(*backup, {.save_current = save_to(file("a.json"))}));
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 77);
+}
+
+TEST_F(BackupTest, AParameterSetThatTheFileDoesNotListIsRefused) {
+  Backup some;
+  some.board = client().identity();
+  const Backup all = make();
+  ASSERT_TRUE(some.parameters.put(all.parameters.all().front()));
+  Json document = Json::parse(to_json_text(some));
+  document["settings"] = Json::parse(to_json_text(all))["settings"];
+  const Result<Backup> backup = parse_backup(document.dump());
+  ASSERT_FALSE(backup);
+  EXPECT_EQ(backup.error().message,
+            "contents: " + to_text(all.parameters.all()[1].id) + " is not listed");
+}
+
+TEST_F(BackupTest, TheContentsOfAFileAreChecked) {
+  EXPECT_THAT(wrong([](Json& json) { json["contents"] = 5; }).message,
+              HasSubstr("contents: expected a list"));
+  EXPECT_THAT(wrong([](Json& json) { json["contents"][1] = 5; }).message,
+              HasSubstr("contents[1].message: it is missing"));
+  EXPECT_THAT(wrong([](Json& json) { json["contents"][1]["copies"] = 5; }).message,
+              HasSubstr("contents[1].copies: expected a list"));
+  EXPECT_THAT(wrong([](Json& json) { json["contents"][0]["copies"][1] = 256; }).message,
+              HasSubstr("contents[0].copies[1]: expected a number from 0 to 255"));
 }
 
 TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {

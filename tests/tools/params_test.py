@@ -25,6 +25,18 @@ def fixture_board() -> Iterator[str]:
         yield gimbal.address
 
 
+@pytest.fixture(name="other_board")
+def fixture_other_board() -> Iterator[str]:
+    """A board whose parameters a test may change."""
+    with emulated_gimbal() as gimbal:
+        yield gimbal.address
+
+
+def words(text: str) -> str:
+    """Undoes the breaks of lines."""
+    return " ".join(text.split())
+
+
 def params(board: str, *arguments: str) -> Result:
     return run("params", *arguments, "-p", board)
 
@@ -277,6 +289,61 @@ def test_backup_diff_restore(board: str, tmp_path: Path) -> None:
     assert run("params", "diff", str(file), str(file)).status == 0
     assert run("params", "diff", str(file), str(safety)).status == 1
     assert "already" in good(board, "restore", str(file), "--yes")
+
+
+def test_restore_names_what_was_removed_from_a_backup(other_board: str, tmp_path: Path) -> None:
+    file = tmp_path / "b.json"
+    changed_backup(other_board, file)
+    before = body_of(other_board, 0)
+    document = json.loads(file.read_text())
+    whole = document["settings"]
+    document["settings"] = [
+        one for one in whole if (one["message"], one["copy"]) != ("ReadParamsExt", 4)
+    ]
+    file.write_text(json.dumps(document))
+    refused = params(other_board, "restore", str(file), "--yes")
+    assert refused.status == 1
+    assert "ReadParamsExt of profile 5; --partial restores the others" in words(refused.error)
+    assert list(tmp_path.iterdir()) == [file] and body_of(other_board, 0) == before
+    restored = params(other_board, "restore", str(file), "--yes", "--partial")
+    assert restored.status == 0
+    note = "note: not in the backup, so left alone: ReadParamsExt of profile 5"
+    assert note in words(restored.error)
+    assert body_of(other_board, 0) != before
+
+    document["settings"] = []
+    file.write_text(json.dumps(document))
+    for options in ([], ["--partial"]):
+        empty = params(other_board, "restore", str(file), "--yes", *options)
+        assert empty.status == 1
+        assert words(empty.error).endswith("the backup holds no parameters")
+
+
+def test_restore_of_a_backup_without_contents(other_board: str, tmp_path: Path) -> None:
+    """As 0.1.0 made them."""
+    file = tmp_path / "b.json"
+    changed_backup(other_board, file)
+    document = json.loads(file.read_text())
+    del document["contents"], document["checksum"]
+    file.write_text(json.dumps(document))
+    restored = params(other_board, "restore", str(file), "--yes")
+    assert restored.status == 0 and "left alone" not in restored.error
+    document["settings"].pop(0)
+    file.write_text(json.dumps(document))
+    restored = params(other_board, "restore", str(file), "--yes")
+    assert restored.status == 0
+    assert "left alone: ReadParams3 of profile 1" in words(restored.error)
+
+
+def test_restore_notices_an_edited_identity(board: str, tmp_path: Path) -> None:
+    file = tmp_path / "b.json"
+    good(board, "backup", str(file))
+    document = json.loads(file.read_text())
+    document["board"]["model"] = "3.1"
+    file.write_text(json.dumps(document))
+    refused = params(board, "restore", str(file), "--yes")
+    assert refused.status == 1
+    assert 'board.model: differs from the body, which says "3.0"' in words(refused.error)
 
 
 def test_parameter_sets_that_only_one_backup_has(board: str, tmp_path: Path) -> None:

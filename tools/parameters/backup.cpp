@@ -96,13 +96,17 @@ struct RestoreChoice {
   bool dry_run = false;
   bool other_model = false;
   bool other_firmware = false;
+  bool partial = false;
   Arming arming{};
 };
 
-/// What to add to the message if the backup is of another board.
-std::string mismatch_hint(const WriteReport& report) {
-  if (report || report.outcome.error().code != ErrorCode::incompatible) return "";
-  return "; --other-model and --other-firmware allow that, at your own risk";
+/// The option that allows what was refused.
+std::string refusal_hint(const Backup& backup, const ClientError& error) {
+  if (error.code == ErrorCode::incompatible) {
+    return "; --other-model and --other-firmware allow that, at your own risk";
+  }
+  const bool has_others = error.code == ErrorCode::bad_file && !backup.parameters.all().empty();
+  return has_others ? "; --partial restores the others" : "";
 }
 
 int restore_file(const RestoreChoice& options, const CommandContext& context) {
@@ -110,7 +114,8 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   RestoreOptions restoring{.dry_run = true,
                            .allow_other_model = options.other_model,
-                           .allow_other_firmware = options.other_firmware};
+                           .allow_other_firmware = options.other_firmware,
+                           .allow_partial = options.partial};
   WriteReport plan;
   {
     const Interruption interruption;
@@ -120,8 +125,11 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   }
   if (!plan) {
     ClientError error = plan.outcome.error();
-    error.message += mismatch_hint(plan);
+    error.message += refusal_hint(backup, error);
     fail(error);
+  }
+  if (const auto others = left_alone(client.identity(), backup); !others.empty()) {
+    remark("note: not in the backup, so left alone: {}\n", to_text(others));
   }
   const std::string changes = changes_text(plan);
   if (changes.empty()) {
@@ -372,6 +380,8 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                     "Also if the backup is of another board model");
   command->add_flag("--other-firmware", options->other_firmware,
                     "Also if the backup is of another firmware");
+  command->add_flag("--partial", options->partial,
+                    "Also if parameter sets were removed from the backup");
   add_arming(*command, options->arming);
   add_gimbal_options(*command, context.gimbal);
   command->footer(

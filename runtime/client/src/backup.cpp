@@ -6,6 +6,7 @@
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
+#include <sbgc/detail/crc32.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/system.hpp>
 #include <sbgc/parse_json.hpp>
@@ -36,6 +37,34 @@ Json message_json(const M& message) {
           {"fields", to_dom(message)}};
 }
 
+/// The texts for people beside the messages with the identity.
+Json identity_json(const BoardIdentity& board) {
+  Json result = {{"model", board.board_version()}, {"firmware", board.firmware_version()}};
+  if (board.details) result["serial_number"] = board.serial_number();
+  return result;
+}
+
+/// Groups consecutive copies of a message.
+Json contents_json(const std::vector<ParametersId>& contents) {
+  Json result = Json::array();
+  for (const auto& [message, copy] : contents) {
+    if (result.empty() || result.back()["message"] != message) {
+      result.push_back({{"message", message}, {"copies", Json::array()}});
+    }
+    result.back()["copies"].push_back(copy);
+  }
+  return result;
+}
+
+/// Of what parameters are restored to: the identity of the board, and the list of the contents.
+std::string checksum(const BoardIdentity& board, const Json& contents) {
+  ByteVector bytes = bytes_of(board.info);
+  const std::string text =
+      (board.details ? detail::to_hex(bytes_of(*board.details)) : "") + contents.dump();
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  return fmt::format("{:08x}", detail::crc32(bytes));
+}
+
 /// Reads a document and remembers its first error.
 class Reader {
  public:
@@ -52,6 +81,7 @@ class Reader {
     for (std::size_t i = 0; error_.empty() && i < settings.size(); ++i) {
       read_one(settings[i], fmt::format("settings[{}]", i), backup.parameters);
     }
+    read_contents(document, backup);
     if (!error_.empty()) return ClientError{ErrorCode::bad_file, error_};
     return backup;
   }
@@ -74,6 +104,56 @@ class Reader {
     if (board.is_object() && board.contains("details")) {
       read_message(board["details"], "board.details", out.details.emplace());
     }
+    if (!error_.empty()) return;
+    const Json identity = identity_json(out);
+    for (const auto& item : identity.items()) {
+      const auto said = board.find(item.key());
+      if (said == board.end() || *said == item.value()) continue;
+      fail("board." + item.key(),
+           fmt::format("differs from the body, which says {}", item.value().dump()));
+    }
+  }
+
+  /// Compares the list of the contents with the settings. Older files have no such list.
+  void read_contents(const Json& document, Backup& out) {
+    if (!error_.empty() || !(document.contains("contents") || document.contains("checksum"))) {
+      return;
+    }
+    const Json& contents = member(document, "contents", "");
+    if (!contents.is_array()) fail("contents", "expected a list");
+    std::vector<ParametersId> listed;
+    for (std::size_t i = 0; error_.empty() && i < contents.size(); ++i) {
+      read_copies(contents[i], fmt::format("contents[{}]", i), listed);
+    }
+    const std::string sum = text(document, "checksum", "");
+    if (!error_.empty()) return;
+    if (sum != checksum(out.board, contents)) {
+      return fail("checksum", "the identity of the board, or 'contents', was edited");
+    }
+    for (const Parameters& block : out.parameters.all()) {
+      if (std::erase(listed, block.id) == 0) {
+        return fail("contents", fmt::format("{} is not listed", to_text(block.id)));
+      }
+    }
+    out.missing = std::move(listed);
+  }
+
+  void read_copies(const Json& json, const std::string& path, std::vector<ParametersId>& out) {
+    const std::string message = text(json, "message", path);
+    const Json& copies = member(json, "copies", path);
+    if (!copies.is_array()) fail(path + ".copies", "expected a list");
+    for (std::size_t i = 0; error_.empty() && i < copies.size(); ++i) {
+      const std::string place = fmt::format("{}.copies[{}]", path, i);
+      out.push_back({message, copy_number(copies[i], place)});
+    }
+  }
+
+  std::uint8_t copy_number(const Json& json, const std::string& path) {
+    if (json.is_number_unsigned() && json.get<std::uint64_t>() <= 255) {
+      return json.get<std::uint8_t>();
+    }
+    fail(path, "expected a number from 0 to 255");
+    return 0;
   }
 
   template <class M>
@@ -92,12 +172,8 @@ class Reader {
 
   void read_one(const Json& json, const std::string& path, ParameterSet& out) {
     Parameters block{{text(json, "message", path), {}}, hex(json, path)};
-    const Json& copy = member(json, "copy", path);
+    block.id.copy = copy_number(member(json, "copy", path), path + ".copy");
     if (!error_.empty()) return;
-    if (!copy.is_number_unsigned() || copy.get<std::uint64_t>() > 255) {
-      return fail(path + ".copy", "expected a number from 0 to 255");
-    }
-    block.id.copy = copy.get<std::uint8_t>();
     if (out.find(block.id) != nullptr) {
       return fail(path, fmt::format("duplicate {}", to_text(block.id)));
     }
@@ -183,24 +259,26 @@ std::string utc_now() {
 }
 
 std::string to_json_text(const Backup& backup) {
-  Json board = {{"model", backup.board.board_version()},
-                {"firmware", backup.board.firmware_version()}};
-  if (backup.board.details) board["serial_number"] = backup.board.serial_number();
+  Json board = identity_json(backup.board);
   board["info"] = message_json(backup.board.info);
   if (backup.board.details) board["details"] = message_json(*backup.board.details);
+  std::vector<ParametersId> listed;
   Json settings = Json::array();
   for (const Parameters& block : backup.parameters.all()) {
+    listed.push_back(block.id);
     settings.push_back(
         {{"message", block.id.message},
          {"copy", block.id.copy},
          {"body", detail::to_hex(block.body)},
          {"fields", detail::find_parameters_kind(block.id.message)->to_json(block.body)}});
   }
-  const Json document = {{"format", format_name},
-                         {"version", format_version},
-                         {"created", backup.created},
-                         {"board", std::move(board)},
-                         {"settings", std::move(settings)}};
+  listed.insert(listed.end(), backup.missing.begin(), backup.missing.end());
+  const Json contents = contents_json(listed);
+  const Json document = {
+      {"format", format_name},          {"version", format_version},
+      {"created", backup.created},      {"board", std::move(board)},
+      {"contents", contents},           {"checksum", checksum(backup.board, contents)},
+      {"settings", std::move(settings)}};
   return detail::json_text(document, 1) + "\n";
 }
 

@@ -30,6 +30,12 @@ std::string to_text(const ParametersId& id) {
                                     : id.message;
 }
 
+std::string to_text(const std::vector<ParametersId>& ids) {
+  std::string result;
+  for (const ParametersId& id : ids) result += (result.empty() ? "" : ", ") + to_text(id);
+  return result;
+}
+
 const Parameters* ParameterSet::find(const ParametersId& id) const noexcept {
   const auto found = std::ranges::find(blocks_, id, &Parameters::id);
   return found != blocks_.end() ? &*found : nullptr;

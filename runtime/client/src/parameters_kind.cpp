@@ -189,6 +189,17 @@ const ParametersKind* find_parameters_kind(std::string_view name) {
   return found != kinds.end() ? &*found : nullptr;
 }
 
+std::vector<ParametersId> readable_parameters(const Availability& versions) {
+  std::vector<ParametersId> result;
+  for (const ParametersKind& kind : parameters_kinds()) {
+    if (!kind.is_readable(versions)) continue;
+    for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
+      result.push_back({std::string(kind.name), copy});
+    }
+  }
+  return result;
+}
+
 std::optional<std::vector<std::uint8_t>> merged(const ParametersKind& kind, Body wanted,
                                                 Body present) {
   if (wanted.size() > present.size()) return std::nullopt;

@@ -48,6 +48,8 @@ struct ParametersKind {
 const std::vector<ParametersKind>& parameters_kinds();
 /// Returns null if no message with this name holds parameters.
 const ParametersKind* find_parameters_kind(std::string_view name);
+/// Returns all parameters that a board of these versions has.
+std::vector<ParametersId> readable_parameters(const Availability& versions);
 
 /// Returns the body to write in place of `present`: `wanted`, with the state of the board and the
 /// bytes past its end taken from `present`. Returns nothing if `wanted` is longer.

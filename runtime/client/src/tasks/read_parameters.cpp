@@ -1,3 +1,5 @@
+#include <functional>
+
 #include <fmt/format.h>
 
 #include <sbgc/client/parameters.hpp>
@@ -44,15 +46,8 @@ namespace tasks {
 Task<Result<ParameterSet>> read_parameters(ReadOptions options) {
   const TaskMachine& machine = co_await this_task();
   const detail::Deadline deadline(machine, options.timeout);
-  const Availability versions = machine.identity().versions();
-  std::vector<ParametersId> wanted;
-  for (const detail::ParametersKind& kind : detail::parameters_kinds()) {
-    if (!kind.is_readable(versions)) continue;
-    for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
-      ParametersId id{std::string(kind.name), copy};
-      if (!options.wanted || options.wanted(id)) wanted.push_back(std::move(id));
-    }
-  }
+  std::vector<ParametersId> wanted = detail::readable_parameters(machine.identity().versions());
+  if (options.wanted) std::erase_if(wanted, std::not_fn(options.wanted));
   const std::size_t total = wanted.size();
   const std::string task = "reading the parameters";
   ParameterSet result;

@@ -5,6 +5,7 @@
 
 #include <sbgc/client/backup.hpp>
 
+#include "parameters_kind.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
@@ -29,7 +30,20 @@ std::string allow_other_firmware(const BoardIdentity& board, const BoardIdentity
                      board.info.frw_extra_id, backup.info.frw_extra_id);
 }
 
+/// Returns why the backup is not what was saved; "" if it is.
+std::string incomplete(const Backup& backup, bool allow_partial) {
+  if (backup.parameters.all().empty()) return "the backup holds no parameters";
+  if (backup.missing.empty() || allow_partial) return "";
+  return fmt::format("the backup lacks what it lists: {}", to_text(backup.missing));
+}
+
 }  // namespace
+
+std::vector<ParametersId> left_alone(const BoardIdentity& board, const Backup& backup) {
+  std::vector<ParametersId> result = detail::readable_parameters(board.versions());
+  std::erase_if(result, [&](const ParametersId& id) { return backup.parameters.find(id); });
+  return result;
+}
 
 std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
   std::vector<std::string> result{allow_other_model(board, backup),
@@ -50,6 +64,9 @@ Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
 Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   const TaskMachine& task = co_await this_task();
   const detail::Deadline deadline(task, options.timeout);
+  if (const std::string why = incomplete(backup, options.allow_partial); !why.empty()) {
+    co_return ClientError{ErrorCode::bad_file, why};
+  }
   std::string refused =
       options.allow_other_model ? "" : allow_other_model(task.identity(), backup.board);
   if (refused.empty() && !options.allow_other_firmware) {

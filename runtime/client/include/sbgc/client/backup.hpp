@@ -7,10 +7,17 @@
 ///      "board": {"model": "3.0", "firmware": "2.59", "serial_number": "…",
 ///                "info": {"message": "BoardInfo", "body": "…", "fields": {…}},
 ///                "details": {"message": "BoardInfo3", …}},
+///      "contents": [{"message": "ReadParams3", "copies": [0, 1, 2, 3, 4]}, …],
+///      "checksum": "…",
 ///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "fields": {…}}, …]}
 ///
 /// `copy` is the profile, counted from 0. `details` and `serial_number` are absent if the board
 /// does not report them.
+///
+/// What was edited is noticed if it is the identity of the board or `contents`: the CRC-32 of the
+/// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike. What was
+/// removed from `settings` is Backup::missing. Files of version 0.1.0 have neither `contents` nor
+/// `checksum`; only left_alone() tells what they may have lost.
 ///
 /// Restored parameters take effect at once, and the camera can move. See docs/2-safety.md.
 #pragma once
@@ -36,6 +43,8 @@ struct Backup {
   BoardIdentity board{};
   ParameterSet parameters{};
   std::string created{};  ///< UTC, e.g. "2024-05-01T12:00:00Z"
+  /// What the file lists but does not hold: somebody removed it.
+  std::vector<ParametersId> missing{};
 };
 
 /// Returns the current time of the host in the format of Backup::created.
@@ -67,6 +76,9 @@ Result<Backup> load_backup(const std::filesystem::path& file);
 /// backup is of a 3.0". A board of the same model with the same firmware fits.
 std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
 
+/// Returns the parameters of this board that the backup does not hold: restoring leaves them alone.
+std::vector<ParametersId> left_alone(const BoardIdentity& board, const Backup& backup);
+
 /// Stores a backup. Runs on the thread that drives the task; an error ends the task.
 using BackupHandler = std::function<Result<void>(const Backup&)>;
 
@@ -82,6 +94,8 @@ struct RestoreOptions {
   /// Restore even if the backup is from another board model or firmware.
   bool allow_other_model = false;
   bool allow_other_firmware = false;
+  /// Restore what the backup holds even if Backup::missing is not empty.
+  bool allow_partial = false;
   /// For the whole operation.
   std::chrono::milliseconds timeout{180'000};
   ProgressHandler progress{};
@@ -93,7 +107,8 @@ namespace tasks {
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
 /// Sets the parameters of the board to those of a backup; others keep their values. Writes as
-/// write_parameters() does, but does not validate values, because a board held them before.
+/// write_parameters() does, but does not validate values, because a board held them before. Fails
+/// with ErrorCode::bad_file if parameters are missing, or if there are none at all.
 Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 
 }  // namespace tasks

@@ -57,6 +57,8 @@ struct ParametersId {
 
 /// For example "ReadParams3 of profile 2" or "ReadProfileNames".
 std::string to_text(const ParametersId& id);
+/// The same for several, with commas.
+std::string to_text(const std::vector<ParametersId>& ids);
 
 /// The parameters of one message, as its body.
 struct Parameters {
