@@ -9,12 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include <asio/awaitable.hpp>
 #include <asio/bind_cancellation_slot.hpp>
 #include <asio/bind_executor.hpp>
 #include <asio/cancellation_signal.hpp>
+#include <asio/co_spawn.hpp>
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
+#include <asio/use_awaitable.hpp>
 #include <asio/use_future.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -220,6 +223,23 @@ TEST_F(Async, RunsTasks) {
   const auto count = client.async_run(ask_three_times(), asio::use_future).get();
   ASSERT_TRUE(count);
   EXPECT_EQ(*count, 3);
+}
+
+TEST_F(Async, WorksInCoroutines) {
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
+  AsyncClient client(running.executor());
+  const auto talk = [&]() -> asio::awaitable<std::string> {
+    const auto connected =
+        co_await client.async_connect_over(over_line(board), quick(), asio::use_awaitable);
+    if (!connected) co_return connected.error().message;
+    const auto angles =
+        co_await client.async_call(msg::GetAnglesRequest{}, {}, asio::use_awaitable);
+    if (!angles) co_return angles.error().message;
+    const auto good = co_await client.async_run(ask_three_times(), asio::use_awaitable);
+    if (!good) co_return good.error().message;
+    co_return client.identity().firmware_version() + ", " + std::to_string(*good) + " answers";
+  };
+  EXPECT_EQ(asio::co_spawn(running.executor(), talk(), asio::use_future).get(), "2.59, 3 answers");
 }
 
 TEST_F(Async, ATaskNeedsAConnection) {

@@ -16,6 +16,7 @@ namespace sbgc::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -114,6 +115,16 @@ TEST_F(Examples, TiltMovesOnlyIfSomebodyAgrees) {
   EXPECT_EQ(moves.wait_for(1).back(), msg::Angle14(30_deg));
 }
 
+TEST_F(Examples, CoroutineMovesOnlyIfSomebodyAgrees) {
+  const std::string coroutine = std::string(SBGC_EXAMPLE_COROUTINE) + " " + port;
+  EXPECT_EQ(run_program("echo no | " + coroutine).status, 1);
+  EXPECT_THAT(moves.wait_for(0), IsEmpty());
+  const ProgramResult result = run_program("echo yes | " + coroutine);
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("pitch 30.0 degrees\npitch 0.0 degrees\n"));
+  EXPECT_THAT(moves.wait_for(2), AllOf(Contains(msg::Angle14(30_deg)), Contains(msg::Angle14{})));
+}
+
 TEST_F(Examples, AsyncStream) {
   const ProgramResult result = run_program(SBGC_EXAMPLE_ASYNC_STREAM " " + port);
   EXPECT_EQ(result.status, 0);
@@ -121,9 +132,11 @@ TEST_F(Examples, AsyncStream) {
 }
 
 TEST_F(Examples, TellWhatIsWrong) {
-  for (const char* program : {SBGC_EXAMPLE_QUICKSTART, SBGC_EXAMPLE_ASYNC_STREAM}) {
+  for (const char* program :
+       {SBGC_EXAMPLE_QUICKSTART, SBGC_EXAMPLE_ASYNC_STREAM, SBGC_EXAMPLE_COROUTINE}) {
     EXPECT_EQ(run_program(program).status, 2);
-    const ProgramResult result = run_program(std::string(program) + " /dev/no-such-port");
+    const ProgramResult result =
+        run_program("echo yes | " + std::string(program) + " /dev/no-such-port");
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.output, HasSubstr("/dev/no-such-port"));
   }

@@ -39,7 +39,7 @@ std::vector<Probe> probe_all(const std::vector<io::PortInfo>& ports, ConnectOpti
   const bool has_usb =
       std::ranges::any_of(ports, [](const io::PortInfo& port) { return port.usb.has_value(); });
   options.timeout = std::min(options.timeout, search_time);
-  options.capture.clear();
+  options.capture.reset();
   std::vector<std::pair<std::string, std::future<Result<BoardIdentity>>>> running;
   for (const io::PortInfo& port : ports) {
     if (has_usb && !port.usb) continue;

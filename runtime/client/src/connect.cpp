@@ -92,9 +92,9 @@ class Connector {
     io::OpenResult opened = opener.open(strand_, left());
     if (!opened) return to_client_error(opened.error);
     has_line_to_find_ = opener.detect_line && opened.transport->line() != nullptr;
-    if (!options_.capture.empty()) {
+    if (const std::string name = options_.capture.value_or(""); !name.empty()) {
       io::CaptureWriter file;
-      if (const io::Error error = file.open(options_.capture)) return to_client_error(error);
+      if (const io::Error error = file.open(name)) return to_client_error(error);
       const auto on_error = [tell = options_.on_capture_error](const io::Error& error) {
         if (tell) tell(to_client_error(error));
       };

@@ -1,9 +1,13 @@
 /// The asynchronous client: talks to a gimbal from an Asio program, with completion tokens.
 ///
 ///     sbgc::AsyncClient client(context.get_executor());
-///     client.async_connect("/dev/ttyUSB0", {}, [&](sbgc::Result<void> connected) {
-///       client.async_call(sbgc::msg::GetAnglesRequest{}, {},
+///     client.async_connect("/dev/ttyUSB0", [&](sbgc::Result<void> connected) {
+///       client.async_call(sbgc::msg::GetAnglesRequest{},
 ///                         [](sbgc::Result<sbgc::msg::GetAngles> angles) { … });
+///
+/// or in a coroutine (examples/coroutine.cpp):
+///
+///     auto connected = co_await client.async_connect("/dev/ttyUSB0", asio::use_awaitable);
 ///
 /// Include the messages you use, such as <sbgc/messages/realtime.hpp>.
 #pragma once
@@ -42,6 +46,14 @@ namespace sbgc {
 /// Functions may be called from any thread, also concurrently. Subscription handlers run one at a
 /// time, on the executor.
 ///
+/// g++ 12 mishandles a co_await expression with a temporary aggregate or lambda: it copies the
+/// bytes of such an object, and destroys both. That does no harm to options of numbers, as in
+/// `{.speed = 10_deg_per_s}`, but handlers, names of files and lambdas that own something are freed
+/// twice. Put them into variables, or start the operation in a statement of its own:
+///
+///     auto move = client.async_move_to(target, {.progress = show}, asio::use_awaitable);
+///     auto moved = co_await std::move(move);
+///
 /// Destroying the client ends all operations with ErrorCode::cancelled. The execution context must
 /// outlive the client, and must run for operations to make progress.
 class AsyncClient : public AsyncTaskCalls<AsyncClient> {
@@ -65,6 +77,10 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
           return begin_connect(impl, address, options, done);
         });
   }
+  template <class Token>
+  auto async_connect(const std::string& address, Token&& token) {
+    return async_connect(address, ConnectOptions(), std::forward<Token>(token));
+  }
   /// Like connect_over().
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
@@ -73,6 +89,10 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         token, [&impl = *impl_, make, options](const Completion<Result<void>>& done) {
           return begin_connect(impl, make, options, done);
         });
+  }
+  template <class Token>
+  auto async_connect_over(const TransportFactory& make, Token&& token) {
+    return async_connect_over(make, ConnectOptions(), std::forward<Token>(token));
   }
 
   /// Like Client::call(). Handler: void(CallResult<M>).
@@ -86,6 +106,10 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                             });
         });
   }
+  template <Message M, class Token>
+  auto async_call(const M& request, Token&& token) {
+    return async_call(request, CallOptions(), std::forward<Token>(token));
+  }
 
   /// Like Client::transact(). Handler: void(Result<Reply>).
   template <Message M, class Token>
@@ -94,6 +118,10 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         token, [&impl = *impl_, request, options](Completion<Result<Reply>> done) -> Stop {
           return begin_call(impl, request, options, std::move(done));
         });
+  }
+  template <Message M, class Token>
+  auto async_transact(const M& request, Token&& token) {
+    return async_transact(request, CallOptions(), std::forward<Token>(token));
   }
 
   /// Like Client::stream(). Handler: void(Result<Subscription>).
@@ -108,6 +136,16 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                     const CallOptions& options, Token&& token) {
     return register_stream<M>(Result<Request>(std::move(request)), std::move(handler), options,
                               token);
+  }
+  template <Message M, class Token, class Request = roles::StreamRequest>
+  auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
+                    Token&& token) {
+    return async_stream<M>(interval, std::move(handler), CallOptions(), std::forward<Token>(token));
+  }
+  template <Message M, class Token, Message Request = roles::StreamRequest>
+  auto async_stream(Request request, std::function<void(const M&)> handler, Token&& token) {
+    return async_stream<M>(std::move(request), std::move(handler), CallOptions(),
+                           std::forward<Token>(token));
   }
 
   /// Like Client::run(). Handler: void(R). Cancellation calls TaskMachine::cancel().

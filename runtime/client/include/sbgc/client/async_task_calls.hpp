@@ -14,7 +14,7 @@ namespace sbgc {
 
 /// `client.async_move_to(target, options, token)` is shorthand for
 /// `client.async_run(tasks::move_to(target, options), token)`, and likewise for all other tasks.
-/// The headers named below document them.
+/// The headers named below document them. Options may be left out, except those of async_restore().
 template <class Self>
 class AsyncTaskCalls {
  public:
@@ -25,12 +25,24 @@ class AsyncTaskCalls {
     return self().async_run(tasks::move_to(target, options), std::forward<Token>(token));
   }
   template <class Token>
+  auto async_move_to(const MoveTarget& target, Token&& token) {
+    return self().async_run(tasks::move_to(target), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_begin_move(const MoveTarget& target, const MoveOptions& options, Token&& token) {
     return self().async_run(tasks::begin_move(target, options), std::forward<Token>(token));
   }
   template <class Token>
+  auto async_begin_move(const MoveTarget& target, Token&& token) {
+    return self().async_run(tasks::begin_move(target), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_stop(const StopOptions& options, Token&& token) {
     return self().async_run(tasks::stop(options), std::forward<Token>(token));
+  }
+  template <class Token>
+  auto async_stop(Token&& token) {
+    return self().async_run(tasks::stop(), std::forward<Token>(token));
   }
   template <class Token>
   auto async_release(Token&& token) {
@@ -47,10 +59,18 @@ class AsyncTaskCalls {
   auto async_calibrate(Sensor sensor, const CalibrationOptions& options, Token&& token) {
     return self().async_run(tasks::calibrate(sensor, options), std::forward<Token>(token));
   }
+  template <class Token>
+  auto async_calibrate(Sensor sensor, Token&& token) {
+    return self().async_run(tasks::calibrate(sensor), std::forward<Token>(token));
+  }
 
   template <Message M, class Token>
   auto async_run_calibration(const M& request, const CalibrationOptions& options, Token&& token) {
     return self().async_run(tasks::run_calibration(request, options), std::forward<Token>(token));
+  }
+  template <Message M, class Token>
+  auto async_run_calibration(const M& request, Token&& token) {
+    return self().async_run(tasks::run_calibration(request), std::forward<Token>(token));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
@@ -60,9 +80,17 @@ class AsyncTaskCalls {
     return self().async_run(tasks::read_parameters(options), std::forward<Token>(token));
   }
   template <class Token>
+  auto async_read_parameters(Token&& token) {
+    return self().async_run(tasks::read_parameters(), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_write_parameters(const ParameterSet& wanted, const WriteOptions& options,
                               Token&& token) {
     return self().async_run(tasks::write_parameters(wanted, options), std::forward<Token>(token));
+  }
+  template <class Token>
+  auto async_write_parameters(const ParameterSet& wanted, Token&& token) {
+    return self().async_run(tasks::write_parameters(wanted), std::forward<Token>(token));
   }
 
   // Backups: <sbgc/client/backup.hpp>
@@ -70,6 +98,10 @@ class AsyncTaskCalls {
   template <class Token>
   auto async_make_backup(const ReadOptions& options, Token&& token) {
     return self().async_run(tasks::make_backup(utc_now(), options), std::forward<Token>(token));
+  }
+  template <class Token>
+  auto async_make_backup(Token&& token) {
+    return self().async_run(tasks::make_backup(utc_now()), std::forward<Token>(token));
   }
   template <class Token>
   auto async_restore(const Backup& backup, const RestoreOptions& options, Token&& token) {
@@ -85,9 +117,18 @@ class AsyncTaskCalls {
                             std::forward<Token>(token));
   }
   template <class Token>
+  auto async_download_eeprom(std::uint32_t address, std::size_t size, Token&& token) {
+    return self().async_run(tasks::download_eeprom(address, size), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
                            const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::upload_eeprom(address, std::move(data), options),
+                            std::forward<Token>(token));
+  }
+  template <class Token>
+  auto async_upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data, Token&& token) {
+    return self().async_run(tasks::upload_eeprom(address, std::move(data)),
                             std::forward<Token>(token));
   }
   template <class Token>
@@ -99,10 +140,18 @@ class AsyncTaskCalls {
     return self().async_run(tasks::download_file(file, options), std::forward<Token>(token));
   }
   template <class Token>
+  auto async_download_file(std::uint16_t file, Token&& token) {
+    return self().async_run(tasks::download_file(file), std::forward<Token>(token));
+  }
+  template <class Token>
   auto async_upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
                          const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::upload_file(file, std::move(data), options),
                             std::forward<Token>(token));
+  }
+  template <class Token>
+  auto async_upload_file(std::uint16_t file, std::vector<std::uint8_t> data, Token&& token) {
+    return self().async_run(tasks::upload_file(file, std::move(data)), std::forward<Token>(token));
   }
   template <class Token>
   auto async_delete_file(std::uint16_t file, Token&& token) {

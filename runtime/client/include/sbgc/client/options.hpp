@@ -44,8 +44,9 @@ struct ConnectOptions {
   std::size_t queue_limit = 1024;
   /// How long a call may be queued, unless it has a timeout of its own.
   std::chrono::milliseconds queue_timeout{10'000};
-  /// Records all traffic to this file, unless empty.
-  std::string capture{};
+  /// Records all traffic to this file, unless empty. An optional can be left out in a co_await
+  /// expression of g++ 12, a string cannot: see AsyncClient.
+  std::optional<std::string> capture{};
   /// Called once if the capture can no longer be written, for example because the disk is full; the
   /// connection goes on. On the connecting thread or the client's.
   std::function<void(const ClientError&)> on_capture_error{};

@@ -1,0 +1,165 @@
+// Calls every asynchronous function with each kind of completion token, as programs write it: with
+// options and other temporaries in the co_await expression. The test builds it with the address
+// sanitizer. There is no board, so all operations fail.
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <asio/awaitable.hpp>
+#include <asio/co_spawn.hpp>
+#include <asio/experimental/deferred.hpp>
+#include <asio/io_context.hpp>
+#include <asio/use_awaitable.hpp>
+#include <asio/use_future.hpp>
+
+#include <sbgc/client/async_client.hpp>
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/messages/realtime.hpp>
+
+namespace {
+
+using namespace sbgc::literals;
+using namespace std::chrono_literals;
+using sbgc::AsyncClient;
+using sbgc::ErrorCode;
+using Angles = sbgc::msg::GetAnglesRequest;
+using Live = sbgc::msg::RealtimeData4;
+using Interval = sbgc::msg::DataStreamInterval;
+
+int failures = 0;
+
+/// Nothing if the operation has not ended, or has succeeded.
+using Error = std::optional<ErrorCode>;
+
+template <class T>
+Error error_of(const sbgc::Result<T>& result) {
+  return result ? Error() : result.error().code;
+}
+Error error_of(const sbgc::WriteReport& report) { return error_of(report.outcome); }
+
+/// Starts an operation with `start(client)`, and returns the error with which it ends.
+template <class Start>
+Error run(const Start& start) {
+  asio::io_context context;
+  AsyncClient client(context.get_executor());
+  Error error;
+  start(client, [&error](const auto& result) { error = error_of(result); });
+  context.run();
+  return error;
+}
+
+template <class Await, class Start>
+void check(const char* text, Error expected, const Await& await, const Start& start) {
+  const Error awaited = run([&](AsyncClient& client, const auto& ended) {
+    asio::co_spawn(client.executor(), await(client, ended), [](std::exception_ptr) {});
+  });
+  const Error deferred = run([&](AsyncClient& client, const auto& ended) {
+    start(client, asio::experimental::deferred)(ended);
+  });
+  const Error called = run(start);
+  Error future;
+  {
+    asio::io_context context;
+    AsyncClient client(context.get_executor());
+    auto result = start(client, asio::use_future);
+    context.run();
+    future = error_of(result.get());
+  }
+  for (const Error& error : {awaited, deferred, called, future}) {
+    if (error == expected) continue;
+    std::printf("%s: %s\n", text, error ? name(*error) : "no error");
+    ++failures;
+  }
+}
+
+#define FAILS_AS(code, ...)                                          \
+  check(                                                             \
+      #__VA_ARGS__, ErrorCode::code,                                 \
+      [](AsyncClient& client, auto ended) -> asio::awaitable<void> { \
+        constexpr asio::use_awaitable_t<> token;                     \
+        ended(co_await client.__VA_ARGS__);                          \
+      },                                                             \
+      [](AsyncClient& client, const auto& token) { return client.__VA_ARGS__; })
+#define OPERATION(...) FAILS_AS(not_connected, __VA_ARGS__)
+
+const sbgc::TransportFactory nowhere = [](const asio::any_io_executor&) {
+  return std::unique_ptr<sbgc::io::Transport>();
+};
+const sbgc::Backup backup;
+const sbgc::ProfileNames names{{"one", "two"}};
+const std::vector<std::uint8_t> data{1, 2, 3};
+const std::vector<std::string> variables{"LPF_FREQ_ROLL", "LPF_FREQ_PITCH"};
+const std::vector<sbgc::VariableValue> values{{"LPF_FREQ_ROLL", 60}};
+
+}  // namespace
+
+int main() {
+  FAILS_AS(not_found, async_connect("/dev/no-such-port", token));
+  FAILS_AS(not_found, async_connect("/dev/no-such-port", {}, token));
+  FAILS_AS(not_found, async_connect("/dev/no-such-port", {.timeout = 9s, .retries = 1}, token));
+  FAILS_AS(io, async_connect_over(nowhere, token));
+  FAILS_AS(io, async_connect_over(nowhere, {.timeout = 9s}, token));
+  OPERATION(async_call(Angles{}, token));
+  OPERATION(async_call(Angles{}, {}, token));
+  OPERATION(async_call(Angles{}, {.timeout = 9s, .expect_confirmation = true}, token));
+  OPERATION(async_transact(Angles{}, token));
+  OPERATION(async_transact(Angles{}, {.timeout = 9s}, token));
+  OPERATION(async_stream<Live>(
+      20ms, [](const Live&) {}, token));
+  OPERATION(async_stream<Live>(
+      20ms, [](const Live&) {}, {.retries = 1}, token));
+  OPERATION(async_stream<Live>(
+      Interval{}, [](const Live&) {}, token));
+  OPERATION(async_stream<Live>(
+      Interval{}, [](const Live&) {}, {}, token));
+  OPERATION(async_run(sbgc::tasks::stop({.timeout = 9s}), token));
+  OPERATION(async_move_to({.pitch = 30_deg}, token));
+  OPERATION(async_move_to({.pitch = 30_deg}, {.speed = 10_deg_per_s}, token));
+  OPERATION(async_begin_move({.pitch = 30_deg}, token));
+  OPERATION(async_begin_move({.pitch = 30_deg}, {.speed = 10_deg_per_s}, token));
+  OPERATION(async_stop(token));
+  OPERATION(async_stop({.timeout = 9s}, token));
+  OPERATION(async_release(token));
+  OPERATION(async_set_control_timeout(500ms, token));
+  OPERATION(async_calibrate(sbgc::Sensor::gyroscope, token));
+  OPERATION(async_calibrate(sbgc::Sensor::gyroscope, {.timeout = 9s}, token));
+  OPERATION(async_run_calibration(sbgc::msg::CalibGyro{}, token));
+  OPERATION(async_run_calibration(sbgc::msg::CalibGyro{}, {.timeout = 9s}, token));
+  OPERATION(async_read_parameters(token));
+  OPERATION(async_read_parameters({.timeout = 9s}, token));
+  OPERATION(async_write_parameters({}, token));
+  OPERATION(async_write_parameters(sbgc::ParameterSet{}, {.dry_run = true}, token));
+  OPERATION(async_make_backup(token));
+  OPERATION(async_make_backup({.timeout = 9s}, token));
+  OPERATION(async_restore(backup, {.dry_run = true}, token));
+  OPERATION(async_download_eeprom(0, 64, token));
+  OPERATION(async_download_eeprom(0, 64, {.timeout = 9s}, token));
+  OPERATION(async_upload_eeprom(0, data, token));
+  OPERATION(async_upload_eeprom(0, data, {.timeout = 9s}, token));
+  OPERATION(async_file_size(1, token));
+  OPERATION(async_download_file(1, token));
+  OPERATION(async_download_file(1, {.timeout = 9s}, token));
+  OPERATION(async_upload_file(1, data, token));
+  OPERATION(async_upload_file(1, data, {.timeout = 9s}, token));
+  OPERATION(async_delete_file(1, token));
+  OPERATION(async_delete_all_files(token));
+  OPERATION(async_download_user_data(token));
+  OPERATION(async_upload_user_data(0, data, token));
+  OPERATION(async_active_profile(token));
+  OPERATION(async_profile_names(token));
+  OPERATION(async_rename_profile(1, "A name that does not fit into 15 bytes", token));
+  OPERATION(async_rename_profiles(names, token));
+  OPERATION(async_get_variables(variables, token));
+  OPERATION(async_get_variable("LPF_FREQ_ROLL", token));
+  OPERATION(async_set_variables(values, token));
+  OPERATION(async_set_variable("LPF_FREQ_ROLL", 60, token));
+  OPERATION(async_save_variables(token));
+  return failures == 0 ? 0 : 1;
+}
