@@ -22,17 +22,17 @@ constexpr std::size_t sensor_axis(std::size_t axis) { return turning_axes[axis].
 
 /// Converts an RC signal to a pulse in the specified range.
 msg::RcSignal pulse(std::optional<double> signal) {
+  if (!signal) return msg::RcSignal(msg::RealtimeData3::no_signal);
   constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
   constexpr double middle = (range.lowest + range.highest) / 2;
   constexpr double half = (range.highest - range.lowest) / 2;
-  // Assumption: an input without a signal reads as its center.
-  return saturated<msg::RcSignal>(middle + half * signal.value_or(0));
+  return saturated<msg::RcSignal>(middle + half * *signal);
 }
 
 /// Returns the signal for a flight controller; 0 if no input is assigned to it.
 msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
-  const auto signal = device.remote.signal(source);
-  return signal ? pulse(signal) : msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
+  if (source == msg::RcInput::input_no) return msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
+  return pulse(device.remote.signal(source));
 }
 
 msg::FineRcSignal fine(std::optional<double> signal) {

@@ -36,9 +36,14 @@ bool is_at(const Device& device, msg::RcMap source, msg::OutputPin pin) {
   return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
 }
 
-bool is_input(const Device& device, msg::OutputPin pin) {
+/// True if the pin is an input or carries a serial port.
+bool is_taken(const Device& device, msg::OutputPin pin) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   const msg::RcVirtualMode mode = parameters.rc_virt_mode;
+  if (mode == msg::RcVirtualMode::api &&
+      (pin == msg::OutputPin::rc_input_roll || pin == msg::OutputPin::rc_input_yaw)) {
+    return true;
+  }
   const bool has_receiver = mode == msg::RcVirtualMode::cppm || mode == msg::RcVirtualMode::sbus ||
                             mode == msg::RcVirtualMode::spektrum;
   if (has_receiver && pin == msg::OutputPin::rc_input_roll) return true;
@@ -86,7 +91,7 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
 
 bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState state) {
   const bool exist = knows(device.versions(), pin) && knows(device.versions(), state);
-  if (!exist || is_input(device, pin)) return false;
+  if (!exist || is_taken(device, pin)) return false;
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     const bool is_servo =

@@ -723,7 +723,7 @@ enum class RcVirtualMode : std::uint8_t {
   sbus = 2,
   /// RC_VIRT_MODE_SPEKTRUM: Spektrum satellite. Since board 3.0.
   spektrum = 3,
-  /// RC_VIRT_MODE_API: Virtual channels of the Serial API. Since board 3.0.
+  /// RC_VIRT_MODE_API: A serial port on the pins RC_ROLL and RC_YAW. Since board 3.0.
   api = 10,
 };
 
@@ -2698,7 +2698,7 @@ enum class RealtimeDataCustomFlag : std::uint32_t {
   system_power_state = 0x00008000,
   /// FRAME_CAM_RATE: Speed of the camera relative to the frame. Since firmware 2.70b6.
   frame_cam_rate = 0x00010000,
-  /// IMU_ANGLES_20: Angles of the main IMU in high resolution.
+  /// IMU_ANGLES_20: Angles of the main IMU in high resolution. Since firmware 2.70b8.
   imu_angles_20 = 0x00020000,
   /// TARGET_ANGLES_20: Target angles in high resolution. Since firmware 2.70b8.
   target_angles_20 = 0x00040000,

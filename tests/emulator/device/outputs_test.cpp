@@ -72,6 +72,17 @@ TEST(Pins, AReceiverTakesTheFirst) {
   EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_roll)), IsEmpty());
 }
 
+TEST(Pins, ASerialPortTakesTwo) {
+  Host host;
+  change(host, [](msg::ReadParams3& parameters) {
+    parameters.rc_map = {};
+    parameters.rc_virt_mode = msg::RcVirtualMode::api;
+  });
+  EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_roll)), IsEmpty());
+  EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_yaw)), IsEmpty());
+  EXPECT_TRUE(is_confirmed(host, pin(msg::OutputPin::rc_input_pitch)));
+}
+
 TEST(Pins, SlotsReadThemToo) {
   Host host;
   change(host, [](msg::ReadParams3& parameters) { parameters.rc_map = {}; });

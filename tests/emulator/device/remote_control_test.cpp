@@ -50,6 +50,26 @@ TEST(RemoteControl, VirtualChannelsControlTheCamera) {
               parameters.rc.pitch.rc_max_angle.degrees(), 1);
 }
 
+TEST(RemoteControl, ReportsInputsWithoutASignal) {
+  Host host;
+  constexpr msg::RcSignal no_signal(-10'000);
+  const auto is_silent = [&](const auto& data) {
+    return data.rc == Axes<msg::RcSignal>{no_signal, no_signal, no_signal} &&
+           data.rc_cmd == no_signal;
+  };
+  const auto live = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{});
+  EXPECT_TRUE(is_silent(live)) << "no receiver is connected";
+  EXPECT_TRUE(is_silent(host.get<msg::RealtimeData4>(msg::RealtimeData4Request{})));
+  EXPECT_EQ(live.ext_fc_roll, msg::RcSignal(0)) << "no input serves a flight controller";
+
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_map_fc_roll = msg::RcInput::ext_fc_input_roll;
+  host.ask(msg::WriteParams3{parameters});
+  const auto mapped = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{});
+  EXPECT_EQ(mapped.ext_fc_roll, no_signal);
+  EXPECT_EQ(mapped.ext_fc_pitch, msg::RcSignal(0));
+}
+
 TEST(RemoteControl, ChannelsThatAreNotSentKeepTheirSignals) {
   Host host;
   map_pitch(host, 5);
@@ -112,7 +132,7 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
     host.ask(msg::WriteParams3{parameters});
     const double result = control(host, signals);
     const auto shown = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch;
-    EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? msg::RcSignal(1750) : msg::RcSignal(1500))
+    EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? msg::RcSignal(1750) : msg::RcSignal(-10'000))
         << "live data contain the raw signal";
     return result;
   };

@@ -872,6 +872,7 @@ class Calls {
 
   /// Calibrate the orientation of the IMU.
   /// Effect: stores, moves.
+  /// Since firmware 2.61.
   template <class M = msg::CalibOrientCorr>
   CallResult<M> calib_orient_corr(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1293,6 +1294,7 @@ class Calls {
 
   /// Request names, ranges and values of adjustable variables.
   /// Effect: reads.
+  /// Since firmware 2.73.
   template <class M = msg::AdjVarsInfoRequest>
   CallResult<M> adj_vars_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1301,6 +1303,7 @@ class Calls {
 
   /// Request names, ranges and values of adjustable variables, starting with the first.
   /// Effect: reads.
+  /// Since firmware 2.73.
   template <class M = msg::AdjVarsInfoRequestAll>
   CallResult<M> adj_vars_info_all(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

@@ -282,14 +282,15 @@ struct AdjVarsStateRequestExt {
 
 /// Names, ranges and values of adjustable variables.
 ///
-/// CMD_ADJ_VARS_INFO (132), from the board; 1 to 255 bytes. Source: Later firmware.
+/// CMD_ADJ_VARS_INFO (132), from the board; 1 to 255 bytes. Since firmware 2.73. Source: Later
+/// firmware.
 struct AdjVarsInfo {
   static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2730};
 
   /// Number of variables of the board, of which a message holds a part.
   std::uint8_t total_number{};
@@ -306,15 +307,15 @@ struct AdjVarsInfo {
 
 /// Request names, ranges and values of adjustable variables.
 ///
-/// CMD_ADJ_VARS_INFO (132), to the board, simple form; 1 byte. Effect: reads. Source: Later
-/// firmware.
+/// CMD_ADJ_VARS_INFO (132), to the board, simple form; 1 byte. Effect: reads. Since firmware 2.73.
+/// Source: Later firmware.
 struct AdjVarsInfoRequest {
   static constexpr CommandToBoard command = CommandToBoard::adj_vars_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2730};
   using Response = AdjVarsInfo;
 
   /// First variable to describe.
@@ -326,15 +327,15 @@ struct AdjVarsInfoRequest {
 
 /// Request names, ranges and values of adjustable variables, starting with the first.
 ///
-/// CMD_ADJ_VARS_INFO (132), to the board, all form; 0 bytes. Effect: reads. Unconfirmed. Source:
-/// Later firmware.
+/// CMD_ADJ_VARS_INFO (132), to the board, all form; 0 bytes. Effect: reads. Since firmware 2.73.
+/// Unconfirmed. Source: Later firmware.
 struct AdjVarsInfoRequestAll {
   static constexpr CommandToBoard command = CommandToBoard::adj_vars_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::all;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2730};
   using Response = AdjVarsInfo;
 
   bool operator==(const AdjVarsInfoRequestAll&) const = default;

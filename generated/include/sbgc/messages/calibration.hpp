@@ -621,15 +621,15 @@ struct AutoPid2 {
 /// make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the
 /// accelerometer first.
 ///
-/// CMD_CALIB_ORIENT_CORR (91), to the board; 16 bytes. Effect: stores, moves. Source: Later
-/// firmware.
+/// CMD_CALIB_ORIENT_CORR (91), to the board; 16 bytes. Effect: stores, moves. Since firmware 2.61.
+/// Source: Later firmware.
 struct CalibOrientCorr {
   static constexpr CommandToBoard command = CommandToBoard::calib_orient_corr;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 16;
   static constexpr std::size_t max_size = 16;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2610};
   using Response = void;
 
   /// Reserved; kept as it is.

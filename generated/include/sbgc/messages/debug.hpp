@@ -103,6 +103,11 @@ struct DebugVars3 {
   struct Context {
     /// The types announced by CMD_DEBUG_VARS_INFO_3; the values cannot be decoded without them.
     NumberTypes types{};
+
+    /// Calls `visitor(fact)` for each of them.
+    static constexpr void visit(auto& context, auto&& visitor) {
+      visitor(context.types);
+    }
   };
 
   /// The values in sequence, each with the type and the number of elements announced by

@@ -181,6 +181,8 @@ struct RealtimeData3 {
   static constexpr std::size_t max_size = 63;
   static constexpr Availability since{.board = 30};
 
+  /// For rc and rc_cmd and ext_fc_roll and ext_fc_pitch: no signal.
+  static constexpr std::int16_t no_signal{-10000};
   /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
   static constexpr std::int16_t ext_fc_unused{0};
 
@@ -265,6 +267,8 @@ struct RealtimeData4 {
   static constexpr std::size_t max_size = 124;
   static constexpr Availability since{.board = 30};
 
+  /// For rc and rc_cmd and ext_fc_roll and ext_fc_pitch: no signal.
+  static constexpr std::int16_t no_signal{-10000};
   /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
   static constexpr std::int16_t ext_fc_unused{0};
 
@@ -393,6 +397,11 @@ struct RealtimeDataCustom {
   struct Context {
     /// FLAGS of the request. The response does not repeat them, but they determine its blocks.
     RealtimeDataCustomFlags flags{};
+
+    /// Calls `visitor(fact)` for each of them.
+    static constexpr void visit(auto& context, auto&& visitor) {
+      visitor(context.flags);
+    }
   };
 
   /// Time of the sample. Unit: ms.
@@ -423,7 +432,7 @@ struct RealtimeDataCustom {
   Optional<Motor4Control> motor4_control{};
   /// State of the attitude estimation. Present if flags has AHRS_DEBUG_INFO.
   Optional<AhrsDebugInfo> ahrs_debug_info{};
-  /// Raw values of the encoders. Present if flags has ENCODER_RAW24.
+  /// Raw values of the encoders. Present if flags has ENCODER_RAW24. Unconfirmed.
   Optional<Axes<U24>> encoder_raw24{};
   /// Angles of the main IMU (Euler), in radians. Unit: rad. Present if flags has IMU_ANGLES_RAD.
   Optional<Axes<Radians>> imu_angles_rad{};
@@ -633,6 +642,11 @@ struct CanDrvTelemetry {
   struct Context {
     /// FLAGS in CONFIG of the stream request; they determine the data that follow.
     CanDrvTelemetryFlags flags{};
+
+    /// Calls `visitor(fact)` for each of them.
+    static constexpr void visit(auto& context, auto&& visitor) {
+      visitor(context.flags);
+    }
   };
 
   /// The driver. Range: 0 to 6.

@@ -395,7 +395,8 @@ struct Meta<msg::AdjVarsInfo> {
       .id = 132,
       .direction = Direction::from_board,
       .min_size = 1,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2730}};
   static constexpr FieldInfo fields[] = {
       {.name = "total_number",
        .spec_name = "TOTAL_NUMBER",
@@ -424,6 +425,7 @@ struct Meta<msg::AdjVarsInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
+      .since = {.firmware = 2730},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -450,6 +452,7 @@ struct Meta<msg::AdjVarsInfoRequestAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .since = {.firmware = 2730},
       .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};

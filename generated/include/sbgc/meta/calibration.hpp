@@ -866,6 +866,7 @@ struct Meta<msg::CalibOrientCorr> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
+      .since = {.firmware = 2610},
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the accelerometer first."};
   static constexpr FieldInfo fields[] = {

@@ -374,7 +374,7 @@ struct EnumMeta<msg::RcVirtualMode> {
       {"RC_VIRT_MODE_CPPM", 1, "Sum-PPM."},
       {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {.board = 30}},
       {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {.board = 30}},
-      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {.board = 30}},
+      {"RC_VIRT_MODE_API", 10, "A serial port on the pins RC_ROLL and RC_YAW.", {.board = 30}},
   };
   static constexpr EnumInfo info{"RcVirtualMode", values, false};
 };
@@ -1723,7 +1723,7 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
       {"SCRIPT_VARS_INT16", 16384, "Integer variables of the script."},
       {"SYSTEM_POWER_STATE", 32768, "State of the motors and of the supply.", {.firmware = 2706}},
       {"FRAME_CAM_RATE", 65536, "Speed of the camera relative to the frame.", {.firmware = 2706}},
-      {"IMU_ANGLES_20", 131072, "Angles of the main IMU in high resolution."},
+      {"IMU_ANGLES_20", 131072, "Angles of the main IMU in high resolution.", {.firmware = 2708}},
       {"TARGET_ANGLES_20", 262144, "Target angles in high resolution.", {.firmware = 2708}},
       {"COMM_ERRORS", 524288, "Counters of communication errors.", {.firmware = 2720}},
       {"SYSTEM_STATE", 1048576, "State of the system.", {.firmware = 2730}},

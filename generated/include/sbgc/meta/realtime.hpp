@@ -285,14 +285,22 @@ struct Meta<msg::RealtimeData3> {
       .max_size = 63,
       .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
+  static constexpr Special rc_special[] = {
+      {-10000, "no signal"},
+  };
   static constexpr Range rc_cmd_range{1000, 2000};
+  static constexpr Special rc_cmd_special[] = {
+      {-10000, "no signal"},
+  };
   static constexpr Range ext_fc_roll_range{1000, 2000};
   static constexpr Special ext_fc_roll_special[] = {
       {0, "the input serves RC control or commands"},
+      {-10000, "no signal"},
   };
   static constexpr Range ext_fc_pitch_range{1000, 2000};
   static constexpr Special ext_fc_pitch_special[] = {
       {0, "the input serves RC control or commands"},
+      {-10000, "no signal"},
   };
   static constexpr Range angle_range{-32768, 32767};
   static constexpr Range frame_imu_angle_range{-32768, 32767};
@@ -319,12 +327,14 @@ struct Meta<msg::RealtimeData3> {
        .spec_name = "RC_{AXIS}",
        .summary = "RC channels of the axes.",
        .unit = &UnitMeta<msg::RcSignal>::info,
-       .range = &rc_range},
+       .range = &rc_range,
+       .special = rc_special},
       {.name = "rc_cmd",
        .spec_name = "RC_CMD",
        .summary = "RC command channel.",
        .unit = &UnitMeta<msg::RcSignal>::info,
-       .range = &rc_cmd_range},
+       .range = &rc_cmd_range,
+       .special = rc_cmd_special},
       {.name = "ext_fc_roll",
        .spec_name = "EXT_FC_ROLL",
        .summary = "Roll signal of an external flight controller.",
@@ -445,14 +455,22 @@ struct Meta<msg::RealtimeData4> {
       .max_size = 124,
       .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
+  static constexpr Special rc_special[] = {
+      {-10000, "no signal"},
+  };
   static constexpr Range rc_cmd_range{1000, 2000};
+  static constexpr Special rc_cmd_special[] = {
+      {-10000, "no signal"},
+  };
   static constexpr Range ext_fc_roll_range{1000, 2000};
   static constexpr Special ext_fc_roll_special[] = {
       {0, "the input serves RC control or commands"},
+      {-10000, "no signal"},
   };
   static constexpr Range ext_fc_pitch_range{1000, 2000};
   static constexpr Special ext_fc_pitch_special[] = {
       {0, "the input serves RC control or commands"},
+      {-10000, "no signal"},
   };
   static constexpr Range angle_range{-32768, 32767};
   static constexpr Range frame_imu_angle_range{-32768, 32767};
@@ -485,12 +503,14 @@ struct Meta<msg::RealtimeData4> {
        .spec_name = "RC_{AXIS}",
        .summary = "RC channels of the axes.",
        .unit = &UnitMeta<msg::RcSignal>::info,
-       .range = &rc_range},
+       .range = &rc_range,
+       .special = rc_special},
       {.name = "rc_cmd",
        .spec_name = "RC_CMD",
        .summary = "RC command channel.",
        .unit = &UnitMeta<msg::RcSignal>::info,
-       .range = &rc_cmd_range},
+       .range = &rc_cmd_range,
+       .special = rc_cmd_special},
       {.name = "ext_fc_roll",
        .spec_name = "EXT_FC_ROLL",
        .summary = "Roll signal of an external flight controller.",
@@ -767,7 +787,8 @@ struct Meta<msg::RealtimeDataCustom> {
        .summary = "State of the attitude estimation."},
       {.name = "encoder_raw24",
        .spec_name = "ENCODER_RAW24",
-       .summary = "Raw values of the encoders."},
+       .summary = "Raw values of the encoders.",
+       .unconfirmed = true},
       {.name = "imu_angles_rad",
        .spec_name = "IMU_ANGLES_RAD",
        .summary = "Angles of the main IMU (Euler), in radians.",
