@@ -415,6 +415,31 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
 
 // Broken and closed connections
 
+TEST_F(Call, SaysWhatCameInsteadOfTheRequestedBlocks) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  introduce(board, 2686, 36);
+  board.on<msg::RealtimeDataCustomRequest>([&](const msg::RealtimeDataCustomRequest& request) {
+    msg::RealtimeDataCustom data;
+    data.imu_angles.emplace();
+    if (request.flags.has(Flag::target_angles)) data.target_angles.emplace();
+    board.send(data);
+  });
+  Client client = connect();
+  const msg::RealtimeDataCustomRequest request{.flags = Flag::imu_angles | Flag::encoder_raw24};
+  const auto answer = client.call(request);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::bad_response);
+  EXPECT_EQ(answer.error().message,
+            "the response CMD_REALTIME_DATA_CUSTOM cannot be decoded: 8 bytes, the flags need 17, "
+            "and 8 without ENCODER_RAW24");
+  const auto reply = client.transact(request);
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->body.size(), 8U);
+  EXPECT_TRUE(client.call(msg::RealtimeDataCustomRequest{.flags = Flag::imu_angles}));
+  EXPECT_EQ(board.count<msg::RealtimeDataCustomRequest>(), 3U) << "nothing is sent again";
+  EXPECT_EQ(client.statistics().session.late_replies, 0U);
+}
+
 TEST_F(Call, FailsAtOnceWhenTheLineBreaks) {
   board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) { board.unplug(); });
   Client client = connect();

@@ -181,17 +181,33 @@ TEST_F(Subscribed, ClientMayBeDestroyedByAHandler) {
   EXPECT_EQ(done.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
 }
 
-TEST_F(Subscribed, CountsWhatItCannotRead) {
+TEST_F(Subscribed, CountsWhatItCannotReadAndSaysWhy) {
   Client client = connect();
-  const auto subscription =
+  const auto parameters =
       client.subscribe<msg::ReadParams3>([](const msg::ReadParams3&) { FAIL(); });
-  const std::array<std::uint8_t, 3> body{1, 2, 3};
-  std::array<std::uint8_t, max_frame_size> frame{};
-  const auto written =
-      write_frame(static_cast<std::uint8_t>(msg::ReadParams3::command), body, frame);
-  board.send_bytes(std::span(frame).first(written.size));
+  const auto file = client.subscribe<msg::ReadFileError>([](const msg::ReadFileError&) { FAIL(); });
+  Collector<Notice> got;
+  const auto notices = client.on_notice([&](const Notice& notice) { got.add(notice); });
+  const auto send = [&](auto command, std::size_t size) {
+    const std::array<std::uint8_t, 4> body{1, 2, 3, 4};
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const auto written =
+        write_frame(static_cast<std::uint8_t>(command), std::span(body).first(size), frame);
+    board.send_bytes(std::span(frame).first(written.size));
+  };
+  for (const std::size_t size : {3U, 3U, 4U}) send(msg::ReadParams3::command, size);
+  send(msg::ReadFile::command, 2);
   settle(client);
-  EXPECT_EQ(client.statistics().unreadable, 1U);
+  EXPECT_EQ(client.statistics().unreadable, 4U);
+  const auto all = got.wait_for(3);
+  ASSERT_EQ(all.size(), 3U) << "one for each reason";
+  EXPECT_EQ(all[0].kind, NoticeKind::unreadable);
+  EXPECT_EQ(all[0].command, 21);
+  EXPECT_EQ(all[0].message, "CMD_READ_PARAMS_3 cannot be decoded: 3 bytes, the message needs 134");
+  EXPECT_THAT(all[1].message, HasSubstr("4 bytes"));
+  EXPECT_EQ(all[2].message,
+            "CMD_READ_FILE cannot be decoded: 2 bytes: The command has no form with a body of this "
+            "size");
 }
 
 // Data streams

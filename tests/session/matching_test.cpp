@@ -21,7 +21,9 @@ using commands::motors_on;
 using commands::read_file;
 using commands::read_params_3;
 using commands::realtime_data_4;
+using commands::realtime_data_custom;
 using commands::reset;
+using commands::stream_interval;
 using commands::write_file;
 using commands::write_params_3;
 using sbgc::EventKind;
@@ -73,7 +75,6 @@ TEST(Session, AWrongAnswerIsNone) {
   Simulation line;
   line.board = [&](const Written&) {
     line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
-    line.say(read_params_3, body_of(133, {1}), milliseconds(5));    // too short
     line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
     line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // valid, from later firmware
   };
@@ -81,8 +82,82 @@ TEST(Session, AWrongAnswerIsNone) {
   line.run();
   ASSERT_EQ(line.outcome(handle), Outcome::answered);
   EXPECT_EQ(line.completion(handle)->body, body_of(140, {1}));
-  EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(3));
-  EXPECT_EQ(line.session.statistics().unsolicited, 3U);
+  EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(2));
+  EXPECT_EQ(line.session.statistics().unsolicited, 2U);
+}
+
+// Live data of 35 and of 8 bytes.
+sbgc::msg::RealtimeDataCustomRequest read_encoders() {
+  using Flag = sbgc::msg::RealtimeDataCustomFlag;
+  return {.flags = Flag::imu_angles | Flag::target_angles | Flag::rc_data | Flag::encoder_raw24};
+}
+sbgc::msg::RealtimeDataCustomRequest read_angles() {
+  return {.flags = sbgc::msg::RealtimeDataCustomFlag::imu_angles};
+}
+
+TEST(Session, ABodyOfAWrongSizeAnswers) {
+  for (const std::size_t size : {0U, 26U}) {
+    Simulation line;
+    line.board = [&](const Written&) { line.say(realtime_data_custom, body_of(size)); };
+    const Handle handle = line.send(read_encoders());
+    line.run_for(milliseconds(20));
+    ASSERT_EQ(line.outcome(handle), Outcome::answered) << size;
+    EXPECT_EQ(line.completion(handle)->body, body_of(size));
+    const Handle next = line.send(read_encoders());
+    line.run_for(milliseconds(20));
+    EXPECT_EQ(line.outcome(next), Outcome::answered) << "it waits for nothing";
+    EXPECT_THAT(line.written, SizeIs(2));
+    EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(0));
+  }
+}
+
+TEST(Session, ALateBodyOfAWrongSizeIsLate) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    const bool is_first = line.written.size() == 1;
+    line.say(realtime_data_custom, is_first ? body_of(26) : body_of(frame.body[0] == 1 ? 8 : 26),
+             milliseconds(is_first ? 600 : 3));
+  };
+  const Handle first = line.send(read_encoders(), {.attempts = 1});
+  line.run_for(milliseconds(550));
+  EXPECT_EQ(line.outcome(first), Outcome::timeout);
+  const Handle second = line.send(read_encoders());
+  line.run_for(milliseconds(150));
+  ASSERT_EQ(line.outcome(second), Outcome::answered);
+  EXPECT_THAT(line.written, SizeIs(2));
+  EXPECT_EQ(line.session.statistics().late_replies, 1U);
+}
+
+TEST(Session, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.body[0] == 1) line.say(realtime_data_custom, body_of(8), milliseconds(3));
+  };
+  const Handle silent = line.send(read_encoders(), {.attempts = 1});
+  const Handle angles = line.send(read_angles());
+  line.run();
+  EXPECT_EQ(line.outcome(angles), Outcome::answered);
+  EXPECT_EQ(line.outcome(silent), Outcome::timeout);
+}
+
+TEST(Session, ASampleOfAnySizeIsNoAnswer) {
+  Simulation line;
+  sbgc::msg::DataStreamInterval stream;
+  stream.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;
+  stream.interval_ms = sbgc::msg::Milliseconds(20);
+  stream.config.flags = read_encoders().flags;
+  line.board = [&](const Written& frame) {
+    if (frame.id == stream_interval) return line.confirm(stream_interval);
+    line.say(realtime_data_custom, body_of(26), milliseconds(2));  // of the stream, without a block
+    line.say(realtime_data_custom, body_of(35), milliseconds(4));
+  };
+  line.send(stream);
+  line.run();
+  const Handle handle = line.send(read_encoders());
+  line.run();
+  ASSERT_EQ(line.outcome(handle), Outcome::answered);
+  EXPECT_EQ(line.completion(handle)->body, body_of(35));
+  EXPECT_THAT(line.of(EventKind::stream), SizeIs(1));
 }
 
 TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {

@@ -34,7 +34,7 @@ using simulation::Record;
 using simulation::Simulation;
 using simulation::Written;
 
-constexpr std::uint8_t stream_interval = 85;
+using commands::stream_interval;
 constexpr std::uint8_t realtime_data_3 = 23;
 
 sbgc::msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {

@@ -40,6 +40,15 @@ TEST(SmallSession, SendsOneRequestAtATime) {
   EXPECT_EQ(line.outcome(control), Outcome::sent);
 }
 
+TEST(SmallSession, ABodyOfAWrongSizeAnswers) {
+  simulation::Basic<ControllerSession> line;
+  line.board = [&](const Written&) { line.say(86, body_of(17)); };
+  const sbgc::Handle identify = line.send(sbgc::msg::BoardInfoRequest{});
+  line.run();
+  EXPECT_EQ(line.outcome(identify), Outcome::answered);
+  EXPECT_EQ(line.written.size(), 1U);
+}
+
 TEST(SmallSession, RefusesABodyLargerThanItsCapacity) {
   simulation::Basic<ControllerSession> line;
   const std::vector<std::uint8_t> body(25);

@@ -413,7 +413,8 @@ def test_a_short_body_shows_the_fields_that_arrived() -> None:
     body = struct.pack("<9h", *range(100, 1000, 100))
     for size in range(18):
         lines = run("decode", "--from", "board", stdin=frame(73, body[:size])).text.splitlines()
-        assert "error: The body ends before this field does. (too_short, " in lines[1]
+        unit = "byte" if size == 1 else "bytes"
+        assert f"error: {size} {unit}, the message needs 18 (too_short, " in lines[1]
         shown = [int(line.split()[1]) for line in lines[3:-1]]
         assert shown == list(range(100, 1000, 100))[: size // 2]
     (line,) = decode(frame(73, body[:5]), "--from", "board", "--real")
@@ -426,6 +427,44 @@ def test_a_short_body_shows_the_fields_that_arrived() -> None:
         assert len(decode(frame(73, body[:5]), *options)) == count
         text = run("decode", *options, stdin=frame(73, body[:5])).text
         assert text.endswith("none of them is selected\n") == (count == 0)
+
+
+IMU_ANGLES, TARGET_ANGLES, RC_DATA, ENCODER_RAW24, IMU_ANGLES_RAD = 1, 2, 0x20, 0x800, 0x1000
+
+
+@pytest.mark.parametrize(
+    "flags, size, words",
+    [
+        (
+            IMU_ANGLES | TARGET_ANGLES | RC_DATA | ENCODER_RAW24,
+            26,
+            "26 bytes, the flags need 35, and 26 without ENCODER_RAW24",
+        ),
+        (  # two blocks of this size
+            IMU_ANGLES | TARGET_ANGLES | ENCODER_RAW24,
+            17,
+            "17 bytes, the flags need 23",
+        ),
+        (IMU_ANGLES, 5, "5 bytes, the flags need 8"),
+        (
+            ENCODER_RAW24 | IMU_ANGLES_RAD,
+            14,
+            "14 bytes, the flags need 23, and 14 without ENCODER_RAW24",
+        ),
+    ],
+)
+def test_a_body_without_an_announced_block(flags: int, size: int, words: str) -> None:
+    """Blocks after the missing one are elsewhere, so only what precedes all blocks has a value."""
+    request = frame(88, struct.pack("<I6x", flags))
+    answer = frame(88, b"\x2c\x01" + bytes(range(1, size - 1)))
+    _, line = decode(request + answer)
+    assert line["message"] == "RealtimeDataCustom" and "fields" not in line
+    assert line["error"]["code"] == "too_short" and line["body"] == answer[4:-1].hex()
+    text = run("decode", stdin=request + answer).text.split("board to host")[1]
+    assert f"error: {words} (too_short, " in text
+    assert re.findall(r"^    (\w[\w.]*)  +(\d+)", text, re.MULTILINE) == [("timestamp_ms", "300")]
+    (_, values) = decode(request + answer, "--real")
+    assert list(values["values"]) == ["timestamp_ms"]
 
 
 def test_empty_input() -> None:

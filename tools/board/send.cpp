@@ -18,6 +18,7 @@
 #include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "command/choices.hpp"
+#include "command/command_error.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
@@ -148,7 +149,8 @@ class FramePrinting {
   /// Learns what the decoding of later frames needs.
   void learn(const Frame& frame, Direction direction) { decoder_.decode(frame, direction); }
 
-  /// `more` is appended to the members of a JSON object.
+  /// `more` is appended to the members of a JSON object. Throws CommandError, after printing, if
+  /// the frame cannot be decoded.
   void print(const Frame& frame, Direction direction, const std::string& more = {}) {
     const DecodedFrame decoded = decoder_.decode(frame, direction);
     if (is_json_) {
@@ -158,6 +160,9 @@ class FramePrinting {
       put_text(out_, decoded, Colors(stdout));
     }
     out_.flush();
+    if (decoded.status) return;
+    throw CommandError(
+        fmt::format("{} cannot be decoded: {}", decoded.command, decoded.explanation));
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <sbgc/detail/compiler.hpp>
+#include <sbgc/explain.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/to_json.hpp>
@@ -127,15 +128,7 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   DecodedFrame result{.frame = frame, .direction = direction};
   result.command = command_name(frame.id, result.direction);
   result.status = decode_body(frame.body, contexts_, result);
-  // The context may belong to another stream, so retry without context: no data is better than
-  // wrong data.
-  if (!result.status) {
-    const Status plain = decode_body(frame.body, {}, result);
-    if (plain) result.status = plain;
-  }
   result.error_field = result.status.field;
-  const Code code = result.status.code;
-  if (code == Code::too_short || code == Code::unknown_form) decode_arrived(result);
   select(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
     result.message = &Meta<M>::info;
     result.is_for_firmware = versions_.has_value();
@@ -144,7 +137,20 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
       result.error_field = field_at<M>(result.status.offset);
     }
   });
+  if (!result.status) describe_error(result);
   return result;
+}
+
+void FrameDecoder::describe_error(DecodedFrame& result) {
+  const auto& [id, body, offset, framing] = result.frame;
+  const detail::NeededSize needed = detail::needed_size(result.direction, id, body, contexts_);
+  result.explanation = detail::size_text(result.status, body.size(), needed);
+  if (result.explanation.empty()) result.explanation = text(result.status.code);
+  // It is not certain which of the members that flags announce is missing.
+  const std::size_t fixed = needed.depends_on_flags ? result.message->min_size : max_body_size;
+  result.certain = std::min(body.size(), fixed);
+  const Code code = result.status.code;
+  if (code == Code::too_short || code == Code::unknown_form) decode_arrived(result);
 }
 
 // Not inlined: it contains the decoders of all messages.
@@ -164,7 +170,7 @@ void FrameDecoder::decode_arrived(DecodedFrame& result) {
     status = decode_body(std::span(padded).first(size), contexts, result);
   }
   contexts_ = contexts;
-  const auto is_missing = [&](const Row& row) { return row.offset + row.size > arrived; };
+  const auto is_missing = [&](const Row& row) { return row.offset + row.size > result.certain; };
   const auto end = std::find_if(result.rows.begin(), result.rows.end(), is_missing);
   result.rows = result.rows.first(static_cast<std::size_t>(end - result.rows.begin()));
 }

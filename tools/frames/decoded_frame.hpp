@@ -21,10 +21,13 @@ struct DecodedFrame {
   const MessageInfo* message = nullptr;  ///< null if no message fits
   Status status{};
   std::string error_field{};  ///< the field of the error, if known
+  std::string explanation{};  ///< of the error: what came, and what the message needs
   /// The JSON of the message, if wanted; of a body that is too short, with zeros for what is
   /// missing.
   std::string_view fields{};
-  Rows rows{};  ///< if wanted; of a body that is too short, the values that arrived whole
+  /// The number of leading bytes whose values have arrived whole, and where the message has them.
+  std::size_t certain = max_body_size;
+  Rows rows{};  ///< if wanted; of a body that is too short, the values in `certain` bytes
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
 };
@@ -67,6 +70,8 @@ class FrameDecoder {
   DecodedFrame decode_from(const Frame& frame, Direction direction);
   Status decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
                      DecodedFrame& result);
+  /// Sets the explanation, and the rows of a body that is too short.
+  void describe_error(DecodedFrame& result);
   /// Sets the rows of a body that is too short.
   void decode_arrived(DecodedFrame& result);
 

@@ -175,9 +175,8 @@ const MessageType& type_of(const DecodedFrame& frame) {
 }
 
 void for_each_value(const DecodedFrame& frame, const std::function<void(const Leaf&, bool)>& use) {
-  const std::size_t arrived = frame.status ? max_body_size : frame.frame.body.size();
   type_of(frame).for_each_value(Json::parse(frame.fields), [&](const Leaf& leaf) {
-    use(leaf, leaf.offset + leaf.size <= arrived);
+    use(leaf, leaf.offset + leaf.size <= frame.certain);
   });
 }
 

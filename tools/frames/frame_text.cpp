@@ -43,7 +43,7 @@ void put_error(TextOutput& out, const DecodedFrame& decoded, const Colors& color
   out.put("    ");
   out.put(colors.begin(Color::red));
   out.put("error: ");
-  out.put(text(status.code));
+  out.put(decoded.explanation);
   out.put(" (");
   out.put(name(status.code));
   if (!decoded.error_field.empty()) {

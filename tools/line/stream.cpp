@@ -147,12 +147,20 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   std::signal(SIGPIPE, SIG_IGN);
   LineQueue lines;
   SampleCounter counter(interval);
+  std::atomic<bool> has_samples = false;
+  std::atomic<bool> has_unreadable = false;
   ReconnectingClient client = connect_for_long(context.gimbal);
   const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
   const bool ends = is_replay(context.gimbal);
   std::atomic<bool> has_ended = false;
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
                                     : report_changes(client);
+
+  const Subscription notices = client.on_notice([&](const Notice& notice) {
+    if (notice.kind != NoticeKind::unreadable || notice.command != stream->info().id) return;
+    remark("sbgc: {}\n", notice.message);
+    has_unreadable = true;
+  });
 
   const auto start = Clock::now();
   const double start_unix =
@@ -162,6 +170,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   const auto longest = std::max<Clock::duration>(ReconnectOptions{}.longest_silence, 3 * interval);
   const auto take = [&](const Sample& sample) {
     if (has_ended) return;  // the capture begins again
+    has_samples = true;
     const auto now = Clock::now();
     const double time = std::chrono::duration<double>(now - start).count();
     const auto pause = counter.count(now, client.connections());
@@ -177,6 +186,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   bool is_read = true;
   while (is_read && !was_interrupted() && Clock::now() < end) {
     if (has_ended || client.state() == LinkState::given_up) break;
+    if (has_unreadable && !has_samples) break;
     const auto soon = Clock::now() + std::chrono::milliseconds(50);
     is_read = write_out(lines.take(std::min(end, soon)));
   }
@@ -185,7 +195,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   counter.finish();
   // The rate of a capture may be another.
   if (is_read && !ends) report_losses(counter, lines.dropped());
-  return success;
+  return has_unreadable ? failure : success;
 }
 
 }  // namespace
@@ -217,7 +227,8 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
       "empty. The time is that of arrival. If the line is lost, the command connects again and "
       "goes on. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
-      "there is no connection or no such stream on this board, 2 for wrong usage.\n"
+      "there is no connection or no such stream on this board, or if messages could not be "
+      "decoded, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
       "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"

@@ -121,7 +121,7 @@ class Decoding {
     put_rows(line, decoded.rows);
     if (!decoded.status) {
       line.put(",\"reason\":");
-      put_json_string(line, text(decoded.status.code));
+      put_json_string(line, decoded.explanation);
     }
     line.put("}\n");
     line.finish();

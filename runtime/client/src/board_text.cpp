@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <sbgc/dispatch.hpp>
+#include <sbgc/explain.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
@@ -84,6 +85,12 @@ std::string describe(std::uint8_t id, std::span<const std::uint8_t> body) {
                              : std::to_string(number);
   });
   return text;
+}
+
+std::string undecodable(const Status& status, std::uint8_t id, std::span<const std::uint8_t> body,
+                        const Contexts& contexts) {
+  return command_name(id, Direction::from_board) +
+         " cannot be decoded: " + explain(status, Direction::from_board, id, body, contexts);
 }
 
 }  // namespace sbgc::detail

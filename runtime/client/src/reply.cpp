@@ -6,7 +6,6 @@
 #include <sbgc/client/typed.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
-#include <sbgc/text/status.hpp>
 
 #include "board_text.hpp"
 #include "entry_of_each.hpp"
@@ -51,8 +50,9 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
 }
 
 ClientError decode_error(Status status, const Reply& reply) {
-  return {ErrorCode::bad_response, "the response " + command_name(reply.id, Direction::from_board) +
-                                       " cannot be decoded: " + to_string(status)};
+  const std::span<const std::uint8_t> body(reply.body.data(), reply.body.size());
+  const Contexts contexts = reply.contexts == nullptr ? Contexts{} : *reply.contexts;
+  return {ErrorCode::bad_response, "the response " + undecodable(status, reply.id, body, contexts)};
 }
 
 ClientError missing_response(const Reply& reply) {

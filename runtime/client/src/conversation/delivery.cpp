@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "board_text.hpp"
+
 namespace sbgc::detail {
 
 std::unique_ptr<Subscription::Registration> Delivery::subscribe(
@@ -20,7 +22,7 @@ std::unique_ptr<Subscription::Registration> Delivery::on_frame(
 }
 
 void Delivery::deliver(const Frame& frame) {
-  select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
+  const auto use = [&]<class M>(Type<M>) {
     const MessageKey key{frame.id, M::form};
     const auto handlers = messages_->with_key(key);
     if (handlers.empty() && !Contexts::learns_from<M>) return;
@@ -31,13 +33,25 @@ void Delivery::deliver(const Frame& frame) {
     } else {
       status = decode(frame.body, message);
     }
-    if (!status) {
-      unreadable_ += handlers.size();
-      return;
-    }
+    if (!status) return report_unreadable(frame, status, handlers.size());
     contexts_.learn(message);
     MessageHandlers::call(handlers, [&](const auto& handler) { handler(&message); });
-  });
+  };
+  const Code code = select(Direction::from_board, frame.id, frame.body.size(), use);
+  if (code != Code::unknown_form) return;
+  const auto subscribers =
+      messages_->count([&](const MessageKey& key) { return key.id == frame.id; });
+  report_unreadable(frame, {code}, subscribers);
+}
+
+void Delivery::report_unreadable(const Frame& frame, const Status& status,
+                                 std::size_t subscribers) {
+  if (subscribers == 0) return;
+  unreadable_ += subscribers;
+  std::string text = undecodable(status, frame.id, frame.body, contexts_);
+  if (text == last_unreadable_) return;
+  last_unreadable_ = text;
+  notify({NoticeKind::unreadable, std::move(text), 0, frame.id});
 }
 
 void Delivery::show(const BoardFrame& frame) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/dispatch.hpp>
@@ -36,6 +37,10 @@ class Delivery {
   std::uint64_t unreadable() const noexcept { return unreadable_; }
 
  private:
+  /// Notifies of a message that does not decode, unless the last one was the same to the user: a
+  /// stream of them has one notice.
+  void report_unreadable(const Frame& frame, const Status& status, std::size_t subscribers);
+
   using MessageHandlers = Handlers<MessageKey, void(const void*)>;
   using FrameHandlers = Handlers<int, void(const BoardFrame&)>;
   using NoticeHandlers = Handlers<int, void(const Notice&)>;
@@ -45,6 +50,7 @@ class Delivery {
   std::shared_ptr<NoticeHandlers> notices_ = std::make_shared<NoticeHandlers>();
   Contexts contexts_;
   std::atomic<std::uint64_t> unreadable_{};
+  std::string last_unreadable_;  // its notice
 };
 
 }  // namespace sbgc::detail

@@ -47,6 +47,14 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     return result;
   }
 
+  /// Returns how many handlers have a key for which `holds(key)` is true.
+  template <class Holds>
+  std::size_t count(const Holds& holds) {
+    const std::lock_guard lock(mutex_);
+    return static_cast<std::size_t>(std::count_if(
+        entries_.begin(), entries_.end(), [&](const auto& entry) { return holds(entry->key); }));
+  }
+
   /// Calls `use(function)` for each handler that is still registered.
   template <class Use>
   static void call(const std::vector<std::shared_ptr<Entry>>& entries, const Use& use) {

@@ -60,11 +60,12 @@ struct ResponseForm {
 
   bool operator==(const ResponseForm&) const = default;
 
-  /// Returns true if the frame can be this response.
-  constexpr bool fits(const Frame& frame) const noexcept {
-    if (frame.id != id || frame.body.size() < min_size || frame.body.size() > max_size) {
-      return false;
-    }
+  /// Returns true if the frame can be this response; with `any_size`, even if its body has a wrong
+  /// size, so that it does not decode.
+  constexpr bool fits(const Frame& frame, bool any_size) const noexcept {
+    if (frame.id != id) return false;
+    const std::size_t body = frame.body.size();
+    if (!any_size && (body < min_size || body > max_size)) return false;
     bool holds = true;
     for (const CorrelationField& field : correlation) holds = holds && field.holds(frame.body);
     return holds;
@@ -100,10 +101,12 @@ struct Responses {
     return detail::is_same_memory(&a, &b, sizeof a);
   }
 
-  /// Returns the form that the frame matches, or null.
+  /// Returns the form that the frame matches, or null. With `any_size`, a body of a wrong size
+  /// matches the first form.
+  template <bool any_size = false>
   constexpr const ResponseForm* form_of(const Frame& frame) const noexcept {
-    for (std::size_t i = 0; i < form_count; ++i) {
-      if (forms[i].fits(frame)) return &forms[i];
+    for (std::size_t i = form_count; i-- > 0;) {
+      if (forms[i].fits(frame, any_size && i == 0)) return &forms[i];
     }
     return nullptr;
   }

@@ -229,6 +229,8 @@ class BasicSession {
 
   /// A session for one request at a time needs neither order nor hosts.
   static constexpr bool is_shared = capacity.requests > 1;
+  /// The only request gets what answers it by its id: to compare sizes would take code.
+  using Meaning = detail::Meaning<!is_shared>;
 
   // Accepting requests
 
@@ -471,20 +473,32 @@ class BasicSession {
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
     const Handle next = next_handle();
-    const detail::Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id));
+    const Meaning meaning = detail::meaning_of<!is_shared>(frame, streams_.has(frame.id));
     const bool is_reset = meaning.kind == EventKind::reset;
     const bool is_error = meaning.kind == EventKind::board_error;
     if (is_error) count(&SessionStatistics::board_errors);
     if (is_reset) count(&SessionStatistics::resets);
     if (is_reset) forget_streams();
-    const auto late = late_replies_.match(meaning);
+    Late late;
     Request* meant = nullptr;
-    std::size_t candidates = late.count;
-    for (Request& request : requests_) {
-      if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
-      if (is_sample(request, frame)) continue;
-      ++candidates;
-      if (meant == nullptr || request.is_answered_before(*meant)) meant = &request;
+    std::size_t candidates = 0;
+    const auto match = [&](const auto& fits) {
+      late = late_replies_.match(fits);
+      candidates = late.count;
+      for (Request& request : requests_) {
+        if (!request.is_in_flight() || !fits(request.policy.responses)) continue;
+        if (is_sample(request, frame)) continue;
+        ++candidates;
+        if (meant == nullptr || request.is_answered_before(*meant)) meant = &request;
+      }
+    };
+    match(meaning);
+    if constexpr (is_shared) {
+      // What has the size of no answer is one that does not decode, unless it is of a stream.
+      const bool is_for_none = meant == nullptr && late.entry == nullptr;
+      if (is_for_none && meaning.kind == EventKind::unsolicited) {
+        match(detail::Meaning<true>{frame, meaning.kind, meaning.command});
+      }
     }
     Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
     const bool is_confirmation = meaning.kind == EventKind::confirmation;
@@ -510,7 +524,7 @@ class BasicSession {
   }
 
   /// Returns true if the oldest request that a frame can answer is the one that it answers.
-  static bool has_order(const Request* meant, const detail::Meaning& meaning) noexcept {
+  static bool has_order(const Request* meant, const Meaning& meaning) noexcept {
     if constexpr (!is_shared) return false;
     return meant != nullptr && meant->policy.has_effect && !meaning.is_anonymous();
   }
@@ -539,7 +553,8 @@ class BasicSession {
 
   /// Returns the outcome of a request that the frame answers.
   static Outcome outcome_of(const Request& request, const Frame& frame) noexcept {
-    return request.policy.responses.form_of(frame)->is_error ? Outcome::failed : Outcome::answered;
+    const ResponseForm* const form = request.policy.responses.template form_of<true>(frame);
+    return form->is_error ? Outcome::failed : Outcome::answered;
   }
 
   /// Counts a confirmation of `request`, which may complete it.
@@ -570,7 +585,7 @@ class BasicSession {
 
   /// Returns true if the frame is a sample of a stream, though it could also answer the request.
   bool is_sample(const Request& request, const Frame& frame) const noexcept {
-    const ResponseForm* const form = request.policy.responses.form_of(frame);
+    const ResponseForm* const form = request.policy.responses.template form_of<true>(frame);
     return form != nullptr && form->size != frame.body.size() && streams_.has_size_of_sample(frame);
   }
 

@@ -73,7 +73,8 @@ class Client : public TaskCalls<Client> {
     return detail::read_response<M>(transact(request, options));
   }
 
-  /// Like call(), but also reports how the request ended, and does not decode the response.
+  /// Like call(), but also reports how the request ended, and does not decode the response,
+  /// which may not be decodable.
   template <Message M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
     return conversation_.call(conversation_.prepare(request, options), options);

@@ -10,6 +10,8 @@ enum class NoticeKind : std::uint8_t {
   board_reset,   ///< the board restarted: pending calls have failed, data streams have ended
   board_error,   ///< the board reported an error outside any call; Notice::detail is its code
   link_lost,     ///< the line broke; all further calls fail
+  unreadable,    ///< a message for a subscriber, such as a sample of a stream, does not decode;
+                 ///< repeated only if the message changes
   stream_ended,  ///< only of ReconnectingClient: a data stream could not be started again
 };
 
@@ -17,7 +19,7 @@ struct Notice {
   NoticeKind kind{};
   std::string message{};  ///< for people: a sentence without a final period
   int detail{};
-  std::uint8_t command{};  ///< the command that a board_error concerns; 0 if unknown
+  std::uint8_t command{};  ///< that of a board_error, 0 if unknown, or of an unreadable message
 };
 
 }  // namespace sbgc

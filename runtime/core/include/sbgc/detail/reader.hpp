@@ -178,6 +178,9 @@ class Reader {
   }
   constexpr void leave() noexcept {}
 
+  /// Returns the number of bytes read so far; 0 after a failure.
+  constexpr std::size_t size() const noexcept { return status_ ? at_ : 0; }
+
   /// Returns the status of the whole body; fails on trailing bytes.
   constexpr Status end() noexcept {
     if (status_ && at_ != body_.size()) fail(Code::too_long, "");

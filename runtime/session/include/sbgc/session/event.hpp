@@ -27,7 +27,7 @@ struct Handle {
 /// The outcome of a request.
 enum class Outcome : std::uint8_t {
   none,         ///< the event does not complete a request
-  answered,     ///< the board answered; the event has the response
+  answered,     ///< the board answered; the event has the response, which may not decode
   confirmed,    ///< all confirmations arrived; the event has the last one
   sent,         ///< written; no response is required
   unconfirmed,  ///< written; the expected but optional confirmation did not arrive

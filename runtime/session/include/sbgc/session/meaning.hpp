@@ -12,7 +12,8 @@
 namespace sbgc::detail {
 
 /// The kind of a frame, and the command that it confirms or reports as failed (0 if unknown), else
-/// its id.
+/// its id. With `any_size`, a body of a wrong size, which does not decode, is a response, too.
+template <bool any_size>
 struct Meaning {
   const Frame& frame;
   EventKind kind;
@@ -25,12 +26,13 @@ struct Meaning {
   SBGC_NOINLINE bool operator()(const Responses& responses) const noexcept {
     if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
     if (kind == EventKind::board_error) return command == 0 || command == responses.command;
-    return responses.form_of(frame) != nullptr;
+    return responses.form_of<any_size>(frame) != nullptr;
   }
 };
 
 /// Returns the meaning of a frame. `is_of_stream` is true if its id is that of a running stream.
-inline Meaning meaning_of(const Frame& frame, bool is_of_stream) noexcept {
+template <bool any_size>
+Meaning<any_size> meaning_of(const Frame& frame, bool is_of_stream) noexcept {
   if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id};
   if (roles::is_confirmation(frame)) {
     return {frame, EventKind::confirmation, roles::confirmed_command(frame)};

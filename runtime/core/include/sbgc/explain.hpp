@@ -1,0 +1,113 @@
+/// Explains why a body does not decode. Requires a hosted standard library.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/text/status.hpp>
+
+namespace sbgc {
+
+namespace detail {
+
+/// The size of a body that the message needs, and why.
+struct NeededSize {
+  std::size_t size{};        ///< 0 if it is not known
+  bool depends_on_flags{};   ///< which announce the members that are present
+  const char* without = "";  ///< the only flag without which the body has the right size, or ""
+};
+
+template <class T>
+struct IsFlagSet : std::false_type {};
+template <class Flag>
+struct IsFlagSet<Flags<Flag>> : std::true_type {};
+
+template <class M, class... Context>
+NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
+  NeededSize needed{.size = fixed_size<M>};
+  if constexpr (HasVaryingMembers<M>) {
+    // Zeros stand for what is missing: more than any message needs.
+    std::array<std::uint8_t, 4 * max_body_size> padded{};
+    std::ranges::copy(body, padded.begin());
+    M message{};
+    if constexpr (HasFixedMembers<M>) Fixed::get(padded.data(), message);
+    const auto size = [&] {
+      Reader reader(padded, fixed_size<M>);
+      M::varying_members(message, reader, context...);
+      return reader.size();
+    };
+    needed.size = size();
+    std::size_t candidates = 0;
+    const auto try_without_each = [&]<class Set>(Set& flags) {
+      if constexpr (IsFlagSet<Set>::value) {
+        using Flag = typename Set::flag_type;
+        const Set all = flags;
+        for (const ValueInfo& value : EnumMeta<Flag>::info.values) {
+          const auto flag = static_cast<Flag>(value.value);
+          if (!all.has(flag)) continue;
+          flags.set(flag, false);
+          const std::size_t rest = size();
+          flags = all;
+          if (rest != needed.size) needed.depends_on_flags = true;
+          if (rest == body.size()) needed.without = ++candidates == 1 ? value.name : "";
+        }
+      }
+    };
+    (Context::visit(context, try_without_each), ...);
+    Meta<M>::visit(message, [&](const FieldInfo&, auto&& member) { try_without_each(member); });
+  }
+  return needed;
+}
+
+inline NeededSize needed_size(Direction direction, std::uint8_t id,
+                              std::span<const std::uint8_t> body, const Contexts& contexts) {
+  NeededSize needed;
+  select(direction, id, body.size(), [&]<class M>(Type<M>) {
+    if constexpr (HasContext<M>) {
+      needed = needed_size<CodedAs<M>>(body, contexts.of(M{}));
+    } else {
+      needed = needed_size<CodedAs<M>>(body);
+    }
+  });
+  return needed;
+}
+
+inline std::string bytes_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " byte" : " bytes");
+}
+
+/// Returns "26 bytes, the flags need 35", or "" if the size is not what is wrong.
+inline std::string size_text(const Status& status, std::size_t body, const NeededSize& needed) {
+  const bool is_size = status.code == Code::too_short || status.code == Code::too_long;
+  if (!is_size || needed.size == 0 || needed.size == body) return "";
+  std::string text = bytes_text(body);
+  text += needed.depends_on_flags          ? ", the flags need "
+          : status.code == Code::too_short ? ", the message needs "
+                                           : ", the message has ";
+  text += std::to_string(needed.size);
+  if (*needed.without != '\0') {
+    text += ", and " + std::to_string(body) + " without " + needed.without;
+  }
+  return text;
+}
+
+}  // namespace detail
+
+/// Says what came instead of a message: "26 bytes, the flags need 35, and 26 without
+/// ENCODER_RAW24". `status` is that of decoding the body with the same contexts.
+inline std::string explain(const Status& status, Direction direction, std::uint8_t id,
+                           std::span<const std::uint8_t> body, const Contexts& contexts = {}) {
+  const detail::NeededSize needed = detail::needed_size(direction, id, body, contexts);
+  std::string text = detail::size_text(status, body.size(), needed);
+  return text.empty() ? detail::bytes_text(body.size()) + ": " + to_string(status) : text;
+}
+
+}  // namespace sbgc
