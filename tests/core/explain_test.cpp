@@ -79,7 +79,8 @@ TEST(Explain, GuessesNoSizeOfLists) {
 }
 
 TEST(Explain, SaysThatABodyIsTooLongOrBetweenForms) {
-  EXPECT_EQ(explanation(114, body_of(2)), "2 bytes, the message has 0");
+  EXPECT_EQ(explain({Code::too_long}, Direction::to_board, 21, body_of(3)),
+            "3 bytes, the message has 1");
   EXPECT_EQ(explanation(53, body_of(2)),
             "2 bytes: The command has no form with a body of this size");
 }

@@ -267,7 +267,7 @@ TEST(RemoteControl, SignalsShowInLiveData) {
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 2000)
       << "clipped";
   host.ask(channels(30, 250));
-  EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 1500)
+  EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), -10'000)
       << "lost";
 }
 
