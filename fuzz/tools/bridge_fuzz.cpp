@@ -159,7 +159,7 @@ class Player {
       case 0: {  // the line is lost and found
         for (const Board::Sent& one : std::exchange(board_.open, {})) {
           owners_.erase(one.tag);
-          ports_.ended(one.tag, false);
+          ports_.ended(one.tag);
         }
         board_.is_taken = false;
         static_cast<void>(ports_.line_lost());
@@ -301,7 +301,7 @@ class Player {
     const std::uint64_t tag = board_.open.front().tag;
     board_.open.pop_front();
     owners_.erase(tag);
-    ports_.ended(tag, timed_out);
+    ports_.ended(tag, timed_out ? std::optional(sbgc::ErrorCode::timeout) : std::nullopt);
   }
 
   /// A host reads, whole frames unless it had the line for itself.

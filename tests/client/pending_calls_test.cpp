@@ -58,5 +58,20 @@ TEST(PendingCalls, AStopIsNotSuperseded) {
   EXPECT_EQ(calls.next_waiting(room), still);
 }
 
+TEST(PendingCalls, KeepTheirOrderWhileThereIsRoom) {
+  PendingCalls calls(8);
+  std::vector<CallPointer> superseded;
+  const CallPointer read = call_of(msg::GetAnglesRequest{});
+  const CallPointer beep = call_of(msg::BeepSound{});
+  const CallPointer stop = call_of(msg::MotorsOff{});
+  for (const CallPointer& call : {read, beep, stop}) EXPECT_FALSE(calls.add(call, superseded));
+  const auto room = [](const Call&) { return true; };
+  const auto no_reads = [](const Call& call) { return call.request.policy.has_effect; };
+  EXPECT_EQ(calls.next_waiting(room), stop);
+  EXPECT_EQ(calls.next_waiting(room), read);
+  EXPECT_FALSE(calls.add(call_of(msg::GetAnglesRequest{}), superseded));
+  EXPECT_EQ(calls.next_waiting(no_reads), beep);
+}
+
 }  // namespace
 }  // namespace sbgc::detail

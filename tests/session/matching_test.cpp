@@ -174,6 +174,37 @@ TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   EXPECT_EQ(line.outcome(second), Outcome::answered);
 }
 
+TEST(Session, RequestsOfOneHostDoNotWaitForEachOther) {
+  Simulation line;
+  const Handle first = line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
+  const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
+  line.send(sbgc::msg::BoardInfoRequest{}, {.host = 2});
+  line.send(sbgc::msg::GetAnglesRequest{}, {.host = 2});
+  line.run_for(milliseconds(100));
+  EXPECT_THAT(ids(line.written), ElementsAre(board_info, board_info))
+      << "a host does not overtake itself";
+  for (const Handle handle : {first, second}) {
+    line.say(board_info, body_of(18));
+    line.run_for(milliseconds(10));
+    EXPECT_EQ(line.outcome(handle), Outcome::answered);
+  }
+  line.run_for(milliseconds(100));
+  EXPECT_THAT(line.written, SizeIs(4));
+}
+
+TEST(Session, AnErrorWhileACalibrationRunsIsThatOfAnother) {
+  Simulation line;
+  const Handle running = line.send(sbgc::msg::CalibPoles{});
+  line.run_for(milliseconds(100));
+  line.board = [&](const Written& frame) { line.say(error, {frame.id, 7, 0, 0, 0, 0}); };
+  const Handle refused = line.send(sbgc::msg::CalibPoles{});
+  line.run_for(milliseconds(100));
+  EXPECT_EQ(line.outcome(refused), Outcome::board_error);
+  line.confirm(static_cast<std::uint8_t>(sbgc::msg::CalibPoles::command));
+  line.run_for(milliseconds(100));
+  EXPECT_EQ(line.outcome(running), Outcome::confirmed);
+}
+
 TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
   Simulation line;
   line.board = [&](const Written& frame) {

@@ -103,19 +103,13 @@ class Bridge : public ::testing::Test {
     const Frame frame = frame_at(bytes.data());
     ports.answered(sent.tag, frame);
     ports.arrived({.frame = frame, .belongs_to_call = true});
-    ports.ended(sent.tag, false);
+    ports.ended(sent.tag);
   }
   /// The board sends a message by itself.
   template <class M>
   void send(const M& message) {
     const Bytes bytes = frame_of(message);
     ports.arrived({.frame = frame_at(bytes.data())});
-  }
-  /// The board answers a request that has ended.
-  template <class M>
-  void send_late(const Sent& request, const M& message) {
-    const Bytes bytes = frame_of(message);
-    ports.arrived({.frame = frame_at(bytes.data()), .is_late = true, .host = request.request.host});
   }
   Bytes read(std::size_t port) {
     const auto waiting = ports.output(port);
@@ -198,8 +192,10 @@ TEST_F(Bridge, ARequestThatFailsHasNoAnswer) {
   const std::size_t host = join();
   ask(host, msg::GetAnglesRequest{});
   EXPECT_FALSE(ports.is_quiet(host));
-  ports.ended(line.sent.at(0).tag, false);
+  ports.ended(line.sent.at(0).tag);
   EXPECT_THAT(read(host), IsEmpty());
+  EXPECT_FALSE(ports.is_quiet(host)) << "the answer may be late";
+  time = time + seconds(2);
   EXPECT_TRUE(ports.is_quiet(host));
 }
 
@@ -215,37 +211,81 @@ TEST_F(Bridge, ALateAnswerGoesToTheOneWhoAsked) {
   const std::size_t first = join();
   const std::size_t second = join();
   ask(first, msg::Control{});
-  ports.ended(line.sent.at(0).tag, false);  // its confirmation is not certain
+  ports.ended(line.sent.at(0).tag);  // its confirmation is not certain
   ask(second, msg::Control{});
   msg::Confirm confirmation;
   confirmation.cmd = msg::Control::command;
-  send_late(line.sent.at(0), confirmation);
+  send(confirmation);
   EXPECT_EQ(read(first), frame_of(confirmation));
   EXPECT_THAT(read(second), IsEmpty());
+}
+
+TEST_F(Bridge, SeveralAnswersGoToTheOneWhoAsked) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(second, msg::GetAnglesRequest{});
+  answer(line.sent.back(), msg::GetAngles{});
+  time = time + seconds(10);
+  ask(first, msg::GetAnglesRequest{});
+  answer(line.sent.back(), msg::GetAngles{});
+  read(first);
+  read(second);
+  send(msg::GetAngles{});
+  EXPECT_EQ(read(first), frame_of(msg::GetAngles{}));
+  EXPECT_THAT(read(second), IsEmpty());
+}
+
+TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, msg::Control{});
+  ports.ended(line.sent.back().tag);
+  send(msg::Error{});
+  EXPECT_EQ(read(first), frame_of(msg::Error{}));
+  EXPECT_THAT(read(second), IsEmpty());
+  ask(second, msg::Control{});
+  ports.ended(line.sent.back().tag);
+  send(msg::Error{});
+  EXPECT_THAT(read(first), IsEmpty());
+  EXPECT_THAT(read(second), IsEmpty());
+}
+
+TEST_F(Bridge, WhatWasNotSentIsNotAnswered) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  ask(first, msg::Control{});
+  ports.ended(line.sent.back().tag, ErrorCode::superseded);
+  ask(second, msg::Control{});
+  ports.ended(line.sent.back().tag);
+  msg::Confirm confirmation;
+  confirmation.cmd = msg::Control::command;
+  send(confirmation);
+  EXPECT_THAT(read(first), IsEmpty());
+  EXPECT_EQ(read(second), frame_of(confirmation));
 }
 
 TEST_F(Bridge, AnAnswerForAHostThatHasLeftIsNotForTheNext) {
   const std::size_t first = join();
   ask(first, msg::GetAnglesRequest{});
-  ports.ended(line.sent.at(0).tag, true);
+  ports.ended(line.sent.at(0).tag, ErrorCode::timeout);
   ports.disconnect(first);
   const std::size_t next = join();
   ASSERT_EQ(next, first);
-  send_late(line.sent.at(0), msg::GetAngles{});
+  send(msg::GetAngles{});
   EXPECT_THAT(read(next), IsEmpty());
 }
 
 TEST_F(Bridge, AnAnswerThatSeveralHostsCouldHaveAskedForIsForNobody) {
   const std::size_t first = join();
   const std::size_t second = join();
-  ask(first, msg::GetAnglesRequest{});
-  ports.ended(line.sent.at(0).tag, true);
+  for (const std::size_t host : {first, second}) {
+    ask(host, msg::GetAnglesRequest{});
+    ports.ended(line.sent.back().tag, ErrorCode::timeout);
+  }
+  time = time + seconds(10);
   send(msg::GetAngles{});
   EXPECT_THAT(read(first), IsEmpty());
   EXPECT_THAT(read(second), IsEmpty());
-  ports.disconnect(second);
-  send(msg::GetAngles{});
-  EXPECT_EQ(read(first), frame_of(msg::GetAngles{})) << "it is alone, as on a line to the board";
 }
 
 TEST_F(Bridge, TheBoardGetsTheShortestInterval) {
@@ -319,6 +359,8 @@ TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
   ask(second, custom_stream(40, Flag::imu_angles));
   EXPECT_THAT(intervals(), ElementsAre(20, 20));
   ask(second, custom_stream(0, Flag::imu_angles));
+  answer(line.sent.back(), confirmation_of_stream());
+  read(second);
 
   // When the first one has ended, another one may start; the last samples of the first are for
   // nobody.
@@ -330,6 +372,35 @@ TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
   EXPECT_EQ(read(second), frame_of(confirmation_of_stream()));
   ports.arrived({.frame = frame_at(sample.data())});
   EXPECT_EQ(read(second), sample);
+}
+
+TEST_F(Bridge, AStreamWhoseChangeIsRefusedGoesOn) {
+  const std::size_t host = join();
+  ask(host, stream(20));
+  answer(line.sent.at(0), confirmation_of_stream());
+  msg::ErrorExt error;
+  error.cmd_id = msg::DataStreamInterval::command;
+  for (const std::uint16_t interval : {std::uint16_t{10}, std::uint16_t{0}}) {
+    ask(host, stream(interval));
+    answer(line.sent.back(), error);
+    read(host);
+    send(msg::RealtimeData3{});
+    EXPECT_EQ(read(host), frame_of(msg::RealtimeData3{}));
+  }
+}
+
+TEST_F(Bridge, AStreamForWhichTheLineHasNoRoomIsRefused) {
+  const std::size_t host = join();
+  ask(host, stream(20), Framing::v2);
+  ports.ended(line.sent.at(0).tag, ErrorCode::overload);
+  msg::ErrorExt error;
+  error.cmd_id = msg::DataStreamInterval::command;
+  error.error_code = msg::BoardErrorCode::temporary;
+  EXPECT_EQ(read(host), frame_of(error, Framing::v2));
+  EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("the line has no room for it")));
+  time = time + seconds(10);
+  ports.tick();
+  EXPECT_THAT(line.sent, SizeIs(1)) << "it is not running";
 }
 
 TEST_F(Bridge, AConfigurationThatTheBoardRefusesIsNotRunning) {
@@ -365,7 +436,7 @@ TEST_F(Bridge, AnAnswerThatMayBeASampleIsBoth) {
   const Bytes bytes = frame_of(msg::RealtimeData3{});
   ports.answered(sent.tag, frame_at(bytes.data()));
   ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .may_be_sample = true});
-  ports.ended(sent.tag, false);
+  ports.ended(sent.tag);
   EXPECT_EQ(read(asking), bytes);
   EXPECT_EQ(read(listening), bytes);
 }
@@ -427,7 +498,7 @@ TEST_F(Bridge, AHostThatAsksTooFastIsReadLater) {
   EXPECT_EQ(ports.room(host), 0U);
   EXPECT_THAT(line.sent, SizeIs(BridgePorts::max_requests));
   const int before = wakes[0];
-  ports.ended(line.sent.front().tag, false);
+  ports.ended(line.sent.front().tag);
   EXPECT_NE(ports.room(host), 0U);
   EXPECT_GT(wakes[0], before);
 }
@@ -566,7 +637,7 @@ TEST_F(Bridge, ABoardThatAnswersNoRequestIsChecked) {
   const std::size_t host = join();
   const auto ask_in_vain = [&] {
     ask(host, msg::GetAnglesRequest{});
-    ports.ended(line.sent.back().tag, true);
+    ports.ended(line.sent.back().tag, ErrorCode::timeout);
     ports.tick();
   };
   ask_in_vain();

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import struct
 import threading
 import time
@@ -13,7 +14,7 @@ import pytest
 from bridge_test import Host, bridge_to
 from emulated_gimbal import emulated_gimbal
 from relay import relay_to
-from sbgc_command import frame
+from sbgc_command import frame, run
 
 READ_PARAMS_3, WRITE_PARAMS_3 = 21, 22
 GET_ADJ_VARS_VAL, SET_ADJ_VARS_VAL = 64, 31
@@ -115,6 +116,26 @@ def test_a_read_after_two_writes_gets_the_second() -> None:
         host.send(GET_ADJ_VARS_VAL, b"\x01\x00")
         ((command, answer),) = received(host, 2)
         assert (command, struct.unpack("<BBi", answer)) == (SET_ADJ_VARS_VAL, (1, 0, 22))
+
+
+def test_a_host_that_sends_no_more_gets_late_confirmations() -> None:
+    """Nothing waits for the confirmation of a control, but the host does."""
+    line = Line()
+    with hosts_at(line, 2) as (host, idle):
+        stall(line, 0.4)
+        host.send(CONTROL, control(5))
+        host.socket.shutdown(socket.SHUT_WR)
+        host.socket.settimeout(20)
+        assert host.stream.read() == frame(CONFIRM, bytes([CONTROL]))
+        assert received(idle) == []
+
+
+def test_what_is_refused_is_refused() -> None:
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+        for address in (gimbal.address, bridge.address):
+            refused = run("script", "start", "1", "--yes", "--port", address)
+            assert refused.status == 1
+            assert "the board refused: OPERATION_FAILED" in refused.error
 
 
 def control(speed: int) -> bytes:

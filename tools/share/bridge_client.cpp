@@ -1,5 +1,6 @@
 #include "share/bridge_client.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,8 @@ void BridgeClient::send(std::uint64_t tag, RawRequest request) {
   };
   // The host repeats its requests if it wants to.
   client_.start_raw(request, {.retries = 0}, [this, tag](const Result<Reply>& reply) {
-    const bool timed_out = !reply && reply.error().code == ErrorCode::timeout;
-    asio::post(executor_, [this, tag, timed_out] { ports_->ended(tag, timed_out); });
+    const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
+    asio::post(executor_, [this, tag, failure] { ports_->ended(tag, failure); });
   });
 }
 

@@ -34,6 +34,11 @@ std::optional<roles::StreamRequest> as_stream_request(const RawRequest& request)
   return message;
 }
 
+bool was_not_sent(ErrorCode failure) {
+  return failure == ErrorCode::superseded || failure == ErrorCode::overload ||
+         failure == ErrorCode::not_connected;
+}
+
 /// Returns the time between two samples.
 std::int64_t microseconds_of(std::int64_t interval) {
   return interval == std::int64_t{roles::stream_cycle}
@@ -76,15 +81,15 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
 
 void BridgePorts::disconnect(std::size_t port) {
   hosts_[port].reset();
-  std::erase_if(calls_, [&](const auto& one) { return one.second.port == port; });
+  askers_.left(port);
+  std::erase_if(calls_, [&](const auto& one) { return one.second.asker.port == port; });
   for (auto place = streams_.begin(); place != streams_.end();) {
     Stream& stream = place->second;
     const std::int64_t before = stream.interval();
     const bool had_share = stream.shares.erase(port) != 0;
     const std::int64_t after = stream.interval();
     if (had_share && before != after) send(std::nullopt, with_interval(stream.request, after));
-    if (stream.shares.empty()) ended_streams_[place->first.first] = now();
-    place = stream.shares.empty() ? streams_.erase(place) : std::next(place);
+    place = end_if_unused(place);
   }
   if (exclusive_ && exclusive_->port == port) {
     end_exclusive();
@@ -121,7 +126,7 @@ std::size_t BridgePorts::room(std::size_t port) const {
 
 bool BridgePorts::is_quiet(std::size_t port) const {
   const Host& host = *hosts_[port];
-  return host.pending == 0 && host.output.empty();
+  return host.pending == 0 && host.output.empty() && !askers_.awaits_answer(port, now());
 }
 
 void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
@@ -164,7 +169,9 @@ std::optional<std::size_t> BridgePorts::exclusive_host() const {
 }
 
 void BridgePorts::begin_exclusive() {
-  if (!exclusive_ || exclusive_->is_active || !calls_.empty()) return;
+  if (!exclusive_ || exclusive_->is_active) return;
+  const auto is_due_soon = [](const auto& one) { return one.second.is_due_soon; };
+  if (std::ranges::any_of(calls_, is_due_soon)) return;
   exclusive_->is_active = true;
   exclusive_->begin = exclusive_->last = now();
   log(fmt::format("host {} has the line for itself while the board restarts", exclusive_->port));
@@ -261,22 +268,13 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
 void BridgePorts::take_stream_request(std::size_t port, const RawRequest& request) {
   const StreamKey key{request.policy.stream.command, request.policy.stream.config};
   if (has_other_configuration(key)) {
-    msg::ErrorExt error;
-    error.cmd_id = roles::StreamRequest::command;
-    error.error_code = roles::ErrorReason::temporary;
-    std::array<std::uint8_t, max_body_size> body{};
-    const std::size_t size = encode(error, std::span(body)).size;
-    const auto id = static_cast<std::uint8_t>(msg::ErrorExt::command);
-    give(port, {.id = id, .body = std::span(body).first(size)}, false);
-    log(
-        fmt::format("host {}: a stream of {} is refused, because one with another configuration is "
-                    "running",
-                    port, to_string(static_cast<msg::CommandFromBoard>(key.first))));
-    return;
+    return refuse_stream({port, hosts_[port]->framing}, key,
+                         "one with another configuration is running");
   }
   const auto ended = ended_streams_.find(key.first);
-  const bool may_mix = !streams_.contains(key) && ended != ended_streams_.end() &&
-                       now() - ended->second < end_of_stream_time;
+  const bool has_just_ended =
+      ended != ended_streams_.end() && now() - ended->second < end_of_stream_time;
+  const bool may_mix = !streams_.contains(key) && (has_just_ended || is_streamed(key.first));
   const std::uint64_t tag = send(port, merged(port, request));
   calls_[tag].stream = key;
   const auto stream = streams_.find(key);
@@ -284,9 +282,21 @@ void BridgePorts::take_stream_request(std::size_t port, const RawRequest& reques
   if (may_mix && stream != streams_.end()) stream->second.starting = tag;
 }
 
+void BridgePorts::refuse_stream(const Asker& asker, const StreamKey& key, const char* reason) {
+  msg::ErrorExt error;
+  error.cmd_id = roles::StreamRequest::command;
+  error.error_code = roles::ErrorReason::temporary;
+  std::array<std::uint8_t, max_body_size> body{};
+  const std::size_t size = encode(error, std::span(body)).size;
+  const auto id = static_cast<std::uint8_t>(msg::ErrorExt::command);
+  answer(asker, {.id = id, .body = std::span(body).first(size)});
+  log(fmt::format("host {}: a stream of {} is refused, because {}", asker.port,
+                  to_string(static_cast<msg::CommandFromBoard>(key.first)), reason));
+}
+
 bool BridgePorts::has_other_configuration(const StreamKey& key) const {
   return std::ranges::any_of(streams_, [&](const auto& one) {
-    return one.first.first == key.first && one.first.second != key.second;
+    return one.first.first == key.first && one.first.second != key.second && one.second.is_wanted();
   });
 }
 
@@ -299,21 +309,32 @@ RawRequest BridgePorts::merged(std::size_t port, const RawRequest& request) {
   stream.size = change.size;
   stream.request = request;
   stream.heard = now();
-  if (wanted == roles::stream_end) {
-    stream.shares.erase(port);
-  } else {
-    stream.shares[port] = {wanted, 0};
+  const auto share = stream.shares.find(port);
+  if (wanted != roles::stream_end) {
+    const std::int64_t before = share == stream.shares.end() ? 0 : share->second.interval;
+    stream.shares[port] = {.interval = wanted, .before = before};
+  } else if (share != stream.shares.end()) {
+    // Until the board confirms, its samples go to the host, as on a line to the board.
+    share->second.end = last_tag_ + 1;
   }
   RawRequest result = with_interval(request, stream.interval());
-  if (stream.shares.empty()) {
-    ended_streams_[key.first] = now();
-    streams_.erase(key);
-  }
+  if (stream.shares.empty()) streams_.erase(key);
   return result;
 }
 
+bool BridgePorts::Stream::is_wanted() const {
+  return std::ranges::any_of(shares, [](const auto& one) { return one.second.end == 0; });
+}
+
 std::int64_t BridgePorts::Stream::interval() const {
-  if (shares.empty()) return roles::stream_end;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const auto& [port, share] : shares) {
+    if (share.end == 0) least = std::min(least, share.interval);
+  }
+  return is_wanted() ? least : roles::stream_end;
+}
+
+std::int64_t BridgePorts::Stream::pace() const {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (const auto& [port, share] : shares) least = std::min(least, share.interval);
   return least;
@@ -322,14 +343,13 @@ std::int64_t BridgePorts::Stream::interval() const {
 std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest request) {
   const std::uint64_t tag = ++last_tag_;
   if (port) {
-    calls_[tag] = {*port, request.id, {}};
-    ++hosts_[*port]->pending;
-    request.host = hosts_[*port]->id;
-    const Responses& responses = request.policy.responses;
-    asked_[{true, request.id}] = now();
-    for (std::size_t i = 0; i < responses.form_count; ++i) {
-      asked_[{false, responses.forms[i].id}] = now();
-    }
+    Host& host = *hosts_[*port];
+    const Asker asker{*port, host.framing};
+    const bool is_due_soon = !request.policy.is_answered_at_end();
+    calls_[tag] = {.asker = asker, .id = request.id, .is_due_soon = is_due_soon};
+    askers_.asked(tag, asker, request, now());
+    ++host.pending;
+    request.host = host.id;
   }
   line_.send(tag, std::move(request));
   return tag;
@@ -338,42 +358,72 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
 // The board's side.
 
 void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
-  const auto call = calls_.find(tag);
-  if (call == calls_.end()) return;
-  if (call->second.stream && roles::is_error(frame)) {
-    refused(call->second.port, *call->second.stream);
-  }
-  give(call->second.port, frame, false);
+  askers_.answered(tag, frame, now());
+  const auto place = calls_.find(tag);
+  if (place == calls_.end()) return;
+  Call& call = place->second;
+  call.is_due_soon = false;  // a calibration may go on
+  if (call.stream && roles::is_error(frame)) refused(tag, call);
+  answer(call.asker, frame);
+  begin_exclusive();
 }
 
-/// The board does not start the stream for this host.
-void BridgePorts::refused(std::size_t port, const StreamKey& key) {
-  const auto stream = streams_.find(key);
+/// The board does not make this change of a stream.
+void BridgePorts::refused(std::uint64_t tag, const Call& call) {
+  const auto stream = streams_.find(*call.stream);
   if (stream == streams_.end()) return;
-  stream->second.shares.erase(port);
+  const auto share = stream->second.shares.find(call.asker.port);
+  if (share == stream->second.shares.end()) return;
+  if (share->second.end == tag) {
+    share->second.end = 0;
+    return;
+  }
+  if (share->second.before != 0) {
+    share->second.interval = share->second.before;
+    return;
+  }
+  stream->second.shares.erase(share);
   if (stream->second.shares.empty()) streams_.erase(stream);
 }
 
-void BridgePorts::ended(std::uint64_t tag, bool timed_out) {
+void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
+  const bool timed_out = failure == ErrorCode::timeout;
   if (timed_out) ++unanswered_;
-  for (auto& [key, stream] : streams_) {
+  if (failure && was_not_sent(*failure)) {
+    askers_.withdrawn(tag);
+  } else {
+    askers_.ended(tag, timed_out, now());
+  }
+  for (auto place = streams_.begin(); place != streams_.end();) {
+    Stream& stream = place->second;
     if (stream.starting == tag) stream.starting = 0;
+    std::erase_if(stream.shares, [&](const auto& one) { return one.second.end == tag; });
+    place = end_if_unused(place);
   }
   const auto call = calls_.find(tag);
   if (call == calls_.end()) return;
-  const std::size_t port = call->second.port;
+  const std::size_t port = call->second.asker.port;
+  if (failure == ErrorCode::overload && call->second.stream) {
+    refused(tag, call->second);
+    refuse_stream(call->second.asker, *call->second.stream, "the line has no room for it");
+  }
   calls_.erase(call);
   --hosts_[port]->pending;
   begin_exclusive();
   wake(port);
 }
 
+/// Returns the next stream.
+auto BridgePorts::end_if_unused(Streams::iterator place) -> Streams::iterator {
+  if (!place->second.shares.empty()) return std::next(place);
+  ended_streams_[place->first.first] = now();
+  return streams_.erase(place);
+}
+
 void BridgePorts::arrived(const BoardFrame& message) {
   const Frame& frame = message.frame;
   heard_ = now();
   unanswered_ = 0;
-  // It may as well be a sample.
-  if (message.is_late && !is_streamed(frame.id)) return give_late(frame, message.host);
   if (message.belongs_to_call) {
     if (message.may_be_sample) give_sample(frame, true);
     return;
@@ -384,31 +434,16 @@ void BridgePorts::arrived(const BoardFrame& message) {
   give_unclaimed(frame);
 }
 
-auto BridgePorts::answer_key(const Frame& frame) -> AnswerKey {
-  if (roles::is_confirmation(frame)) return {true, roles::confirmed_command(frame)};
-  if (roles::is_error(frame)) return {true, roles::failed_command(frame)};
-  return {false, frame.id};
-}
-
-void BridgePorts::give_late(const Frame& frame, std::uint16_t host) {
-  for (std::size_t port = 0; port < hosts_.size(); ++port) {
-    if (hosts_[port] && hosts_[port]->id == host) give(port, frame, false);
-  }
-}
-
-/// A message that answers no known request: unsolicited, or an answer that comes much too late.
+/// A message that answers no request which has not ended: unsolicited, or a late answer.
 void BridgePorts::give_unclaimed(const Frame& frame) {
-  const AnswerKey key = answer_key(frame);
-  const auto asked = asked_.find(key);
-  const bool is_anonymous = key == AnswerKey{true, 0};
-  const bool is_answer =
-      !roles::is_reset(frame) &&
-      (is_anonymous || (asked != asked_.end() && now() - asked->second < longest_answer));
-  if (!is_answer || counters().size() == 1) give_all(frame);
+  const Askers::Claim claim = askers_.claim(frame, now());
+  if (claim.asker) return answer(*claim.asker, frame);
+  if (!claim.is_answer) give_all(frame);
 }
 
 void BridgePorts::restart_streams() {
   for (auto& [key, stream] : streams_) {
+    if (!stream.is_wanted()) continue;
     send(std::nullopt, with_interval(stream.request, stream.interval()));
     stream.heard = now();
     stream.is_started_again = false;
@@ -419,7 +454,8 @@ void BridgePorts::start_silent_streams() {
   bool is_silent = false;
   for (auto& [key, stream] : streams_) {
     const Duration three_intervals = microseconds(3 * microseconds_of(stream.interval()));
-    if (now() - stream.heard <= std::max(silence_of_stream, three_intervals)) continue;
+    if (!stream.is_wanted() || now() - stream.heard <= std::max(silence_of_stream, three_intervals))
+      continue;
     // Not even the last start was confirmed.
     is_silent = is_silent || (stream.is_started_again && heard_ < stream.heard);
     send(std::nullopt, with_interval(stream.request, stream.interval()));
@@ -434,8 +470,9 @@ bool BridgePorts::is_streamed(std::uint8_t id) const {
 }
 
 bool BridgePorts::awaits(std::size_t port, std::uint8_t id) const {
-  return std::ranges::any_of(
-      calls_, [&](const auto& one) { return one.second.port == port && one.second.id == id; });
+  return std::ranges::any_of(calls_, [&](const auto& one) {
+    return one.second.asker.port == port && one.second.id == id;
+  });
 }
 
 void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
@@ -450,7 +487,7 @@ void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
     if (one.second.starting != 0) continue;
     one.second.heard = now();
     one.second.is_started_again = false;
-    const std::int64_t passed = microseconds_of(one.second.interval());
+    const std::int64_t passed = microseconds_of(one.second.pace());
     for (auto& [port, share] : one.second.shares) {
       const std::int64_t wanted = microseconds_of(share.interval);
       share.credit += passed;
@@ -478,8 +515,17 @@ void BridgePorts::give(std::size_t port, const Frame& frame, bool may_be_dropped
     ++host.counters.dropped;
     return;
   }
+  put(port, host.framing, frame);
+}
+
+void BridgePorts::answer(const Asker& asker, const Frame& frame) {
+  put(asker.port, asker.framing, frame);
+}
+
+void BridgePorts::put(std::size_t port, Framing framing, const Frame& frame) {
+  Host& host = *hosts_[port];
   std::array<std::uint8_t, max_frame_size> bytes{};
-  const WriteResult written = write_frame(host.framing, frame.id, frame.body, bytes);
+  const WriteResult written = write_frame(framing, frame.id, frame.body, bytes);
   if (!written) return;
   host.output.insert(host.output.end(), bytes.begin(),
                      bytes.begin() + static_cast<std::ptrdiff_t>(written.size));

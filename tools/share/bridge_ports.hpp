@@ -13,12 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include <sbgc/client/error.hpp>
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
 #include "serving/host_ports.hpp"
+#include "share/askers.hpp"
 
 namespace sbgc::tools {
 
@@ -50,16 +52,15 @@ class BridgeLine {
 /// Gives each host the responses to its own requests, the samples of the data streams that it has
 /// asked for, and all unsolicited messages.
 ///
-/// - A late response still goes to the host that asked. If several hosts could have asked for it,
-/// it
-///   goes to nobody.
-/// - The bodies of requests and responses pass unchanged; frames are rewritten in the framing that
-///   the host uses.
+/// - A response that comes when its request has ended still goes to the host that asked; see
+///   Askers.
+/// - The bodies of requests and responses pass unchanged; a response is rewritten in the framing of
+///   its request, other messages in that of the last request of the host.
 /// - The board gets the shortest interval that a host wants for a data stream; each host gets every
 ///   sample that is due at its own interval. The share of a host ends when it leaves.
 /// - The messages of a stream do not say with which configuration they were requested. Therefore a
 ///   stream has one configuration at a time: while it runs, a request for another one gets an error
-///   in place of a confirmation.
+///   in place of a confirmation. So does one for which the line has no room.
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
 /// - A request that fails has no response, as on a line to the board.
@@ -89,9 +90,6 @@ class BridgePorts final : public serving::HostPorts {
   static constexpr Duration longest_silence = sbgc::seconds(60);
   /// The board is asked for a sign of life after so many requests without any response.
   static constexpr int most_unanswered = 3;
-  /// A message that a host has asked for within this time is an answer, even if it is not known to
-  /// which request.
-  static constexpr Duration longest_answer = sbgc::seconds(60);
   /// Bytes of a host that has the line for itself that wait to be sent.
   static constexpr std::size_t max_raw = 4096;
   /// Bytes of the board that wait for it: what a board sends in over a minute at 115200 baud.
@@ -128,8 +126,8 @@ class BridgePorts final : public serving::HostPorts {
 
   /// A frame that belongs to the request with this tag.
   void answered(std::uint64_t tag, const Frame& frame);
-  /// The request has ended; `timed_out` if the board has not responded.
-  void ended(std::uint64_t tag, bool timed_out);
+  /// The request has ended, with this error if it has failed.
+  void ended(std::uint64_t tag, std::optional<ErrorCode> failure = {});
   /// Every frame of the board, including those of answered().
   void arrived(const BoardFrame& message);
   /// The board is connected again and has no data streams: starts those that hosts want.
@@ -163,14 +161,17 @@ class BridgePorts final : public serving::HostPorts {
   /// Identifies a data stream by the id of its messages and its configuration.
   using StreamKey = std::pair<std::uint8_t, std::array<std::uint8_t, max_stream_config>>;
   struct Call {
-    std::size_t port{};
+    Asker asker{};
     std::uint8_t id{};
-    std::optional<StreamKey> stream{};  // that it starts or changes
+    bool is_due_soon{};                 // the answer to it
+    std::optional<StreamKey> stream{};  // that it starts, changes or ends
   };
   /// What one host wants of it.
   struct Share {
     std::int64_t interval{};  // in counts of the request
+    std::int64_t before{};    // the last one, which a refused change leaves; or 0
     std::int64_t credit{};    // what has passed since its last sample, in microseconds
+    std::uint64_t end{};      // the request that ends it; or 0
   };
   struct Stream {
     std::uint8_t size{};  // of the bodies of its messages
@@ -179,10 +180,13 @@ class BridgePorts final : public serving::HostPorts {
     Instant heard{};                        // the last sample, or its last start
     bool is_started_again = false;          // since its last sample
     std::uint64_t starting{};               // the request that must end before it has samples; or 0
-    std::int64_t interval() const;          // 0 without shares
+    bool is_wanted() const;                 // by a host that has not asked for its end
+    std::int64_t interval() const;          // 0 if nobody wants it
+    std::int64_t pace() const;              // interval until the board has made all changes
   };
+  using Streams = std::map<StreamKey, Stream>;
 
-  /// A host that has the line for itself, or waits until the requests of all have ended.
+  /// A host that has the line for itself, or waits until the others have their answers.
   struct Exclusive {
     std::size_t port{};
     bool is_active = false;
@@ -206,7 +210,9 @@ class BridgePorts final : public serving::HostPorts {
   void wake_all();
   /// Notes what the host wants; returns the request that the board gets instead.
   RawRequest merged(std::size_t port, const RawRequest& request);
-  void refused(std::size_t port, const StreamKey& key);
+  void refused(std::uint64_t tag, const Call& call);
+  void refuse_stream(const Asker& asker, const StreamKey& key, const char* reason);
+  Streams::iterator end_if_unused(Streams::iterator place);
   bool has_other_configuration(const StreamKey& key) const;
   std::uint64_t send(std::optional<std::size_t> port, RawRequest request);
   void give(std::size_t port, const Frame& frame, bool may_be_dropped);
@@ -215,10 +221,8 @@ class BridgePorts final : public serving::HostPorts {
   void wake(std::size_t port);
   bool is_streamed(std::uint8_t id) const;
   bool awaits(std::size_t port, std::uint8_t id) const;
-  /// What an answer is recognized by: its id, or the command that it confirms or reports as failed.
-  using AnswerKey = std::pair<bool, std::uint8_t>;
-  static AnswerKey answer_key(const Frame& frame);
-  void give_late(const Frame& frame, std::uint16_t host);
+  void answer(const Asker& asker, const Frame& frame);
+  void put(std::size_t port, Framing framing, const Frame& frame);
   void give_unclaimed(const Frame& frame);
 
   BridgeLine& line_;
@@ -228,8 +232,8 @@ class BridgePorts final : public serving::HostPorts {
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;
   std::uint16_t last_host_ = 0;
-  std::map<AnswerKey, Instant> asked_;  // when a host asked last
-  std::map<StreamKey, Stream> streams_;
+  Askers askers_;
+  Streams streams_;
   std::map<std::uint8_t, Instant> ended_streams_{};  // when the last host left, by message
   Instant heard_{};                                  // the last frame of the board
   int unanswered_ = 0;                               // requests since then

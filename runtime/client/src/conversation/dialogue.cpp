@@ -13,14 +13,11 @@ namespace sbgc::detail {
 
 namespace {
 
-/// So long after its request, a reply still belongs to the host that sent it.
-constexpr Duration longest_reply_memory = seconds(10);
 constexpr const char* refused_words = ": the board refused: ";
 
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
   if (!options.pacing) result.pacing = {.shortest = {}, .longest = {}};
-  result.memory = longest_reply_memory;
   result.duplicate_window = milliseconds(options.duplicate_window.count());
   result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share_percent, 100U));
   return result;
@@ -139,7 +136,7 @@ void Dialogue::show(const Event& event) {
   const auto place = in_session_.find(event.handle.number);
   const CallPointer call = place == in_session_.end() ? nullptr : place->second;
   if (call && call->request.on_frame) call->request.on_frame(frame);
-  delivery_.show({frame, call != nullptr, event.is_late, event.host, event.may_be_sample});
+  delivery_.show({frame, call != nullptr, event.is_late, event.may_be_sample});
 }
 
 void Dialogue::handle(const Event& event) {

@@ -116,14 +116,18 @@ void PendingCalls::take_superseded(const Call& later, std::vector<CallPointer>& 
 
 CallPointer PendingCalls::next_waiting(const std::function<bool(const Call&)>& has_room) {
   const std::lock_guard lock(mutex_);
+  std::deque<CallPointer>* next = nullptr;
   for (std::deque<CallPointer>* const queue : {&waiting_effects_, &waiting_reads_}) {
     while (!queue->empty() && !calls_.contains(queue->front()->ticket)) queue->pop_front();
     if (queue->empty() || !has_room(*queue->front())) continue;
-    CallPointer call = std::move(queue->front());
-    queue->pop_front();
-    return call;
+    const bool is_before = next == nullptr || (!next->front()->request.policy.stops &&
+                                               queue->front()->ticket < next->front()->ticket);
+    if (is_before) next = queue;
   }
-  return nullptr;
+  if (next == nullptr) return nullptr;
+  CallPointer call = std::move(next->front());
+  next->pop_front();
+  return call;
 }
 
 Instant PendingCalls::deadline() const {

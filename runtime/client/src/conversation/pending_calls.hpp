@@ -35,8 +35,8 @@ class PendingCalls {
   /// Takes all calls out and rejects later ones with this error.
   std::vector<CallPointer> take_all(ClientError refusal);
 
-  /// Returns the next call that waits for the session, stops first, then others with an effect;
-  /// null if it is none for which `has_room(call)`. It stays pending.
+  /// Returns the next call that waits for the session: a stop, else the oldest for which
+  /// `has_room(call)`; null if there is none. It stays pending.
   CallPointer next_waiting(const std::function<bool(const Call&)>& has_room);
   /// The earliest deadline of all calls.
   Instant deadline() const;

@@ -191,6 +191,10 @@ struct ResponsePolicy {
     return moves && !stops && later.stops;
   }
 
+  /// Returns true if the response comes when what takes long is done. Meanwhile, the board answers
+  /// other requests, and refuses another one of this kind at once.
+  constexpr bool is_answered_at_end() const noexcept { return timeout_ms > 5000; }
+
   /// Returns true if a response comes unless it is lost or the request fails.
   constexpr bool is_certain() const noexcept {
     return response_required || responses.confirmed == Confirmed::always;

@@ -52,7 +52,8 @@ struct SessionCapacity {
 /// - A request that stops all motion is sent next. Motion that its host has requested before and
 ///   that is still queued is not sent: it completes with `superseded`. Others follow the stop.
 /// - A request that only reads waits while its response could be confused with that of an earlier
-///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it.
+///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it. Requests
+///   of the same host, if it is not 0, do not wait for each other, and reads do not overtake.
 /// - The pause after a request whose response nobody waits for begins with its first byte, and a
 ///   pause that a late poll() has extended shortens the next one: so requests at an even rate stay
 ///   even.
@@ -71,7 +72,7 @@ class BasicSession {
  public:
   /// Not constexpr, because a static object that is initialized at compile time occupies flash too.
   SBGC_ALWAYS_INLINE explicit BasicSession(const SessionOptions& options = {}) noexcept
-      : settings_(options), late_replies_(settings_.memory) {
+      : settings_(options) {
     use(Formats::first);
   }
 
@@ -290,9 +291,16 @@ class BasicSession {
     if (is_trial(other) && is_older) return true;
     if (is_trial(request) && other.is_in_flight()) return true;
     if (request.policy.has_effect) return false;
+    if (knows_its_own(request, other.host)) return is_older && !other.is_in_flight();
     return (other.is_in_flight() || is_older) &&
            (other.awaits_response || request.awaits_response) &&
            request.policy.responses.can_be_confused_with(other.policy.responses);
+  }
+
+  /// Returns true if the request and one of `host` are of the same host, and that tells the
+  /// responses to them apart.
+  static bool knows_its_own(const Request& request, std::uint16_t host) noexcept {
+    return is_shared && host != 0 && request.host == host;
   }
 
   bool may_be_sent(const Request& request) const noexcept {
@@ -308,8 +316,8 @@ class BasicSession {
       }
     }
     if (request.policy.has_effect) return true;
-    const auto can_be_confused = [&](const Responses& late) {
-      return responses.can_be_confused_with(late);
+    const auto can_be_confused = [&](const detail::LateRequest& late) {
+      return !knows_its_own(request, late.host) && responses.can_be_confused_with(late.responses);
     };
     if (request.awaits_response && late_replies_.has(can_be_confused)) return false;
     return !responses.are_possible() || late_replies_.has_room(in_flight);
@@ -489,7 +497,7 @@ class BasicSession {
         if (!request.is_in_flight() || !fits(request.policy.responses)) continue;
         if (is_sample(request, frame)) continue;
         ++candidates;
-        if (meant == nullptr || request.is_answered_before(*meant)) meant = &request;
+        if (meant == nullptr || request.is_answered_before(*meant, is_error)) meant = &request;
       }
     };
     match(meaning);
@@ -510,7 +518,6 @@ class BasicSession {
       if (!is_reset) return;
     } else if (!is_reset && !is_unclear && late.entry != nullptr) {
       event.is_late = true;
-      if constexpr (is_shared) event.host = late.entry->request.host;
       late_replies_.take(*late.entry, settings_.duplicates);
     }
     if (event.is_late) count(&SessionStatistics::late_replies);

@@ -33,7 +33,6 @@ struct BoardFrame {
   Frame frame{};           ///< a view, valid during the call
   bool belongs_to_call{};  ///< of this client
   bool is_late{};          ///< the response to a call that has ended
-  std::uint16_t host{};    ///< of a late response: the host that sent its request
   bool may_be_sample{};    ///< a response, or a sample of a data stream of the same message
 };
 

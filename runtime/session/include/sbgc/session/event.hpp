@@ -60,7 +60,6 @@ struct Event {
   std::uint8_t confirmation{};  ///< of `confirmation`: its number, from 1
   std::uint8_t confirmations{};  ///< of `confirmation`: the expected number of them
   bool is_late{};                ///< a late reply
-  std::uint16_t host{};          ///< of a late reply: the host of its request
   bool may_be_sample{};          ///< of `completed`: a stream of the same message is also running
   Frame frame{};                 ///< from the board; id 0 if there is none
 };
@@ -90,7 +89,7 @@ struct SendResult {
 /// Options of one request.
 struct SendOptions {
   /// Whose request it is, for a session that several hosts share: requests of one host keep their
-  /// order.
+  /// order. Another host than 0 tells the responses to its own requests apart itself.
   std::uint16_t host = 0;
   /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
   bool expect_confirmation = false;
@@ -116,7 +115,6 @@ struct SessionOptions {
   PacingOptions pacing{};             ///< both 0: none
   std::uint8_t attempts = 3;          ///< maximum transmissions of a request whose retry is safe
   Duration late = milliseconds(500);  ///< how late a response may still arrive
-  Duration memory{};                  ///< how long it is recognized after that, at most 60 s
   Duration duplicate_window{};        ///< how long a duplicate frame may arrive (UDP); 0: never
   Duration idle = milliseconds(100);  ///< silence that ends an incomplete frame
   std::uint8_t stream_percent = 80;   ///< the share of the line that data streams may use

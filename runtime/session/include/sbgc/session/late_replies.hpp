@@ -19,9 +19,8 @@ struct LateRequest {
 };
 
 /// The late replies that may still arrive. They consume matching frames, so that no frame is
-/// matched to a later request. With a memory, an entry remains for that time after its end, only to
-/// tell whose request a frame answers.
-template <std::size_t capacity, bool has_memory = false>
+/// matched to a later request. With `has_hosts`, those of several hosts are kept apart.
+template <std::size_t capacity, bool has_hosts = false>
 class LateReplies {
  public:
   struct Entry {
@@ -32,19 +31,15 @@ class LateReplies {
 
   /// The entries that a frame matches.
   struct Match {
-    Entry* entry{};       // the oldest; of several remembered ones, none; or null
-    std::size_t count{};  // without those remembered
+    Entry* entry{};  // the oldest, or null
+    std::size_t count{};
   };
-
-  constexpr explicit LateReplies(Ticks memory = 0) noexcept : memory_(has_memory ? memory : 0) {}
 
   constexpr std::size_t size() const noexcept { return size_; }
 
   /// Returns true if an entry could be added while `reserved` places stay free.
   constexpr bool has_room(std::size_t reserved) const noexcept {
-    std::size_t taken = reserved;
-    for (std::size_t i = 0; i < size_; ++i) taken += is_over(entries_[i]) ? 0U : 1U;
-    return taken < capacity;
+    return size_ + reserved < capacity;
   }
 
   /// Expects up to `frames` further frames for a request, for this long; with 0 frames, repetitions
@@ -54,8 +49,8 @@ class LateReplies {
                      std::uint32_t frames, Ticks left) noexcept {
     std::size_t place = 0;
     while (place < size_ && !is_of(entries_[place], host, responses)) ++place;
-    const bool is_new = place == size_ || is_over(entries_[place]);
-    if (place == size_) place = size_ < capacity ? size_++ : first_to_end();
+    const bool is_new = place == size_;
+    if (is_new) place = size_ < capacity ? size_++ : first_to_end();
     Entry& entry = entries_[place];
     if (is_new) {
       entry.request.host = host;
@@ -65,7 +60,7 @@ class LateReplies {
     }  // else the same frames match both
     entry.request.handle = request;
     entry.frames += frames;
-    entry.left = longer(entry.left, left + memory_);
+    entry.left = longer(entry.left, left);
   }
 
   /// Keeps the entry to which this request was the last to add, if there is one, at least this
@@ -73,7 +68,7 @@ class LateReplies {
   constexpr void extend(Handle request, Ticks left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       Entry& entry = entries_[i];
-      if (entry.request.handle == request) entry.left = longer(entry.left, left + memory_);
+      if (entry.request.handle == request) entry.left = longer(entry.left, left);
     }
   }
 
@@ -92,16 +87,10 @@ class LateReplies {
   template <class Fits>
   constexpr Match match(const Fits& fits) noexcept {
     Match found;
-    std::size_t remembered = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       Entry& entry = entries_[i];
       if (!fits(entry.request.responses)) continue;
-      if (is_over(entry)) {
-        ++remembered;
-        if (found.count == 0) found.entry = remembered == 1 ? &entry : nullptr;
-      } else if (found.count++ == 0 || is_before(entry, *found.entry)) {
-        found.entry = &entry;
-      }
+      if (found.count++ == 0 || is_before(entry, *found.entry)) found.entry = &entry;
     }
     return found;
   }
@@ -111,17 +100,17 @@ class LateReplies {
   constexpr void take(Entry& entry, Ticks repeats) noexcept {
     if (entry.frames != 0) --entry.frames;
     if (repeats != 0) {
-      entry.left = longer(entry.left, repeats + memory_);
+      entry.left = longer(entry.left, repeats);
     } else if (entry.frames == 0) {
       entry = entries_[--size_];
     }
   }
 
-  /// Returns true if there is an entry, not only remembered, for which `fits(responses)` holds.
+  /// Returns true if there is an entry for which `fits(request)` holds.
   template <class Fits>
   constexpr bool has(const Fits& fits) const noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (!is_over(entries_[i]) && fits(entries_[i].request.responses)) return true;
+      if (fits(entries_[i].request)) return true;
     }
     return false;
   }
@@ -129,16 +118,14 @@ class LateReplies {
   /// Returns the time until the first entry ends.
   constexpr Ticks next_end() const noexcept {
     Ticks left = never;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (!is_over(entries_[i])) left = shorter(left, entries_[i].left - memory_);
-    }
+    for (std::size_t i = 0; i < size_; ++i) left = shorter(left, entries_[i].left);
     return left;
   }
 
   /// Makes all entries end after `most` at the latest.
   constexpr void limit(Ticks most) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      entries_[i].left = shorter(entries_[i].left, most + memory_);
+      entries_[i].left = shorter(entries_[i].left, most);
     }
   }
 
@@ -147,12 +134,7 @@ class LateReplies {
  private:
   static constexpr bool is_of(const Entry& entry, std::uint16_t host,
                               const Responses& responses) noexcept {
-    return (!has_memory || entry.request.host == host) && entry.request.responses == responses;
-  }
-
-  /// Returns true if the entry is only remembered.
-  constexpr bool is_over(const Entry& entry) const noexcept {
-    return has_memory && entry.left <= memory_;
+    return (!has_hosts || entry.request.host == host) && entry.request.responses == responses;
   }
 
   static constexpr bool is_before(const Entry& entry, const Entry& other) noexcept {
@@ -172,7 +154,6 @@ class LateReplies {
 
   std::array<Entry, capacity> entries_{};
   std::size_t size_{};
-  Ticks memory_;
 };
 
 }  // namespace sbgc::detail

@@ -16,7 +16,6 @@ namespace sbgc::detail {
 class Settings {
  public:
   Ticks late;
-  Ticks memory;
   Ticks duplicates;
   Ticks idle;
   std::uint32_t stream_limit{};  // in bytes per second, 0: unlimited
@@ -26,7 +25,6 @@ class Settings {
   // Inlined, so that the compiler converts constant options.
   SBGC_ALWAYS_INLINE explicit Settings(const SessionOptions& options) noexcept
       : late(ticks_of(options.late)),
-        memory(ticks_of(options.memory, longest_memory)),
         duplicates(ticks_of(options.duplicate_window)),
         idle(ticks_of(options.idle)),
         attempts(options.attempts),

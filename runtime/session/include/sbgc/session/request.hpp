@@ -61,11 +61,11 @@ struct SessionRequest {
     return is_older_than(other.handle);
   }
 
-  /// Returns true if a response that can belong to both belongs to this one: the board answers in
-  /// order, but ends what takes long later than it begins the next.
-  constexpr bool is_answered_before(const SessionRequest& other) const noexcept {
+  /// Returns true if a response, or an error, that can belong to both belongs to this one: the
+  /// board answers in order, but ends what takes long later than it begins, or refuses, the next.
+  constexpr bool is_answered_before(const SessionRequest& other, bool is_error) const noexcept {
     if (confirmations != other.confirmations) return confirmations < other.confirmations;
-    return is_older_than(other.handle);
+    return is_older_than(other.handle) != (is_error && policy.is_answered_at_end());
   }
 
   /// Queues the request whose body and policy are in place. `most_attempts` applies unless the

@@ -17,10 +17,9 @@ using Ticks = std::uint32_t;
 /// A timer that does not run.
 inline constexpr Ticks never = std::numeric_limits<Ticks>::max();
 
-/// The longest timeout of a response, the longest memory, and the longest of any other duration.
-/// The sum of one of each fits with the time of two frames on the line.
+/// The longest timeout of a response, and the longest of any other duration. The sum of one of each
+/// fits with the time of two frames on the line.
 inline constexpr Ticks longest_response = 3'600'000'000;
-inline constexpr Ticks longest_memory = 60'000'000;
 inline constexpr Ticks longest_other = 600'000'000;
 
 /// Returns the span of a duration: 0 if it is negative, `longest` if it is longer.

@@ -1,0 +1,402 @@
+// A host at the bridge gets what it would get alone: the same bytes in the same order, for every
+// request of the model, valid or not.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/emulator/emulator.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/parser.hpp>
+
+#include "conversation/dialogue.hpp"
+#include "share/bridge_ports.hpp"
+
+namespace sbgc::tools::transparency {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Ge;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+using Bytes = std::vector<std::uint8_t>;
+
+emulator::EmulatorOptions still_board() {
+  emulator::EmulatorOptions options;
+  options.board.firmware = msg::FirmwareVersion(newest_firmware);
+  options.board.board = msg::BoardVersion(36);
+  options.board.gimbal.noise = 0;
+  options.line.board.baud_rate = 0;
+  return options;
+}
+
+/// An emulated board that has just started, in virtual time, and what connects its hosts to it.
+class Site {
+ public:
+  Site() : emulator_(still_board(), {}, now_) {}
+  Site(const Site&) = delete;
+  Site& operator=(const Site&) = delete;
+  virtual ~Site() = default;
+
+  virtual void send(const Bytes& bytes) = 0;
+  /// What the host has received since the last call.
+  virtual Bytes received() = 0;
+
+  void run_for(Duration time) {
+    const Instant end = now_ + time;
+    while (now_ < end) {
+      const Instant next = step();
+      now_ = std::clamp(next, now_ + microseconds(1), end);
+    }
+    step();
+  }
+
+  Bytes ask(const Bytes& request, Duration patience) {
+    send(request);
+    run_for(patience);
+    return received();
+  }
+
+ protected:
+  /// Does what is due; returns when to call it again.
+  virtual Instant step() = 0;
+  Bytes take_output(std::size_t port) {
+    const auto waiting = emulator_.to_host(port);
+    Bytes bytes(waiting.begin(), waiting.end());
+    emulator_.take(port, bytes.size(), now_);
+    return bytes;
+  }
+
+  Instant now_{1'000'000};
+  emulator::Emulator emulator_;
+};
+
+class DirectSite final : public Site {
+ public:
+  DirectSite() : port_(emulator_.connect(false, now_).value()) { run_for(seconds(1)); }
+
+  void send(const Bytes& bytes) override { emulator_.from_host(port_, bytes, now_); }
+  Bytes received() override { return std::exchange(received_, {}); }
+
+ private:
+  Instant step() override {
+    emulator_.advance(now_);
+    const Bytes bytes = take_output(port_);
+    received_.insert(received_.end(), bytes.begin(), bytes.end());
+    return emulator_.next();
+  }
+
+  std::size_t port_;
+  Bytes received_;
+};
+
+/// As `sbgc bridge`, without its threads. There is a second host.
+class BridgedSite final : public Site, private BridgeLine {
+ public:
+  BridgedSite() : port_(emulator_.connect(false, now_).value()) {
+    for (Host& host : hosts_) host.port = *ports_.connect(false, [] {});
+    run_for(seconds(1));
+  }
+
+  void send(const Bytes& bytes) override { hosts_[0].to_bridge = bytes; }
+  void send_from_other(const Bytes& bytes) { hosts_[1].to_bridge = bytes; }
+  Bytes received() override { return take_from(hosts_[0].port); }
+  Bytes overheard() { return take_from(hosts_[1].port); }
+
+ private:
+  struct Host {
+    std::size_t port{};
+    Bytes to_bridge{};
+  };
+
+  Bytes take_from(std::size_t host) {
+    const auto waiting = ports_.output(host);
+    Bytes bytes(waiting.begin(), waiting.end());
+    ports_.take(host, bytes.size());
+    return bytes;
+  }
+
+  Instant step() override {
+    if (now_ >= next_tick_) {
+      ports_.tick();
+      next_tick_ = now_ + milliseconds(100);
+    }
+    do {
+      feed_bridge();
+      exchange_bytes();
+    } while (run_posted());
+    return earlier(earlier(deadline_, emulator_.next()), next_tick_);
+  }
+
+  void feed_bridge() {
+    for (auto& [port, bytes] : hosts_) {
+      const std::size_t size = std::min(bytes.size(), ports_.room(port));
+      if (size == 0) continue;
+      const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(size);
+      const Bytes part(bytes.begin(), end);
+      bytes.erase(bytes.begin(), end);
+      ports_.receive(port, part);
+    }
+  }
+
+  void exchange_bytes() {
+    const sbgc::Output output = dialogue_.advance(now_, true);
+    deadline_ = output.deadline;
+    if (!output.bytes.empty()) {
+      if (!is_taken_) emulator_.from_host(port_, output.bytes, now_);
+      dialogue_.written(now_);
+    }
+    emulator_.from_host(port_, std::exchange(raw_, {}), now_);
+    emulator_.advance(now_);
+    const Bytes answers = take_output(port_);
+    if (answers.empty()) return;
+    if (is_taken_) return ports_.raw_arrived(answers);
+    dialogue_.feed(answers, now_);
+    deadline_ = now_;
+  }
+
+  /// Returns true if the dialogue may have more to do.
+  bool run_posted() {
+    const bool has_any = !posted_.empty();
+    while (!posted_.empty()) {
+      const auto next = std::move(posted_.front());
+      posted_.pop_front();
+      next();
+    }
+    return has_any;
+  }
+
+  /// Hands a copy of the frame over to the bridge.
+  void post(const Frame& frame, std::function<void(const Frame&)> use) {
+    posted_.push_back(
+        [id = frame.id, body = Bytes(frame.body.begin(), frame.body.end()), framing = frame.framing,
+         use = std::move(use)] { use({.id = id, .body = body, .framing = framing}); });
+  }
+
+  void send(std::uint64_t tag, RawRequest request) override {
+    request.on_frame = [this, tag](const Frame& frame) {
+      post(frame, [this, tag](const Frame& copy) { ports_.answered(tag, copy); });
+    };
+    const auto call = detail::make_call(
+        detail::Conversation::prepare(request), {.retries = 0}, {}, now_,
+        [this, tag](const Result<Reply>& reply) {
+          const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
+          posted_.emplace_back([this, tag, failure] { ports_.ended(tag, failure); });
+        });
+    std::vector<detail::CallPointer> older;
+    ASSERT_FALSE(calls_.add(call, older));
+    for (const auto& one : older) calls_.complete(*one, detail::superseded_error(*one));
+  }
+  void take_line() override { is_taken_ = true; }
+  void write_raw(Bytes bytes) override { raw_.insert(raw_.end(), bytes.begin(), bytes.end()); }
+  std::size_t raw_waiting() const override { return raw_.size(); }
+  void give_line_back() override {
+    is_taken_ = false;
+    static_cast<void>(ports_.line_lost());
+    ports_.restart_streams();
+  }
+  void check() override {}
+
+  std::size_t port_;
+  Bytes raw_;
+  bool is_taken_ = false;
+  std::deque<std::function<void()>> posted_;
+  BridgePorts ports_{*this, [this] { return now_; }};
+  std::array<Host, 2> hosts_{};
+  Instant next_tick_{};
+  Instant deadline_ = Instant::never;
+  detail::PendingCalls calls_{512};
+  detail::Delivery delivery_;
+  detail::Dialogue dialogue_{{}, calls_, delivery_};
+  Subscription frames_{delivery_.on_frame([this](const BoardFrame& arrived) {
+    post(arrived.frame, [this, message = arrived](const Frame& copy) mutable {
+      message.frame = copy;
+      ports_.arrived(message);
+    });
+  })};
+};
+
+struct Request {
+  std::string name{};
+  std::uint8_t id{};
+  Bytes body{};
+
+  Bytes bytes(Framing framing = basic_framing) const {
+    Bytes frame(max_frame_size);
+    frame.resize(write_frame(framing, id, body, frame).size);
+    return frame;
+  }
+  ResponsePolicy policy() const { return raw_request(id, body)->policy; }
+  Duration patience() const {
+    return milliseconds(std::max(policy().timeout_ms, policy().finish_ms)) + milliseconds(200);
+  }
+};
+
+std::string text_between(const std::string& line, const std::string& before, char after) {
+  const std::size_t begin = line.find(before) + before.size();
+  return line.substr(begin, line.find(after, begin) - begin);
+}
+
+Bytes from_hex(const std::string& text) {
+  Bytes bytes;
+  for (std::size_t i = 0; i < text.size(); i += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoul(text.substr(i, 2), nullptr, 16)));
+  }
+  return bytes;
+}
+
+/// Every request of the model: with typical values, with zeros, with values that are mostly
+/// invalid, with a byte less, with a byte more.
+std::vector<Request> all_requests() {
+  std::vector<Request> requests;
+  for (const auto& file : std::filesystem::directory_iterator(SBGC_GENERATED "/vectors")) {
+    std::ifstream lines(file.path());
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_chosen = line.find(R"("direction":"to_board")") != std::string::npos &&
+                             line.find(R"("why":"typical values")") != std::string::npos;
+      if (!is_chosen) continue;
+      const auto id = static_cast<std::uint8_t>(std::stoi(text_between(line, R"("id":)", ',')));
+      const std::string name = text_between(line, R"("message":")", '"');
+      const Bytes typical = from_hex(text_between(line, R"("hex":")", '"'));
+      requests.push_back({name, id, typical});
+      requests.push_back({name + ", zeros", id, Bytes(typical.size())});
+      requests.push_back({name + ", ones", id, Bytes(typical.size(), 0xFF)});
+      if (!typical.empty()) {
+        requests.push_back({name + ", short", id, {typical.begin(), typical.end() - 1}});
+      }
+      Bytes longer = typical;
+      longer.push_back(1);
+      if (longer.size() <= max_body_size) requests.push_back({name + ", long", id, longer});
+    }
+  }
+  requests.push_back({"no command", 249, {1, 2, 3}});
+  return requests;
+}
+
+TEST(BridgeTransparency, EachRequestAlone) {
+  int answered = 0;
+  for (const Request& request : all_requests()) {
+    SCOPED_TRACE(request.name);
+    DirectSite direct;
+    BridgedSite bridged;
+    const Bytes expected = direct.ask(request.bytes(), request.patience());
+    answered += expected.empty() ? 0 : 1;
+    EXPECT_EQ(bridged.ask(request.bytes(), request.patience()), expected);
+    EXPECT_THAT(bridged.overheard(), IsEmpty());
+  }
+  EXPECT_GT(answered, 400);
+}
+
+/// The ids of the frames, and what is confirmed or refused: contents may depend on the time.
+std::vector<std::string> outline_of(const Bytes& bytes) {
+  std::vector<std::string> outline;
+  ParserOfAll parser;
+  parser.feed(bytes, [&](const Frame& frame) {
+    std::string text = std::to_string(frame.id);
+    if (frame.framing != basic_framing) text += " v2";
+    if (roles::is_confirmation(frame))
+      text += " confirms " + std::to_string(roles::confirmed_command(frame));
+    if (roles::is_error(frame)) text += " refuses " + std::to_string(roles::failed_command(frame));
+    outline.push_back(text);
+  });
+  return outline;
+}
+
+template <class M>
+Bytes frame_of(const M& message, Framing framing = basic_framing) {
+  Bytes bytes(max_frame_size);
+  bytes.resize(encode_frame(framing, message, bytes).size);
+  return bytes;
+}
+
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(BridgeTransparency, RequestsInOneWriteAreAnsweredInTheirOrderAndFraming) {
+  const Bytes info = frame_of(msg::BoardInfoRequest{});
+  for (const Request& request : all_requests()) {
+    // The exception: a stop overtakes what waits.
+    if (request.policy().stops) continue;
+    SCOPED_TRACE(request.name);
+    DirectSite direct;
+    BridgedSite bridged;
+    const Bytes bytes = request.bytes() + info + request.bytes(Framing::v2) + info;
+    const auto expected = outline_of(direct.ask(bytes, request.patience() * 2));
+    EXPECT_EQ(outline_of(bridged.ask(bytes, request.patience() * 2)), expected);
+  }
+}
+
+msg::DataStreamInterval stream(msg::CommandFromBoard what, std::uint16_t interval) {
+  msg::DataStreamInterval request;
+  request.cmd_id = what;
+  request.interval_ms = msg::Milliseconds(interval);
+  return request;
+}
+
+TEST(BridgeTransparency, StreamsStartAndStopAsTheBoardSays) {
+  DirectSite direct;
+  BridgedSite bridged;
+  const auto ask = [&](const Bytes& bytes) {
+    const auto expected = outline_of(direct.ask(bytes, milliseconds(500)));
+    EXPECT_EQ(outline_of(bridged.ask(bytes, milliseconds(500))), expected);
+    return expected;
+  };
+  Bytes starts, stops;
+  for (const auto what : {msg::RealtimeData3::command, msg::RealtimeData4::command}) {
+    starts = starts + frame_of(stream(what, 50));
+    stops = stops + frame_of(stream(what, 0));
+  }
+  EXPECT_THAT(ask(starts), SizeIs(Ge(2 + 16)));
+  EXPECT_THAT(ask(stops), Contains("23")) << "a sample that comes before the confirmation";
+  EXPECT_THAT(ask(stops), SizeIs(2));
+  EXPECT_THAT(ask(starts + stops + starts), SizeIs(Ge(6 + 16)));
+}
+
+TEST(BridgeTransparency, AResetWaitsForNoCalibration) {
+  for (const auto calibration : {msg::CalibPoles::command, msg::CalibGyro::command}) {
+    DirectSite direct;
+    BridgedSite bridged;
+    const Bytes begin = Request{.id = static_cast<std::uint8_t>(calibration)}.bytes();
+    msg::ResetRequestExt reset;
+    reset.confirm = msg::ResetOption::notify;
+    for (Site* const site : {static_cast<Site*>(&direct), static_cast<Site*>(&bridged)}) {
+      site->ask(begin, milliseconds(100));
+      EXPECT_THAT(outline_of(site->ask(frame_of(reset), milliseconds(20))), ElementsAre("114"));
+    }
+  }
+}
+
+/// Two hosts get what is theirs of what nobody waits for.
+TEST(BridgeTransparency, ConfirmationsAndErrorsGoToThoseWhoAsked) {
+  BridgedSite site;
+  const Bytes valid = Request{.id = 67, .body = Bytes(13)}.bytes();
+  const Bytes invalid = Request{.id = 67, .body = Bytes(12)}.bytes(Framing::v2);
+  const Bytes other = Request{.id = 140, .body = {}}.bytes();
+  for (int i = 0; i < 50; ++i) {
+    site.send(valid);
+    site.send_from_other(invalid + other);
+    site.run_for(milliseconds(100));
+    EXPECT_THAT(outline_of(site.received()), ElementsAre("67 confirms 67"));
+    EXPECT_THAT(outline_of(site.overheard()), ElementsAre("255 v2 refuses 67", "255 refuses 140"));
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::tools::transparency
