@@ -84,12 +84,16 @@ bool Askers::is_same_host(const Entry& one, const Entry& other) {
 
 auto Askers::claim(const Frame& frame, Instant now) -> Claim {
   if (roles::is_reset(frame)) return {};
+  const bool is_error = roles::is_error(frame);
+  const bool is_anonymous = is_error && roles::failed_command(frame) == 0;
   Entry* oldest = nullptr;         // of those without an answer
   Entry* last_answered = nullptr;  // a moment ago
   Entry* last = nullptr;
   bool is_of_one = true;
   for (Entry& entry : entries_) {
     if (!entry.can_be_answered_by(frame)) continue;
+    // Whoever has left does not make it another's.
+    if (is_anonymous && !entry.asker && !entry.is_due(now)) continue;
     if (entry.is_due(now)) {
       if (oldest == nullptr) oldest = &entry;
     } else if (entry.missing == 0 && now < entry.due) {
@@ -99,8 +103,6 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
     last = &entry;
   }
   if (last == nullptr) return {};
-  const bool is_error = roles::is_error(frame);
-  const bool is_anonymous = is_error && roles::failed_command(frame) == 0;
   // Confirmations and errors are counted, and the only answer to a request without documented
   // ones; other answers can be several.
   const bool is_counted = is_error || roles::is_confirmation(frame) ||
