@@ -374,6 +374,23 @@ TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
   EXPECT_EQ(read(second), sample);
 }
 
+TEST_F(Bridge, AHostThatIsNotReadIsNotSilent) {
+  const std::size_t host = join();
+  while (ports.room(host) != 0) ask(host, msg::Control{});
+  const std::size_t requests = line.sent.size();
+  const Bytes frame = frame_of(msg::Control{});
+  ports.receive(host, std::span(frame).first(3));
+  for (int i = 0; i < 2; ++i) {
+    time = time + seconds(1);
+    ports.tick();
+  }
+  time = time + seconds(1);
+  ports.ended(line.sent.front().tag);
+  ports.tick();
+  ports.receive(host, std::span(frame).subspan(3));
+  EXPECT_THAT(line.sent, SizeIs(requests + 1));
+}
+
 TEST_F(Bridge, AStreamWhoseChangeIsRefusedGoesOn) {
   const std::size_t host = join();
   ask(host, stream(20));

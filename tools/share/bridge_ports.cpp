@@ -148,7 +148,9 @@ void BridgePorts::take(std::size_t port, std::size_t size) {
 
 void BridgePorts::tick() {
   for (std::size_t port = 0; port < hosts_.size(); ++port) {
-    if (hosts_[port] && now() - hosts_[port]->heard > idle) end_input(port);
+    if (!hosts_[port]) continue;
+    if (room(port) == 0) hosts_[port]->heard = now();  // it is not silent, but not read
+    if (now() - hosts_[port]->heard > idle) end_input(port);
   }
   if (!exclusive_) start_silent_streams();
   if (!exclusive_ && unanswered_ >= most_unanswered) {
@@ -408,6 +410,7 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
     refuse_stream(call->second.asker, *call->second.stream, "the line has no room for it");
   }
   calls_.erase(call);
+  if (room(port) == 0) hosts_[port]->heard = now();
   --hosts_[port]->pending;
   begin_exclusive();
   wake(port);
