@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -5,6 +6,7 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/parameters.hpp>
+#include <sbgc/request_sizes.hpp>
 #include <sbgc/responses/all.hpp>
 
 #include "device/default_response.hpp"
@@ -200,34 +202,37 @@ class Board::Core {
     return outcome;
   }
 
+  /// Ignores bytes that the firmware does not know, as real boards do.
   Outcome try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Outcome outcome = Outcome::unknown;
-    const Code code =
-        select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
-          if constexpr (M::direction != Direction::from_board) {
-            if (!is_supported<M>(device.versions())) return;
-            M message{};
-            if (!decode(std::span(request.body), message)) {
-              outcome = Outcome::malformed;
-              return;
-            }
-            if constexpr (!accesses_parameters<M>) {
-              const Unknown unknown = limit_to(device.versions(), message);
-              if (unknown.fields) {
-                outcome = Outcome::malformed;
-                return;
-              }
-              if (unknown.values && !checks_values<M>) {
-                RequestContext context(device, port, request.id, Confirmed::never, now);
-                outcome = context.refuse(msg::BoardErrorCode::wrong_params);
-                return;
-              }
-            }
-            const Confirmed confirmed = response_policy(message).responses.confirmed;
-            RequestContext context(device, port, request.id, confirmed, now);
-            outcome = carry_out(context, message);
+    const std::size_t largest = largest_request(request.id, device.versions());
+    const bool has_surplus = request.body.size() > largest;
+    const auto body =
+        std::span<const std::uint8_t>(request.body).first(std::min(request.body.size(), largest));
+    const Code code = select(Direction::to_board, request.id, body.size(), [&]<class M>(Type<M>) {
+      if constexpr (M::direction != Direction::from_board) {
+        if (!is_supported<M>(device.versions())) return;
+        M message{};
+        const Status status = decode(body, message);
+        // Flags may say that even the largest form ends earlier.
+        const bool is_whole = status || (has_surplus && status.code == Code::too_long);
+        if (!is_whole || (has_surplus && device.options.is_strict)) {
+          outcome = Outcome::malformed;
+          return;
+        }
+        if constexpr (!accesses_parameters<M>) {
+          const bool has_unknown_values = limit_to(device.versions(), message);
+          if (has_unknown_values && !checks_values<M>) {
+            RequestContext context(device, port, request.id, Confirmed::never, now);
+            outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+            return;
           }
-        });
+        }
+        const Confirmed confirmed = response_policy(message).responses.confirmed;
+        RequestContext context(device, port, request.id, confirmed, now);
+        outcome = carry_out(context, message);
+      }
+    });
     return code == Code::unknown_form ? Outcome::malformed : outcome;
   }
 

@@ -13,12 +13,6 @@
 
 namespace sbgc::emulator {
 
-/// What a message had that the firmware does not know.
-struct Unknown {
-  bool fields = false;  ///< it was longer than this firmware sends or expects
-  bool values = false;  ///< it had an enum value that does not exist yet
-};
-
 namespace detail {
 
 /// Removes optional fields that do not exist yet, and clears fields that are still reserved and
@@ -36,29 +30,15 @@ class FirmwareLimiter {
   void operator()(const FieldInfo& field, T& member) {
     if constexpr (!std::is_const_v<T>) {
       if (is_available(field.since, versions_)) return this->value(member);
-      if (takes_room(member)) unknown_.fields = true;
       member = T{};
     }
   }
   /// Counters are not stored.
   void operator()(const FieldInfo&, const Counter&) {}
 
-  const Unknown& unknown() const { return unknown_; }
+  bool has_unknown_values() const { return has_unknown_values_; }
 
  private:
-  template <class T>
-  static bool takes_room(const T&) {
-    return false;  // the bytes were reserved
-  }
-  template <class T>
-  static bool takes_room(const Optional<T>& member) {
-    return member.has_value();
-  }
-  template <class T, std::size_t n>
-  static bool takes_room(const BoundedArray<T, n>& member) {
-    return !member.empty();
-  }
-
   template <class Raw>
   Raw known_flags(const EnumInfo& info, Raw raw) const {
     for (const ValueInfo& flag : info.values) {
@@ -70,7 +50,7 @@ class FirmwareLimiter {
   }
   void named(const EnumInfo& info, std::int64_t raw) {
     for (const ValueInfo& known : info.values) {
-      if (known.value == raw && !is_available(known.since, versions_)) unknown_.values = true;
+      if (known.value == raw && !is_available(known.since, versions_)) has_unknown_values_ = true;
     }
   }
 
@@ -114,17 +94,18 @@ class FirmwareLimiter {
   }
 
   Availability versions_;
-  Unknown unknown_{};
+  bool has_unknown_values_ = false;
 };
 
 }  // namespace detail
 
-/// Limits a message to these versions of board and firmware.
+/// Limits a message to these versions of board and firmware. Returns true if it has an enum value
+/// that does not exist yet.
 template <class M>
-Unknown limit_to(const Availability& versions, M& message) {
+bool limit_to(const Availability& versions, M& message) {
   detail::FirmwareLimiter limiter(versions);
   limiter.members(message);
-  return limiter.unknown();
+  return limiter.has_unknown_values();
 }
 
 }  // namespace sbgc::emulator

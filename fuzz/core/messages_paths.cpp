@@ -14,10 +14,10 @@
 
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/surplus.hpp>
 #include <sbgc/text/leaves.hpp>
 #include <sbgc/text/status.hpp>
 #include <sbgc/validate.hpp>
-#include <sbgc/visit.hpp>
 
 #include "core/both_paths.hpp"
 #include "require.hpp"
@@ -93,7 +93,7 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts, Results&
 void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
                 const sbgc::Contexts& contexts, Results& results) {
   const auto visitor = [&](const auto& message) { check(message, body, contexts, results); };
-  const sbgc::Status status = sbgc::visit(id, body, direction, visitor, contexts);
+  const sbgc::Status status = sbgc::visit_received(id, body, direction, visitor, contexts);
   require(status.field != nullptr);
   require(status.offset <= body.size());
   add(results, to_string(status));

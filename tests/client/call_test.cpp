@@ -192,22 +192,15 @@ TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
 
 // Forms by firmware version
 
-TEST_F(Call, TurnsMotorsOffAsTheFirmwareWantsIt) {
+TEST_F(Call, TurnsMotorsOffWithABodyThatEveryFirmwareTakes) {
   board.on<msg::MotorsOff>([&](const msg::MotorsOff& request) { board.confirm(request); });
-  board.on<msg::MotorsOffExt>([&](const msg::MotorsOffExt& request) {
-    EXPECT_EQ(request.mode, msg::MotorsOffMode::normal);
-    board.confirm(request);
-  });
   for (const int firmware : {2430, 2590, 2686, 2687, 2740}) {
     SCOPED_TRACE(firmware);
     Client client = connect_to_firmware(static_cast<std::uint16_t>(firmware));
     const auto empty = board.count<msg::MotorsOff>();
-    const auto with_mode = board.count<msg::MotorsOffExt>();
     const auto result = client.motors_off();
     EXPECT_TRUE(result) << result.error().message;
-    const bool wants_mode = firmware >= 2687;
-    EXPECT_EQ(board.count<msg::MotorsOff>() - empty, wants_mode ? 0U : 1U);
-    EXPECT_EQ(board.count<msg::MotorsOffExt>() - with_mode, wants_mode ? 1U : 0U);
+    EXPECT_EQ(board.count<msg::MotorsOff>() - empty, 1U);
   }
 }
 

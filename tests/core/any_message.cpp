@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include <sbgc/meta/all.hpp>
-#include <sbgc/visit.hpp>
+#include <sbgc/surplus.hpp>
 
 namespace sbgc::test {
 
@@ -101,7 +101,7 @@ class Holder final : public AnyMessage {
   bool equals(const AnyMessage& other) const override {
     return message_ == dynamic_cast<const Holder&>(other).message_;
   }
-  void teach(Contexts& contexts) const override { contexts.learn(message_); }
+  void teach(Contexts& contexts) const override { contexts.learn(without_surplus(message_)); }
   std::size_t tail_size() const override {
     if constexpr (requires { message_.tail; }) {
       return message_.tail.size();
@@ -152,7 +152,7 @@ const std::vector<MessageType>& message_types() {
     std::vector<MessageType> result;
     AllMessages::for_each([&]<class M>(Type<M>) {
       result.push_back({&Meta<M>::info, M::form, []() -> std::unique_ptr<AnyMessage> {
-                          return std::make_unique<Holder<M>>();
+                          return std::make_unique<Holder<Received<M>>>();
                         }});
     });
     return result;
@@ -175,7 +175,8 @@ Selected selected(Direction direction, std::uint8_t id, std::size_t size) {
 }
 
 const MessageType* find_message_type(Direction direction, std::uint8_t id, std::size_t size) {
-  const MessageInfo* const info = selected(direction, id, size).info;
+  const MessageInfo* info = nullptr;
+  select_received(direction, id, size, [&]<class M>(Type<M>) { info = &Meta<M>::info; });
   return info == nullptr ? nullptr : &message_type(info->name);
 }
 
@@ -187,7 +188,7 @@ Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction d
     result.info = &Meta<M>::info;
     result.fields = to_dom(message);
   };
-  result.status = visit(id, body, direction, visitor, contexts);
+  result.status = visit_received(id, body, direction, visitor, contexts);
   return result;
 }
 

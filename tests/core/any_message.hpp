@@ -65,7 +65,7 @@ struct LeafCopy {
 /// Raw values by the specification's field name: one, or one for each axis or element.
 using FieldValues = std::map<std::string, std::vector<double>>;
 
-/// A message of any type.
+/// A message of any type, with the surplus that a request may have.
 class AnyMessage {
  public:
   AnyMessage() = default;
@@ -121,10 +121,10 @@ struct Selected {
 };
 Selected selected(Direction direction, std::uint8_t id, std::size_t size);
 
-/// Returns the type that select() chooses, or null if there is none.
+/// Returns the type that select_received() chooses, or null if there is none.
 const MessageType* find_message_type(Direction direction, std::uint8_t id, std::size_t size);
 
-/// The result of visit().
+/// The result of visit_received().
 // NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's move does not throw
 struct Visited {
   Status status{};

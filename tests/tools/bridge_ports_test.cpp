@@ -14,6 +14,7 @@
 
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/surplus.hpp>
 
 namespace sbgc::tools {
 namespace {
@@ -121,7 +122,7 @@ class Bridge : public ::testing::Test {
   std::vector<int> intervals() {
     std::vector<int> result;
     for (const Sent& one : line.sent) {
-      msg::DataStreamInterval request;
+      WithSurplus<msg::DataStreamInterval> request;
       if (decode({one.request.body.data(), one.request.body.size()}, request)) {
         result.push_back(request.interval_ms.raw());
       }
@@ -299,6 +300,20 @@ TEST_F(Bridge, TheBoardGetsTheShortestInterval) {
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 50));
   ask(first, stream(0));
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 50, 0));
+}
+
+TEST_F(Bridge, ARequestWithSurplusIsARequestForAStream) {
+  const std::size_t slow = join();
+  const std::size_t fast = join();
+  WithSurplus<msg::DataStreamInterval> request{stream(100)};
+  ASSERT_TRUE(request.tail.push_back(7));
+  ask(slow, request);
+  EXPECT_THAT(line.sent.back().request.body, SizeIs(msg::DataStreamInterval::max_size + 1));
+  ask(fast, stream(20));
+  ask(slow, request);
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 20));
+  ports.disconnect(fast);
+  EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 100));
 }
 
 TEST_F(Bridge, AHostThatLeavesEndsItsShare) {

@@ -496,7 +496,9 @@ void add_decode(CLI::App& app, CommandContext& context) {
   command->footer(
       "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
-      "firmware appends, or that cannot be decoded because the request was not captured.\n"
+      "firmware appends, that the board ignores in a request, or that cannot be decoded because "
+      "the "
+      "request was not captured.\n"
       "The input is raw bytes or a capture file written by `sbgc record`. For the latter, JSON "
       "lines have two more keys: 'time' in seconds since the start of the session, and "
       "'session', counted from 0. Offsets count the bytes of one direction and session.\n"

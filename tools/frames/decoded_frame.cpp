@@ -6,6 +6,7 @@
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/explain.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/surplus.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/to_json.hpp>
 
@@ -23,6 +24,19 @@ Direction guess(const Frame& frame) {
   const bool host_only =
       has_command(Direction::to_board, frame.id) && !has_command(Direction::from_board, frame.id);
   return host_only ? Direction::to_board : Direction::from_board;
+}
+
+/// True if the body is rather a request with surplus than too short a message from the board: fewer
+/// bytes are wrong.
+bool is_likely_request(const Frame& frame) {
+  const std::size_t size = frame.body.size();
+  const std::size_t surplus = size - std::min(size, largest_request(frame.id, newest));
+  std::size_t missing = max_body_size + 1;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if (M::direction == Direction::to_board || Meta<M>::info.id != frame.id) return;
+    if (M::min_size > size) missing = std::min(missing, M::min_size - size);
+  });
+  return surplus < missing;
 }
 
 /// Finds the fixed-size member that contains a byte of the body.
@@ -95,9 +109,11 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   const Direction likely = guess(frame);
   DecodedFrame result = decode_from(frame, likely);
   if (result.status) return result;
-  result = decode_from(frame,
-                       likely == Direction::to_board ? Direction::from_board : Direction::to_board);
-  if (result.status) return result;
+  const bool is_likely_from_host = likely == Direction::to_board;
+  if (is_likely_from_host || is_likely_request(frame)) {
+    result = decode_from(frame, is_likely_from_host ? Direction::from_board : Direction::to_board);
+    if (result.status) return result;
+  }
   // Again, because each decoding overwrites the values of the one before.
   return decode_from(frame, likely);
 }
@@ -109,7 +125,7 @@ struct FrameDecoder::Taker {
 
   template <class M>
   void operator()(const M& message) const {
-    decoder.contexts_.learn(message);
+    decoder.contexts_.learn(without_surplus(message));
     if (decoder.wanted_.json) {
       decoder.json_.clear();
       StringOutput out(decoder.json_);
@@ -129,7 +145,7 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   result.command = command_name(frame.id, result.direction);
   result.status = decode_body(frame.body, contexts_, result);
   result.error_field = result.status.field;
-  select(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
+  select_received(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
     result.message = &Meta<M>::info;
     result.is_for_firmware = versions_.has_value();
     if (versions_) result.objection = objection_to(Meta<M>::info, *versions_);
@@ -156,7 +172,7 @@ void FrameDecoder::describe_error(DecodedFrame& result) {
 // Not inlined: it contains the decoders of all messages.
 SBGC_NOINLINE Status FrameDecoder::decode_body(std::span<const std::uint8_t> body,
                                                const Contexts& contexts, DecodedFrame& result) {
-  return visit(result.frame.id, body, result.direction, Taker{*this, result}, contexts);
+  return visit_received(result.frame.id, body, result.direction, Taker{*this, result}, contexts);
 }
 
 void FrameDecoder::decode_arrived(DecodedFrame& result) {

@@ -190,6 +190,10 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->type_name("BYTES")
       ->capture_default_str()
       ->group("The board");
+  command
+      .add_flag("--strict", board.is_strict,
+                "Refuse requests with more bytes than the firmware knows, which real boards ignore")
+      ->group("The board");
   add_parsed(
       command, "--motion", serving::parse_motion,
       [&](const emulator::Disturbance& motion) { board.gimbal.frame = motion; },

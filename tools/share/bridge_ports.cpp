@@ -10,6 +10,7 @@
 #include <sbgc/messages/system.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
+#include <sbgc/surplus.hpp>
 #include <sbgc/text.hpp>
 
 namespace sbgc::tools {
@@ -24,12 +25,12 @@ std::span<const std::uint8_t> body_of(const RawRequest& request) {
   return {request.body.data(), request.body.size()};
 }
 
-std::optional<roles::StreamRequest> as_stream_request(const RawRequest& request) {
+std::optional<Received<roles::StreamRequest>> as_stream_request(const RawRequest& request) {
   if (request.policy.stream.command == 0 ||
       request.id != static_cast<std::uint8_t>(roles::StreamRequest::command)) {
     return std::nullopt;
   }
-  roles::StreamRequest message{};
+  Received<roles::StreamRequest> message{};
   if (!decode(body_of(request), message)) return std::nullopt;
   return message;
 }

@@ -8,6 +8,7 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/surplus.hpp>
 #include <sbgc/text.hpp>
 
 namespace sbgc::tools {
@@ -33,22 +34,25 @@ struct LeafCaller {
 
 template <class M>
 MessageType type_of_message() {
+  using Fields = Received<M>;
   return {
       .info = &Meta<M>::info,
       .fields = []() -> const std::vector<FieldType>& {
-        static const std::vector<FieldType> fields = field_types<M>();
+        static const std::vector<FieldType> fields = field_types<Fields>();
         return fields;
       },
-      .validate = [](const Json& fields, const Availability& versions,
-                     const Report& report) { validate(read_fields<M>(fields), versions, report); },
+      .validate =
+          [](const Json& fields, const Availability& versions, const Report& report) {
+            validate(read_fields<Fields>(fields), versions, report);
+          },
       .for_each_value =
           [](const Json& fields, const UseLeaf& use) {
             LeafCaller call{use};
-            for_each_leaf(read_fields<M>(fields), call);
+            for_each_leaf(read_fields<Fields>(fields), call);
           },
       .encode =
           [](const Json& fields, Framing framing, std::span<std::uint8_t> out) {
-            return encode_frame(framing, read_fields<M>(fields), out);
+            return encode_frame(framing, read_fields<Fields>(fields), out);
           },
   };
 }

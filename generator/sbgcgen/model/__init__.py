@@ -58,6 +58,7 @@ from sbgcgen.model.messages import (
     Settings,
     conditions,
     copy_field,
+    largest_forms,
 )
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing

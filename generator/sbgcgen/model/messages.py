@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -22,7 +23,8 @@ class Message:
     """One body layout of one command in one direction.
 
     `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
-    `min_size` up is this message; of several forms, only the longest can be open. `example` has the
+    `min_size` up is this message; of several forms, only the longest can be open. `takes_surplus`: the
+    board ignores bytes behind this longest form of a request. `example` has the
     values by path in which the worked example is not typical; a message with the body of another
     inherits that message's. `preparation` is what to do before the request is sent. A request stops all
     motion if it has the values of one of the patterns in `stops`.
@@ -55,6 +57,7 @@ class Message:
     role: Role | None
     stores: str
     leaves: tuple[Leaf, ...]
+    takes_surplus: bool = False
     effect: Effect | None = None
     preparation: str = ""
     stops: tuple[StopPattern, ...] = ()
@@ -118,6 +121,14 @@ class Message:
             if size > sizes[-1][1]:
                 sizes.append((since, size))
         return tuple(sizes) if len(sizes) > 1 else ()
+
+    @cached_property
+    def has_end(self) -> bool:
+        """True if bytes behind the known fields belong neither to a list nor to a tail."""
+        has_tail = self.keeps_tail or self.in_both_directions
+        return not has_tail and not any(
+            leaf.count is None or leaf.field.dim in ("counted", "rest") for leaf in self.leaves
+        )
 
     def was_reserved(self, field: Field) -> bool:
         """True if earlier firmware has reserved bytes in the place of the field."""
@@ -199,6 +210,27 @@ class Settings:
     def copies(self) -> int:
         found = copy_field(self.message)
         return int(found.maximum) + 1 if found and found.maximum is not None else 1
+
+
+@dataclass(frozen=True)
+class LargestForm:
+    """The largest form of a request that boards since these versions have, and its size.
+
+    The size is None if the form has no certain end.
+    """
+
+    message: Message
+    since: Availability
+    size: int | None
+
+
+def largest_forms(forms: Iterable[Message]) -> tuple[LargestForm, ...]:
+    """The forms of a request by size, the largest first: the first that a board has counts."""
+    result = []
+    for form in sorted(forms, key=lambda m: m.max_size, reverse=True):
+        for since, size in reversed(form.lengths or ((form.since, form.max_size),)):
+            result.append(LargestForm(form, since, size if form.has_end else None))
+    return tuple(result)
 
 
 def copy_field(message: Message) -> Field | None:

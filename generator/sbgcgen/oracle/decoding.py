@@ -38,16 +38,19 @@ class _Reader:
 def decode(message: Message, body: bytes, context: Fields | None = None) -> Fields:
     """Decode a body.
 
-    `context` has the facts from earlier messages: raw values, and lists of type names.
+    `context` has the facts from earlier messages: raw values, and lists of type names. The surplus of
+    a request becomes its tail.
     """
     fixed = message.body.fixed_part
     size = message.body.fixed_size
-    exact = len(fixed) == len(message.fields) and not message.keeps_tail
+    has_surplus = message.takes_surplus and len(body) > message.max_size
+    has_tail = message.keeps_tail or has_surplus
+    exact = len(fixed) == len(message.fields) and not has_tail
     if len(body) < size or (exact and len(body) != size):
         raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))
     reader = _Reader(body)
     values = _read_fields(message.body, reader, context or {})
-    if message.keeps_tail:
+    if has_tail:
         if reader.left() > message.tail_capacity:
             everything = len(fixed) == len(message.fields)
             raise CodecError("too_long", *(("", 255) if everything else ("tail", reader.at)))

@@ -46,7 +46,8 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     """
     writer = _Writer(limit)
     given = dict(fields)
-    tail = str(given.pop("tail", "")) if message.keeps_tail else ""
+    may_have_tail = message.keeps_tail or message.takes_surplus
+    tail = str(given.pop("tail", "")) if may_have_tail else ""
     _write_fields(message.body, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
     # The bytes after a missing value must be too few to be decoded as that value; after an appended
@@ -54,6 +55,8 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
         if writer.at >= end:
             raise CodecError("presence_mismatch", name, at)
+    if tail and message.takes_surplus and writer.at <= message.max_size:
+        raise CodecError("presence_mismatch", "tail", writer.at - len(tail) // 2)
     return bytes(writer.data)
 
 

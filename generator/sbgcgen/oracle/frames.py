@@ -19,7 +19,7 @@ def forms_of(layout: Layout) -> Forms:
 def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
     """The message of a body with `size` bytes.
 
-    If a command has several forms, the one that allows the size.
+    If a command has several forms, the one that allows the size. A request may have surplus.
     """
     candidates = forms.get((direction, id), ())
     if not candidates:
@@ -27,7 +27,8 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
     if len(candidates) == 1:
         return candidates[0]
     for message in candidates:
-        if message.min_size <= size and (message.is_open or size <= message.max_size):
+        may_be_longer = message.is_open or message.takes_surplus
+        if message.min_size <= size and (may_be_longer or size <= message.max_size):
             return message
     raise CodecError("unknown_form")
 

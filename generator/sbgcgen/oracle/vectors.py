@@ -197,11 +197,12 @@ class _Maker:
             self.add_body(body, full_context(self.message), f"random {number}")
 
     def tails(self) -> None:
-        """Tails, as later firmware appends them: one byte, and as many as fit."""
-        if not self.message.keeps_tail:
+        """Tails: one byte, and as many as fit. Surplus makes a request longer than its largest size."""
+        if not self.message.keeps_tail and not self.message.takes_surplus:
             return
-        context, body = self.whole(short=True)
-        for size in sorted({1, 255 - len(body)}):
+        context, body = self.whole(short=self.message.keeps_tail)
+        least = max(1, self.message.max_size + 1 - len(body)) if self.message.takes_surplus else 1
+        for size in sorted({1, least, 255 - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
             self.add_body(body + tail, context, f"a tail of {size} bytes")
 
@@ -227,7 +228,7 @@ class _Maker:
             if member.dim in ("counted", "rest") and not path.endswith("[]") and not member.when:
                 choice = self.choice(context=context, lengths={path: member.capacity})
                 self.add_refused(compose(self.message, choice), f"too many {path}")
-        if self.message.keeps_tail:
+        if self.message.keeps_tail or self.message.takes_surplus:
             fields = compose(self.message, self.choice(context=context))
             tail = bytes(self.message.tail_capacity).hex()
             self.add_refused({**fields, "tail": tail}, "a tail that is too long")

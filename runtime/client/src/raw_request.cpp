@@ -2,7 +2,7 @@
 
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/responses/all.hpp>
-#include <sbgc/visit.hpp>
+#include <sbgc/surplus.hpp>
 
 namespace sbgc {
 
@@ -37,8 +37,7 @@ Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> bo
   request.id = id;
   std::ranges::copy(body, request.body.begin());
   request.policy = cautious_policy(id);
-  const Frame frame{.id = id, .body = body};
-  static_cast<void>(visit(frame, Direction::to_board, [&]<class M>(const M& message) {
+  static_cast<void>(visit_received(id, body, Direction::to_board, [&]<class M>(const M& message) {
     if constexpr (requires { response_policy(message); }) request.policy = response_policy(message);
   }));
   return request;

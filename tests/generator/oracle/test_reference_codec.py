@@ -463,7 +463,9 @@ def missing_of_message(message: Message, said: list[Line]) -> Iterator[str]:
     there = {sum(name in fields for name in appended) for fields in said}
     if there != set(range(len(appended) + 1)):
         yield f"bodies of {len(appended) + 1} lengths"
-    if message.keeps_tail and not {2, 0} <= {len(fields.get("tail", "")) for fields in said}:
+    tails = {len(fields.get("tail", "")) for fields in said}
+    is_short = 2 in tails or (message.takes_surplus and len(tails) > 1)
+    if (message.keeps_tail or message.takes_surplus) and not (0 in tails and is_short):
         yield "a tail, and none"
 
 

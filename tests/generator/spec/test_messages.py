@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from sbgcgen.build import load_protocol
+from sbgcgen.model import largest_forms
 from sbgcgen.spec.diagnostics import SpecError
 from support import layout_of, message_of, write_spec
 
@@ -117,7 +118,18 @@ def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
     assert message_of(layout, "Move").keeps_tail
     assert not message_of(layout, "MoveFailure").keeps_tail
-    assert not message_of(layout, "MoveRequestExt").keeps_tail, "the board's parser is strict"
+    assert not message_of(layout, "MoveRequestExt").keeps_tail, "requests stay small"
+
+
+def test_the_largest_form_of_a_request_takes_surplus(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    requests = layout.messages_of("CMD_MOVE", "to_board")
+    assert [message.takes_surplus for message in requests] == [False, True]
+    assert not any(
+        message.takes_surplus for message in layout.messages_of("CMD_MOVE", "from_board")
+    )
+    sizes = [(form.message.name, form.size) for form in largest_forms(requests)]
+    assert sizes == [("MoveRequestExt", 1), ("MoveRequest", 0)]
 
 
 def test_include_puts_the_fields_of_another_message_first(tmp_path: Path) -> None:

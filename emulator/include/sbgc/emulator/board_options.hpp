@@ -38,6 +38,8 @@ struct BoardOptions {
   Duration bootloader_time = seconds(5);
   /// The duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
+  /// Refuses requests with more bytes than the firmware knows. Real boards ignore these.
+  bool is_strict = false;
   /// Delays frames that report a change of the memory until Board::memory_saved() is called.
   bool waits_for_saving = false;
 };

@@ -638,7 +638,6 @@ class Calls {
 
   /// Turn the motors off.
   /// Effect: moves.
-  /// Firmware 2.68b7 and later accepts MotorsOffExt instead, which is then sent.
   template <class M = msg::MotorsOff>
   CallResult<M> motors_off(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

@@ -730,8 +730,8 @@ struct MotorsOn {
 
 /// Turn the motors off.
 ///
-/// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes. Effect: moves. Firmware 2.68b7 and
-/// later accepts MotorsOffExt instead. Source: Outgoing commands L728-L730.
+/// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes. Effect: moves. Source: Outgoing
+/// commands L728-L730.
 struct MotorsOff {
   static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
@@ -739,7 +739,6 @@ struct MotorsOff {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
-  static constexpr Availability until{.firmware = 2687};
   using Response = void;
 
   bool operator==(const MotorsOff&) const = default;
@@ -925,11 +924,5 @@ struct HelperDataExt {
       &HelperDataExt::frame_angle_pitch, &HelperDataExt::coord_sys, &HelperDataExt::frame_speed,
       &HelperDataExt::frame_heading, &HelperDataExt::reserved>;
 };
-
-/// Returns the equivalent message for firmware that no longer accepts this one.
-constexpr MotorsOffExt later_form(const MotorsOff&) noexcept {
-  MotorsOffExt later{};
-  return later;
-}
 
 }  // namespace sbgc::msg

@@ -963,7 +963,6 @@ struct Meta<msg::MotorsOff> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .until = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.

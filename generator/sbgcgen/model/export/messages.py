@@ -273,6 +273,7 @@ def message_json(message: Message) -> dict[str, Any]:
         "min_size": message.min_size,
         "max_size": message.max_size,
         "keeps_tail": message.keeps_tail,
+        "takes_surplus": message.takes_surplus,
         "same_as": message.same_as or None,
         "stores": message.stores or None,
         "effect": _effect(message.effect),

@@ -283,8 +283,10 @@ class MessageResolver:
             open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
             keeps = message.keeps_tail and longest
             is_open = open_ended and longest
-            if (keeps, is_open) != (message.keeps_tail, message.is_open):
-                message = replace(message, keeps_tail=keeps, is_open=is_open)
+            takes_surplus = message.direction == "to_board" and longest and message.has_end
+            message = replace(
+                message, keeps_tail=keeps, is_open=is_open, takes_surplus=takes_surplus
+            )
             result.append(message)
         owners = {id(m.body): m.keeps_tail for m in result if not m.same_as}
         return [

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import Field, Quantity, constants, copy_field, scalar_of
+from sbgcgen.model import Field, Quantity, constants, copy_field, largest_forms, scalar_of
 from sbgcgen.targets.cpp.flag_unit import flag_units
 
 LINE = 100  # columns
@@ -86,5 +86,6 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,
+    "largest_forms": largest_forms,
     "index_of": lambda values, value: values.index(value),
 }

@@ -71,7 +71,7 @@ class Seeds(Target):
 
 
 def _bodies(message: Message) -> list[bytes]:
-    """A body with all optional parts, a minimal one, and one for each condition on a field."""
+    """A body with all optional parts, a minimal one, one for each condition on a field, and surplus."""
     places = Places()
     short = Choice(places, short=True)
     full = Choice(places, round=1, context=full_context(message))
@@ -83,6 +83,8 @@ def _bodies(message: Message) -> list[bytes]:
                 bodies.append(encode(message, compose(message, Choice(places, round=1, **case))))
             except CodecError:
                 pass
+    if message.takes_surplus:
+        bodies.append(bodies[0].ljust(message.max_size + 1, b"\x5a"))
     return list(dict.fromkeys(bodies))
 
 

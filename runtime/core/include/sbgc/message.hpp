@@ -20,8 +20,8 @@ namespace detail {
 
 /// True if the bytes of a message, apart from its tail, are the same in memory and on the wire.
 template <class M>
-inline constexpr bool is_same_in_memory =
-    layout<M>.only_blocks && !HasVaryingMembers<M> && !HasTaggedUnions<M>;
+inline constexpr bool is_same_in_memory = layout<M>.only_blocks && !HasVaryingMembers<M> &&
+                                          !HasTaggedUnions<M> && std::is_standard_layout_v<M>;
 
 template <class M, std::size_t... i>
 SBGC_ALWAYS_INLINE inline void add_blocks(ByteSum& sum, const M& message,

@@ -23,7 +23,8 @@ struct RawRequest {
   std::function<void(const Frame&)> on_frame{};
 };
 
-/// Returns a request with the policy of its message. A request that no message describes is sent
+/// Returns a request with the policy of its message, also if it has more bytes than boards know,
+/// which they ignore (see <sbgc/surplus.hpp>). A request that no message describes is sent
 /// once, and any body with the same id, or a confirmation, is its response. Fails with
 /// ErrorCode::invalid if the body is too long or the id is 0.
 Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body);

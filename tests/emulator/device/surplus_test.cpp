@@ -1,0 +1,239 @@
+// Tests of requests that are longer than the board knows: it ignores the surplus, like real boards.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/json_dom.hpp>
+#include <sbgc/meta/all.hpp>
+
+#include "random_requests.hpp"
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using emulator::BoardOptions;
+using emulator::Outcome;
+using ::testing::SizeIs;
+
+BoardOptions with_firmware(std::uint8_t board, std::uint16_t firmware) {
+  BoardOptions options;
+  options.board = msg::BoardVersion(board);
+  options.firmware = msg::FirmwareVersion(firmware);
+  return options;
+}
+
+/// Returns 2687 for "2.68b7", 2740 for "2.74", 36 for "3.6".
+unsigned number_of(const std::string& version) {
+  unsigned number = 0;
+  unsigned digits = 0;  // since the point
+  bool is_behind_point = false, is_beta = false;
+  for (const char c : version) {
+    if (c == '.') is_behind_point = true;
+    if (c == 'b') is_beta = true;
+    if (c < '0' || c > '9') continue;
+    number = number * 10 + static_cast<unsigned>(c - '0');
+    digits += is_behind_point ? 1 : 0;
+  }
+  return digits > 1 && !is_beta ? number * 10 : number;
+}
+
+/// True if a board has what the exported model says about versions; null: every board.
+bool has(const BoardOptions& board, const Json& since) {
+  if (since.is_null()) return true;
+  return number_of(since.value("firmware", "0")) <= board.firmware.raw() &&
+         number_of(since.value("board", "0")) <= board.board.raw();
+}
+
+/// The requests of the exported model, and what this test needs to know of them.
+class Requests {
+ public:
+  Requests() {
+    std::ifstream file(SBGC_GENERATED "/simplebgc.json");
+    const Json model = Json::parse(file);
+    for (const Json& message : model["messages"]) {
+      if (message["direction"] == "to_board") forms_[message["id"]].push_back(message);
+    }
+    AllMessages::for_each([this]<class M>(Type<M>) {
+      decoders_[Meta<M>::info.name] = [](std::span<const std::uint8_t> body) {
+        M message{};
+        return static_cast<bool>(decode(body, message));
+      };
+    });
+  }
+
+  const std::map<std::uint8_t, std::vector<Json>>& by_id() const { return forms_; }
+
+  /// How a board should handle a request of zeros.
+  Outcome expected(const BoardOptions& board, std::uint8_t id, std::size_t size) const {
+    bool is_known = false, is_open = false;
+    std::size_t largest = 0;
+    std::size_t longest_form = 0;
+    for (const Json& form : forms_.at(id)) longest_form = std::max(longest_form, most(form));
+    for (const Json& form : forms_.at(id)) {
+      if (!has(board, form["since"])) continue;
+      if (!form["until"].is_null() && has(board, form["until"])) continue;
+      is_known = true;
+      const std::size_t known = most_on(board, form);
+      if (known >= largest) is_open = has_open_end(form);
+      largest = std::max(largest, known);
+      const bool may_be_longer = has_open_end(form) && most(form) == longest_form;
+      if (size < form["min_size"] || (size > known && !may_be_longer)) continue;
+      const std::vector<std::uint8_t> body(size);
+      if (decoders_.at(form["name"])(body)) return Outcome::executed;
+    }
+    if (!is_known) return Outcome::unknown;
+    return size > largest && !is_open ? Outcome::executed : Outcome::malformed;
+  }
+
+ private:
+  static std::size_t most(const Json& form) { return form["max_size"]; }
+  /// The size of the form with all fields that the firmware has.
+  static std::size_t most_on(const BoardOptions& board, const Json& form) {
+    if (!form.contains("sizes")) return most(form);
+    std::size_t size = 0;
+    for (const Json& one : form["sizes"]) {
+      if (has(board, one["since"])) size = std::max<std::size_t>(size, one["size"]);
+    }
+    return size;
+  }
+  /// True if the form has a list or bytes without a fixed number, or keeps a tail itself.
+  static bool has_open_end(const Json& form) {
+    return form["keeps_tail"].get<bool>() ||
+           std::ranges::any_of(form["layout"], [&](const Json& leaf) {
+             const bool is_of_list = leaf.value("may_be_missing", false) &&
+                                     !leaf.contains("when") && !form.contains("sizes");
+             return leaf["count"].is_null() || is_of_list;
+           });
+  }
+
+  std::map<std::uint8_t, std::vector<Json>> forms_{};
+  std::map<std::string, bool (*)(std::span<const std::uint8_t>)> decoders_{};
+};
+
+bool restarts(const std::vector<Json>& forms) {
+  return std::ranges::any_of(forms, [](const Json& form) {
+    return std::ranges::count(form["effect"]["does"], "restarts") != 0;
+  });
+}
+
+/// Sends a request of zeros; returns how the board handled it.
+Outcome outcome_of(Host& host, std::uint8_t id, std::size_t size, Packets& packets) {
+  Outcome outcome = Outcome::lost;
+  host.board.on_traffic = [&](const emulator::Board::Traffic& traffic) {
+    if (traffic.outcome) outcome = *traffic.outcome;
+  };
+  host.send_bytes(frame_of(id, std::vector<std::uint8_t>(size)));
+  packets = host.listen(milliseconds(1));
+  host.board.on_traffic = nullptr;
+  return outcome;
+}
+
+class EveryFirmware : public testing::TestWithParam<std::array<std::uint16_t, 2>> {};
+
+TEST_P(EveryFirmware, TakesEveryRequestAtEverySizeAsTheModelSays) {
+  const auto [board, firmware] = GetParam();
+  const BoardOptions options = with_firmware(static_cast<std::uint8_t>(board), firmware);
+  const Requests requests;
+  for (const auto& [id, forms] : requests.by_id()) {
+    SCOPED_TRACE(forms.front()["command"]);
+    Host host(options);
+    for (std::size_t size = 0; size <= max_body_size; ++size) {
+      Packets packets;
+      const Outcome outcome = outcome_of(host, id, size, packets);
+      const Outcome expected = requests.expected(options, id, size);
+      // Zeros may be wrong values, which is not about the size.
+      const bool agrees = expected == Outcome::executed
+                              ? outcome == Outcome::executed || outcome == Outcome::refused
+                              : outcome == Outcome::unknown || outcome == Outcome::malformed;
+      ASSERT_TRUE(agrees) << size << " bytes: " << static_cast<int>(outcome);
+      const auto errors = all<msg::ErrorExt>(packets);
+      const bool is_about_size =
+          !errors.empty() && errors.front().error_code == msg::BoardErrorCode::cmd_size;
+      const bool has_errors =
+          is_supported<msg::ErrorExt>(Availability{options.firmware.raw(), options.board.raw()});
+      ASSERT_EQ(is_about_size, has_errors && expected == Outcome::malformed) << size << " bytes";
+      if (!restarts(forms)) continue;
+      host.board.restart(host.now);
+      host.listen(options.start_time + milliseconds(1));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, EveryFirmware,
+                         testing::Values(std::array<std::uint16_t, 2>{10, 2200},
+                                         std::array<std::uint16_t, 2>{30, 2439},
+                                         std::array<std::uint16_t, 2>{30, 2626},
+                                         std::array<std::uint16_t, 2>{36, 2687},
+                                         std::array<std::uint16_t, 2>{36, 2708},
+                                         std::array<std::uint16_t, 2>{36, newest_firmware}),
+                         [](const auto& test) { return std::to_string(test.param[1]); });
+
+TEST(Surplus, IsIgnored) {
+  Host host;
+  const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
+  host.send_bytes(frame_of(73, Bytes{1}));
+  const Packets answer = host.listen(milliseconds(50));
+  ASSERT_THAT(answer, SizeIs(1));
+  EXPECT_EQ(message<msg::GetAngles>(answer[0]).axes.pitch.rc_target_angle,
+            angles.axes.pitch.rc_target_angle);
+  host.send_bytes(frame_of(77, Bytes{1}));
+  EXPECT_EQ(confirmations<msg::MotorsOn>(host.listen(milliseconds(50))), 1);
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+  EXPECT_EQ(host.board.counters().unknown, 0U);
+}
+
+TEST(Surplus, IsWhatTheFirmwareDoesNotHave) {
+  constexpr std::uint8_t motors_off = 109;
+  const Bytes safe_stop{2};
+  for (const std::uint16_t firmware : {std::uint16_t{2686}, std::uint16_t{2687}}) {
+    SCOPED_TRACE(firmware);
+    for (const Bytes& body : {Bytes{}, safe_stop, Bytes{2, 1}, Bytes{9}}) {
+      Host host(with_firmware(30, firmware));
+      msg::Control turn;
+      turn.control_mode.set_mode(msg::ControlModeKind::speed);
+      turn.axes.yaw.speed = 60_deg_per_s;
+      host.ask(msg::MotorsOn{});
+      host.ask(turn, seconds(1));
+      host.send_bytes(frame_of(motors_off, body));
+      const Packets answer = host.listen(milliseconds(1));
+      const bool has_mode = firmware == 2687 && !body.empty();
+      if (has_mode && body[0] == 9) {
+        EXPECT_EQ(refusal<msg::MotorsOff>(answer), msg::BoardErrorCode::wrong_params);
+        continue;
+      }
+      EXPECT_EQ(confirmations<msg::MotorsOff>(answer), 1);
+      // A safe stop ends with motors that have no power; it has just begun.
+      EXPECT_EQ(host.board.gimbal().motors_on(), has_mode);
+    }
+  }
+}
+
+TEST(Surplus, IsRefusedByAStrictBoard) {
+  BoardOptions options;
+  options.is_strict = true;
+  Host host(options);
+  for (const std::uint8_t id : {std::uint8_t{73}, std::uint8_t{77}, std::uint8_t{109}}) {
+    Packets packets;
+    EXPECT_EQ(outcome_of(host, id, 1, packets), Outcome::malformed) << int{id};
+    ASSERT_THAT(all<msg::ErrorExt>(packets), SizeIs(1));
+    EXPECT_EQ(all<msg::ErrorExt>(packets)[0].error_code, msg::BoardErrorCode::cmd_size);
+    EXPECT_EQ(outcome_of(host, id, 0, packets), Outcome::executed) << int{id};
+  }
+  options.firmware = msg::FirmwareVersion(newest_firmware);
+  Host newest(options);
+  EXPECT_TRUE(is_confirmed(newest, msg::MotorsOff{})) << "every firmware takes the empty body";
+}
+
+}  // namespace
+}  // namespace sbgc::test
