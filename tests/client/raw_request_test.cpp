@@ -39,7 +39,7 @@ TEST(RawRequest, HasThePolicyOfItsMessageAlsoWithSurplus) {
 
 TEST(RawRequest, WithSurplusIsStillAStop) {
   constexpr auto motors_off = static_cast<std::uint8_t>(msg::MotorsOff::command);
-  for (const std::size_t size : {0, 1, 2, 255}) {
+  for (const std::size_t size : {0U, 1U, 2U, 255U}) {
     const std::array<std::uint8_t, max_body_size> body{};
     const auto request = raw_request(motors_off, std::span(body).first(size));
     ASSERT_TRUE(request);

@@ -16,7 +16,7 @@ namespace sbgc::test {
 namespace {
 
 // Requests themselves have no tail.
-static_assert(sizeof(msg::Control) == msg::Control::max_size);
+static_assert(sizeof(msg::ServoOut) == msg::ServoOut::max_size);
 static_assert(!takes_surplus<msg::Control>, "a longer body is another form");
 static_assert(takes_surplus<msg::ControlExt>);
 static_assert(!takes_surplus<msg::GetAngles>, "it keeps a tail itself");

@@ -40,6 +40,10 @@ constexpr std::size_t largest_request(std::uint8_t id, const Availability& versi
       return 0;
     case 28:  // CMD_READ_PROFILE_NAMES
       return 0;
+    case 32:  // CMD_SAVE_PARAMS_3
+      if (is_supported<msg::SaveParams3>(versions) && is_available({.firmware = 2689}, versions))
+          return max_body_size;
+      return 0;
     case 33:  // CMD_READ_PARAMS_EXT
       return 1;
     case 35:  // CMD_AUTO_PID

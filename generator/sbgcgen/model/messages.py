@@ -228,8 +228,14 @@ def largest_forms(forms: Iterable[Message]) -> tuple[LargestForm, ...]:
     """The forms of a request by size, the largest first: the first that a board has counts."""
     result = []
     for form in sorted(forms, key=lambda m: m.max_size, reverse=True):
+        # Before a list was added, the form ended in front of it.
+        added = [f for f in form.fields if f.dim == "rest" and f.since.is_after(form.since)]
+        for field in added:
+            result.append(LargestForm(form, field.since, None))
+            result.append(LargestForm(form, form.since, field.offset))
         for since, size in reversed(form.lengths or ((form.since, form.max_size),)):
-            result.append(LargestForm(form, since, size if form.has_end else None))
+            if not added:
+                result.append(LargestForm(form, since, size if form.has_end else None))
     return tuple(result)
 
 

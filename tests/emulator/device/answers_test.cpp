@@ -106,6 +106,7 @@ TEST(Answers, AnOldBoardRefusesWhatItDoesNotKnow) {
   emulator::BoardOptions old;
   old.board = msg::BoardVersion(30);
   old.firmware = msg::FirmwareVersion(2439);
+  old.is_strict = true;  // a later form may also be an earlier one with surplus
   const Availability versions{2439, 30};
   AllMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (M::direction != Direction::from_board) {

@@ -169,7 +169,7 @@ TEST(Board, SaysWhatItDoesNotKnow) {
   // CMD_ERROR (255): the id of the rejected command, the error code and no further data.
   EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
   EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
-  EXPECT_EQ(bytes(69, Bytes(9)), (Bytes{255, 69, 1, 0, 0, 0, 0})) << "CMD_SIZE";
+  EXPECT_EQ(bytes(114, Bytes(2)), (Bytes{255, 114, 1, 0, 0, 0, 0})) << "CMD_SIZE";
   EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error gets no response";
 }
 

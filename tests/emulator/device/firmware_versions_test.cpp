@@ -64,10 +64,13 @@ class EachFirmware : public ::testing::TestWithParam<std::uint16_t> {
 };
 
 TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
+  // A form of later firmware may also be an earlier one with surplus.
+  emulator::BoardOptions strict = options;
+  strict.is_strict = true;
   AllMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (M::direction != Direction::from_board) {
       SCOPED_TRACE(Meta<M>::info.name);
-      Host host(options);
+      Host host(strict);
       const M request = any_request<M>();
       const ResponsePolicy policy = response_policy(request);
       const Packets packets = host.ask(request, milliseconds(60));
@@ -157,18 +160,25 @@ INSTANTIATE_TEST_SUITE_P(Firmware, EachFirmware,
 
 // A field at the end of a request, flags and values are new at different times.
 
-TEST(FirmwareLimits, ARequestThatIsTooLongIsRefused) {
+TEST(FirmwareLimits, AFieldThatTheFirmwareDoesNotHaveIsSurplus) {
+  const auto strict = [](std::uint16_t firmware) {
+    emulator::BoardOptions options = board_with(firmware);
+    options.is_strict = true;
+    return options;
+  };
   msg::SaveParams3 request;
   request.param_id.push_back(msg::VariableId::p_roll);
   Host old(board_with(2688));
-  EXPECT_EQ(refusal(old, request), msg::BoardErrorCode::cmd_size);
-  Host later(board_with(2689));
+  EXPECT_TRUE(is_confirmed(old, request));
+  Host strict_old(strict(2688));
+  EXPECT_EQ(refusal(strict_old, request), msg::BoardErrorCode::cmd_size);
+  Host later(strict(2689));
   EXPECT_TRUE(is_confirmed(later, request));
   msg::DebugVarsInfo3Request start;
   start.start_idx = std::uint8_t{3};
-  Host before(board_with(2719));
+  Host before(strict(2719));
   EXPECT_EQ(refusal(before, start), msg::BoardErrorCode::cmd_size);
-  Host after(board_with(2720));
+  Host after(strict(2720));
   const auto all_variables = after.get<msg::DebugVarsInfo3>(msg::DebugVarsInfo3Request{});
   const auto rest = after.get<msg::DebugVarsInfo3>(start);
   ASSERT_EQ(rest.vars.size() + 3, all_variables.vars.size());

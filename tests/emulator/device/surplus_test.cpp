@@ -85,9 +85,9 @@ class Requests {
       if (!form["until"].is_null() && has(board, form["until"])) continue;
       is_known = true;
       const std::size_t known = most_on(board, form);
-      if (known >= largest) is_open = has_open_end(form);
+      if (known >= largest) is_open = has_open_end(board, form);
       largest = std::max(largest, known);
-      const bool may_be_longer = has_open_end(form) && most(form) == longest_form;
+      const bool may_be_longer = has_open_end(board, form) && most(form) == longest_form;
       if (size < form["min_size"] || (size > known && !may_be_longer)) continue;
       const std::vector<std::uint8_t> body(size);
       if (decoders_.at(form["name"])(body)) return Outcome::executed;
@@ -98,8 +98,15 @@ class Requests {
 
  private:
   static std::size_t most(const Json& form) { return form["max_size"]; }
+  /// True if the leaf is a list that later firmware has added.
+  static bool is_later_list(const BoardOptions& board, const Json& leaf) {
+    return leaf["count"].is_null() && leaf.contains("since") && !has(board, leaf["since"]);
+  }
   /// The size of the form with all fields that the firmware has.
   static std::size_t most_on(const BoardOptions& board, const Json& form) {
+    for (const Json& leaf : form["layout"]) {
+      if (is_later_list(board, leaf)) return leaf["offset"];
+    }
     if (!form.contains("sizes")) return most(form);
     std::size_t size = 0;
     for (const Json& one : form["sizes"]) {
@@ -108,12 +115,12 @@ class Requests {
     return size;
   }
   /// True if the form has a list or bytes without a fixed number, or keeps a tail itself.
-  static bool has_open_end(const Json& form) {
+  static bool has_open_end(const BoardOptions& board, const Json& form) {
     return form["keeps_tail"].get<bool>() ||
            std::ranges::any_of(form["layout"], [&](const Json& leaf) {
              const bool is_of_list = leaf.value("may_be_missing", false) &&
                                      !leaf.contains("when") && !form.contains("sizes");
-             return leaf["count"].is_null() || is_of_list;
+             return (leaf["count"].is_null() && !is_later_list(board, leaf)) || is_of_list;
            });
   }
 
