@@ -2,23 +2,27 @@
 /// value.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/detail/walk.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/types.hpp>
 
 namespace sbgc::emulator {
 
 namespace detail {
 
+using sbgc::detail::walk;
+using sbgc::detail::walk_elements;
+using sbgc::detail::walk_list;
+
 /// Removes optional fields that do not exist yet, and clears fields that are still reserved and
 /// flags without a meaning. Keeps enum values, but reports them.
 class FirmwareLimiter {
  public:
+  using Place = sbgc::detail::FieldPlace;
+
   explicit constexpr FirmwareLimiter(const Availability& versions) : versions_(versions) {}
 
   template <class T>
@@ -29,7 +33,7 @@ class FirmwareLimiter {
   template <class T>
   void operator()(const FieldInfo& field, T& member) {
     if constexpr (!std::is_const_v<T>) {
-      if (is_available(field.since, versions_)) return this->value(member);
+      if (is_available(field.since, versions_)) return walk(member, Place(field, {}), *this);
       member = T{};
     }
   }
@@ -37,6 +41,40 @@ class FirmwareLimiter {
   void operator()(const FieldInfo&, const Counter&) {}
 
   bool has_unknown_values() const { return has_unknown_values_; }
+
+  // The handlers of the walk.
+
+  template <class T>
+  void scalar(T& value, const Place&) {
+    if constexpr (std::is_enum_v<T>) {
+      named(EnumMeta<T>::info, static_cast<std::int64_t>(value));
+    } else if constexpr (requires { typename T::flag_type; }) {
+      value = T(known_flags(EnumMeta<typename T::flag_type>::info, value.raw()));
+    } else if constexpr (requires { PackedMeta<T>::info; }) {
+      packed(value);
+    }
+  }
+  void number(Number&, const Place&) {}
+  template <class T>
+  void bytes(T&, const Place&) {}
+  template <class T>
+  void text(T&, const Place&) {}
+  template <class T>
+  void list(T& list, const Place& place) {
+    walk_list(list, place, *this);
+  }
+  template <class T>
+  void elements(T& elements, const Place& place) {
+    walk_elements(elements, place, *this);
+  }
+  template <class T>
+  void optional(T& optional, const Place& place) {
+    if (optional) walk(*optional, place, *this);
+  }
+  template <class T>
+  void group(T& value, const Place&) {
+    members(value);
+  }
 
  private:
   template <class Raw>
@@ -55,18 +93,6 @@ class FirmwareLimiter {
   }
 
   template <class T>
-  void value(T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      named(EnumMeta<T>::info, static_cast<std::int64_t>(value));
-    } else if constexpr (requires { typename T::flag_type; }) {
-      value = T(known_flags(EnumMeta<typename T::flag_type>::info, value.raw()));
-    } else if constexpr (requires { PackedMeta<T>::info; }) {
-      packed(value);
-    } else if constexpr (requires { Meta<T>::fields; }) {
-      members(value);
-    }
-  }
-  template <class T>
   void packed(T& value) {
     using Raw = typename T::raw_type;
     for (const PartInfo& part : PackedMeta<T>::parts) {
@@ -80,19 +106,6 @@ class FirmwareLimiter {
       }
     }
   }
-  template <class T>
-  void value(Optional<T>& optional) {
-    if (optional) value(*optional);
-  }
-  template <class T, std::size_t n>
-  void value(std::array<T, n>& array) {
-    for (T& element : array) value(element);
-  }
-  template <class T, std::size_t n>
-  void value(BoundedArray<T, n>& array) {
-    for (T& element : array) value(element);
-  }
-
   Availability versions_;
   bool has_unknown_values_ = false;
 };

@@ -113,8 +113,8 @@ class Holder final : public AnyMessage {
   std::vector<ViolationCopy> walk(const Availability& versions) const override {
     std::vector<ViolationCopy> result;
     ViolationCopies copies{result};
-    detail::Validator<ViolationCopies> validator(versions, copies);
-    validator.members(message_, nullptr);
+    detail::Check<ViolationCopies> check(versions, copies);
+    check.members(message_, nullptr);
     return result;
   }
   bool is_plainly_valid(const Availability& versions) const override {

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include <sbgc/detail/meaning.hpp>
+#include <sbgc/detail/walk.hpp>
 #include <sbgc/meta.hpp>
-#include <sbgc/meta/enums.hpp>
-#include <sbgc/meta/units.hpp>
-#include <sbgc/number.hpp>
 #include <sbgc/wire_size.hpp>
 
 namespace sbgc::tools {
@@ -68,20 +68,95 @@ struct FieldType {
 /// Makes the tree of a type. Instantiates functions per type of member, not per member.
 class FieldTypes {
  public:
+  using Place = detail::FieldPlace;
+
   template <class T>
-  static std::vector<FieldType> members_of(const T& value) {
+  std::vector<FieldType> members_of(const T& value) {
     std::vector<FieldType> members;
-    Meta<T>::visit(value, Adder{members});
+    Meta<T>::visit(value, Adder{*this, members});
     return members;
+  }
+
+  // The handlers of the walk.
+
+  template <class T>
+  FieldType scalar(const T& value, const Place&) {
+    using Raw = detail::RawOf<T>;
+    using Limits = std::numeric_limits<Raw>;
+    const detail::Meaning meaning = detail::meaning_of<T>();
+    FieldType type{.size = wire_size<T>,
+                   .unit = meaning.unit,
+                   .names = meaning.names,
+                   .packed = meaning.packed};
+    if constexpr (std::is_floating_point_v<Raw>) {
+      type.shape = FieldShape::real;
+      type.type = type_name('f', type.size);
+    } else {
+      type.shape = FieldShape::integer;
+      type.type = type_name(std::is_signed_v<Raw> ? 'i' : 'u', type.size);
+      type.lowest = static_cast<std::int64_t>(Limits::min());
+      type.highest = static_cast<std::int64_t>(Limits::max());
+      if constexpr (detail::is_integer24<T>) {
+        type.lowest = T::lowest;
+        type.highest = T::highest;
+      }
+      type.initial = static_cast<std::int64_t>(detail::raw_of(value));
+      type.is_wide = std::is_same_v<Raw, std::uint64_t>;
+    }
+    return type;
+  }
+  FieldType counter(const Counter&, const Place& place) {
+    FieldType type = scalar(std::uint8_t{0}, place);
+    type.is_counter = true;
+    return type;
+  }
+  FieldType number(const Number&, const Place&) { return {.shape = FieldShape::announced}; }
+  template <class T>
+  FieldType bytes(const T& bytes, const Place&) {
+    return sized<T>(FieldShape::bytes, capacity_of(bytes));
+  }
+  template <class T>
+  FieldType text(const T&, const Place&) {
+    return sized<T>(FieldShape::text, T::capacity());
+  }
+  template <class T>
+  FieldType list(const T&, const Place& place) {
+    FieldType type = sized<T>(FieldShape::list, T::capacity());
+    const typename T::value_type element{};
+    type.members.push_back(detail::walk(element, place, *this));
+    return type;
+  }
+  template <class T>
+  FieldType elements(const T& elements, const Place& place) {
+    FieldType type = sized<T>(FieldShape::list, elements.size());
+    type.members.push_back(detail::walk(elements[0], place, *this));
+    if constexpr (requires { Meta<T>::fields; }) {
+      type.shape = FieldShape::axes;
+      for (const FieldInfo& axis : Meta<T>::fields) type.axes.push_back(axis.name);
+    }
+    if constexpr (requires { elements.roll; }) mark_axis(type.members.front());
+    return type;
+  }
+  template <class T>
+  FieldType optional(const T&, const Place& place) {
+    const typename T::value_type value{};
+    FieldType type = detail::walk(value, place, *this);
+    type.is_optional = true;
+    return type;
+  }
+  template <class T>
+  FieldType group(const T& value, const Place&) {
+    return {.shape = FieldShape::group, .members = members_of(value), .size = wire_size<T>};
   }
 
  private:
   struct Adder {
+    FieldTypes& types;
     std::vector<FieldType>& members;
 
     template <class T>
     void operator()(const FieldInfo& field, const T& member) const {
-      FieldType type = of(member);
+      FieldType type = detail::walk(member, Place(field, {}), types);
       type.name = field.name;
       const bool is_limited = !type.has_count && field.max_count != 0;
       if (is_limited) type.count = std::min<std::size_t>(type.count, field.max_count);
@@ -97,127 +172,37 @@ class FieldTypes {
     }
   };
 
-  template <class T>
-  static FieldType integer(T value) {
-    using Limits = std::numeric_limits<T>;
-    FieldType type{.shape = FieldShape::integer, .size = sizeof(T)};
-    type.lowest = static_cast<std::int64_t>(Limits::min());
-    type.highest = static_cast<std::int64_t>(Limits::max());
-    type.initial = static_cast<std::int64_t>(value);
-    type.is_wide = std::is_same_v<T, std::uint64_t>;
-    constexpr bool is_signed = std::is_signed_v<T>;
-    switch (sizeof(T)) {
-      case 1: type.type = is_signed ? "i8" : "u8"; break;
-      case 2: type.type = is_signed ? "i16" : "u16"; break;
-      case 4: type.type = is_signed ? "i32" : "u32"; break;
-      default: type.type = is_signed ? "i64" : "u64";
-    }
-    return type;
+  static const char* type_name(char kind, std::size_t size) {
+    static constexpr std::array names{"u8",  "i8",  "u16", "i16", "u24", "i24", "u32",
+                                      "i32", "u64", "i64", "f32", "f64"};
+    const std::string name = kind + std::to_string(8 * size);
+    return *std::ranges::find(names, name);
   }
-
   template <class T>
-  static FieldType number(T value) {
-    if constexpr (std::is_floating_point_v<T>) {
-      return {.shape = FieldShape::real, .size = sizeof(T), .type = sizeof(T) == 4 ? "f32" : "f64"};
+  static FieldType sized(FieldShape shape, std::size_t count) {
+    return {.shape = shape,
+            .size = wire_size<T>,
+            .count = count,
+            .has_count = !detail::is_bounded<T>};
+  }
+  template <class T>
+  static std::size_t capacity_of(const T& bytes) {
+    if constexpr (detail::is_bounded<T>) {
+      return T::capacity();
     } else {
-      return integer(value);
+      return bytes.size();
     }
-  }
-
-  template <class T>
-  static FieldType of(const T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      FieldType type = integer(static_cast<std::underlying_type_t<T>>(value));
-      type.names = &EnumMeta<T>::info;
-      return type;
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      return number(value);
-    } else if constexpr (RawValue<T>) {
-      FieldType type = number(value.raw());
-      if constexpr (requires { UnitMeta<T>::info; }) type.unit = &UnitMeta<T>::info;
-      if constexpr (requires { typename T::flag_type; }) {
-        type.names = &EnumMeta<typename T::flag_type>::info;
-      }
-      if constexpr (requires { PackedMeta<T>::info; }) type.packed = &PackedMeta<T>::info;
-      if constexpr (requires { T::highest; }) {
-        type.lowest = T::lowest;
-        type.highest = T::highest;
-        type.size = 3;
-        type.type = T::lowest < 0 ? "i24" : "u24";
-      }
-      return type;
-    } else {
-      return {.shape = FieldShape::group, .members = members_of<T>(value), .size = wire_size<T>};
-    }
-  }
-  static FieldType of(const Counter& /*counter*/) {
-    FieldType type = integer(std::uint8_t{0});
-    type.is_counter = true;
-    return type;
-  }
-  static FieldType of(const Number& /*number*/) { return {.shape = FieldShape::announced}; }
-  template <class T>
-  static FieldType of(const Optional<T>& /*optional*/) {
-    FieldType type = of(T{});
-    type.is_optional = true;
-    return type;
-  }
-  template <class T>
-  static FieldType of(const Axes<T>& axes) {
-    FieldType element = of(axes.roll);
-    mark_axis(element);
-    return each(std::move(element), {"roll", "pitch", "yaw"});
-  }
-  template <class T>
-  static FieldType of(const Xyz<T>& xyz) {
-    return each(of(xyz.x), {"x", "y", "z"});
   }
   static void mark_axis(FieldType& type) {
     type.is_of_axis = true;
     for (FieldType& member : type.members) mark_axis(member);
-  }
-  static FieldType each(FieldType element, std::vector<const char*> names) {
-    FieldType type{.shape = FieldShape::axes, .axes = std::move(names)};
-    type.count = type.axes.size();
-    type.size = type.count * element.size;
-    type.members.push_back(std::move(element));
-    return type;
-  }
-  template <std::size_t n>
-  static FieldType of(const Bytes<n>& /*bytes*/) {
-    return {.shape = FieldShape::bytes, .size = n, .count = n};
-  }
-  template <std::size_t n>
-  static FieldType of(const BoundedBytes<n>& /*bytes*/) {
-    return {.shape = FieldShape::bytes, .count = n, .has_count = false};
-  }
-  template <std::size_t n>
-  static FieldType of(const Text<n>& /*text*/) {
-    return {.shape = FieldShape::text, .size = n, .count = n};
-  }
-  template <std::size_t n>
-  static FieldType of(const BoundedText<n>& /*text*/) {
-    return {.shape = FieldShape::text, .count = n, .has_count = false};
-  }
-  template <class T, std::size_t n>
-  static FieldType of(const std::array<T, n>& array) {
-    FieldType type{.shape = FieldShape::list, .count = n};
-    type.members.push_back(of(array[0]));
-    type.size = n * type.members.front().size;
-    return type;
-  }
-  template <class T, std::size_t n>
-  static FieldType of(const BoundedArray<T, n>& /*array*/) {
-    FieldType type{.shape = FieldShape::list, .count = n, .has_count = false};
-    type.members.push_back(of(T{}));
-    return type;
   }
 };
 
 /// Returns the members of a message.
 template <class M>
 std::vector<FieldType> field_types() {
-  return FieldTypes::members_of(M{});
+  return FieldTypes().members_of(M{});
 }
 
 }  // namespace sbgc::tools

@@ -154,20 +154,7 @@ constexpr WriteResult encode_body([[maybe_unused]] const M& in, std::span<std::u
 /// Assigns the value of a narrower integer to a wider one. Either may be an enum or RawValue.
 template <class From, class To>
 constexpr void widen(const From& from, To& to) noexcept {
-  const auto raw = [&] {
-    if constexpr (RawValue<From>) {
-      return from.raw();
-    } else if constexpr (std::is_enum_v<From>) {
-      return static_cast<std::underlying_type_t<From>>(from);
-    } else {
-      return from;
-    }
-  }();
-  if constexpr (RawValue<To>) {
-    to = To(static_cast<typename To::raw_type>(raw));
-  } else {
-    to = static_cast<To>(raw);
-  }
+  to = static_cast<To>(static_cast<RawOf<To>>(raw_of(from)));
 }
 
 }  // namespace detail

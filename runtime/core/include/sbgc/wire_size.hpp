@@ -1,24 +1,12 @@
 /// The size of values on the wire.
 #pragma once
 
-#include <array>
-#include <concepts>
 #include <cstddef>
-#include <type_traits>
 
+#include <sbgc/detail/kind.hpp>
 #include <sbgc/type_list.hpp>
-#include <sbgc/types.hpp>
-#include <sbgc/wire.hpp>
 
 namespace sbgc {
-
-/// A type that wraps one number of the wire: a quantity, flag set or packed value.
-template <class T>
-concept RawValue = requires(const T value) {
-  typename T::raw_type;
-  { value.raw() } -> std::same_as<typename T::raw_type>;
-  T(value.raw());
-};
 
 /// The fixed-offset members of a generated struct or message: those whose wire offset is a
 /// constant, in wire order. Generated types declare them as FixedMembers.
@@ -61,32 +49,13 @@ template <HasFixedMembers T>
 inline constexpr auto fixed_types<T> = types_of(typename T::FixedMembers{});
 
 template <class T>
-consteval std::size_t size_of_struct() noexcept;
+consteval std::size_t size_of_value() noexcept;
 
 }  // namespace detail
 
 /// The size of a type on the wire; 0 if it varies.
 template <class T>
-inline constexpr std::size_t wire_size = detail::size_of_struct<T>();
-template <class T>
-  requires(wire::Number<T> || std::is_enum_v<T> || std::is_same_v<T, char>)
-inline constexpr std::size_t wire_size<T> = sizeof(T);
-template <RawValue T>
-inline constexpr std::size_t wire_size<T> = sizeof(typename T::raw_type);
-template <>
-inline constexpr std::size_t wire_size<U24> = 3;
-template <>
-inline constexpr std::size_t wire_size<I24> = 3;
-template <class T>
-inline constexpr std::size_t wire_size<Axes<T>> = 3 * wire_size<T>;
-template <class T>
-inline constexpr std::size_t wire_size<Xyz<T>> = 3 * wire_size<T>;
-template <class T, std::size_t n>
-inline constexpr std::size_t wire_size<std::array<T, n>> = n* wire_size<T>;
-template <std::size_t n>
-inline constexpr std::size_t wire_size<Bytes<n>> = n;
-template <std::size_t n>
-inline constexpr std::size_t wire_size<Text<n>> = n;
+inline constexpr std::size_t wire_size = detail::size_of_value<T>();
 
 /// How the counter of a list counts: bytes, or elements but one.
 enum class Counting : unsigned char { bytes, minus_1 };
@@ -122,8 +91,15 @@ template <class T>
 inline constexpr std::size_t fixed_size = size_of_all(fixed_types<T>);
 
 template <class T>
-consteval std::size_t size_of_struct() noexcept {
-  if constexpr (TaggedUnion<T>) {
+consteval std::size_t size_of_value() noexcept {
+  constexpr Kind kind = kind_of<T>;
+  if constexpr (kind == Kind::scalar) {
+    return is_integer24<T> ? 3 : sizeof(RawOf<T>);
+  } else if constexpr (kind == Kind::elements) {
+    return sizeof(T) / sizeof(ElementOf<T>) * wire_size<ElementOf<T>>;
+  } else if constexpr (kind == Kind::bytes || kind == Kind::text) {
+    return is_bounded<T> ? 0 : sizeof(T);
+  } else if constexpr (TaggedUnion<T>) {
     return T::wire_size;
   } else if constexpr (HasVaryingMembers<T>) {
     return 0;

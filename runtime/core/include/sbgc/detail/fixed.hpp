@@ -23,121 +23,66 @@ constexpr void copy(const std::uint8_t* from, std::uint8_t* to, std::size_t size
   }
 }
 
-/// get() reads a value from the wire_size bytes at `from`; put() writes one to those at `to`.
-/// Precondition: the buffer has that many bytes. A class, so that each overload sees all others.
-struct Fixed {
-  template <wire::Number T>
-  static constexpr void get(const std::uint8_t* from, T& value) noexcept {
-    value = wire::load<T>(from);
-  }
-  template <wire::Number T>
-  static constexpr void put(std::uint8_t* to, T value) noexcept {
-    wire::store(to, value);
-  }
-
-  static constexpr void get(const std::uint8_t* from, char& value) noexcept {
-    value = static_cast<char>(*from);
-  }
-  static constexpr void put(std::uint8_t* to, char value) noexcept {
-    *to = static_cast<std::uint8_t>(value);
-  }
-
-  template <class T>
-    requires std::is_enum_v<T>
-  static constexpr void get(const std::uint8_t* from, T& value) noexcept {
-    value = static_cast<T>(wire::load<std::underlying_type_t<T>>(from));
-  }
-  template <class T>
-    requires std::is_enum_v<T>
-  static constexpr void put(std::uint8_t* to, T value) noexcept {
-    wire::store(to, static_cast<std::underlying_type_t<T>>(value));
-  }
-
-  template <RawValue T>
-  static constexpr void get(const std::uint8_t* from, T& value) noexcept {
-    value = T(wire::load<typename T::raw_type>(from));
-  }
-  template <RawValue T>
-  static constexpr void put(std::uint8_t* to, T value) noexcept {
-    wire::store(to, value.raw());
-  }
-
-  template <class Raw>
-  static constexpr void get(const std::uint8_t* from, Integer24<Raw>& value) noexcept {
+/// Reads the number of a scalar.
+template <Scalar T>
+constexpr RawOf<T> load_raw(const std::uint8_t* from) noexcept {
+  using Raw = RawOf<T>;
+  if constexpr (is_integer24<T>) {
     const std::uint32_t bits = wire::load<std::uint16_t>(from) | static_cast<std::uint32_t>(from[2])
                                                                      << 16;
     // Shifted to the top and back, which extends the sign.
-    value = Integer24<Raw>(static_cast<Raw>(bits << 8) >> 8);
+    return static_cast<Raw>(bits << 8) >> 8;
+  } else {
+    return wire::load<Raw>(from);
   }
-  template <class Raw>
-  static constexpr void put(std::uint8_t* to, Integer24<Raw> value) noexcept {
-    const auto bits = static_cast<std::uint32_t>(value.raw());
+}
+
+template <Scalar T>
+constexpr void store_raw(std::uint8_t* to, RawOf<T> raw) noexcept {
+  if constexpr (is_integer24<T>) {
+    const auto bits = static_cast<std::uint32_t>(raw);
     wire::store(to, static_cast<std::uint16_t>(bits));
     to[2] = static_cast<std::uint8_t>(bits >> 16);
+  } else {
+    wire::store(to, raw);
+  }
+}
+
+/// get() reads a value from the wire_size bytes at `from`; put() writes one to those at `to`.
+/// Precondition: the buffer has that many bytes.
+struct Fixed {
+  template <class T>
+  static constexpr void get(const std::uint8_t* from, T& value) noexcept {
+    constexpr Kind kind = kind_of<T>;
+    if constexpr (kind == Kind::scalar) {
+      value = static_cast<T>(load_raw<T>(from));
+    } else if constexpr (kind == Kind::elements) {
+      constexpr std::size_t step = wire_size<ElementOf<T>>;
+      for_each_element(value, [from](auto& element, std::size_t i) { get(from + i * step, element); });
+    } else if constexpr (kind == Kind::bytes) {
+      copy(from, value.data(), value.size());
+    } else if constexpr (kind == Kind::text) {
+      get(from, value.bytes);
+    } else if constexpr (HasFixedMembers<T>) {
+      get_members(from, value, typename T::FixedMembers{}, indices<T>);
+    }
   }
 
   template <class T>
-  static constexpr void get(const std::uint8_t* from, Axes<T>& value) noexcept {
-    get(from, value.roll);
-    get(from + wire_size<T>, value.pitch);
-    get(from + 2 * wire_size<T>, value.yaw);
-  }
-  template <class T>
-  static constexpr void put(std::uint8_t* to, const Axes<T>& value) noexcept {
-    put(to, value.roll);
-    put(to + wire_size<T>, value.pitch);
-    put(to + 2 * wire_size<T>, value.yaw);
-  }
-
-  template <class T>
-  static constexpr void get(const std::uint8_t* from, Xyz<T>& value) noexcept {
-    get(from, value.x);
-    get(from + wire_size<T>, value.y);
-    get(from + 2 * wire_size<T>, value.z);
-  }
-  template <class T>
-  static constexpr void put(std::uint8_t* to, const Xyz<T>& value) noexcept {
-    put(to, value.x);
-    put(to + wire_size<T>, value.y);
-    put(to + 2 * wire_size<T>, value.z);
-  }
-
-  template <class T, std::size_t n>
-  static constexpr void get(const std::uint8_t* from, std::array<T, n>& value) noexcept {
-    for (std::size_t i = 0; i < n; ++i) get(from + i * wire_size<T>, value[i]);
-  }
-  template <class T, std::size_t n>
-  static constexpr void put(std::uint8_t* to, const std::array<T, n>& value) noexcept {
-    for (std::size_t i = 0; i < n; ++i) put(to + i * wire_size<T>, value[i]);
-  }
-
-  template <std::size_t n>
-  static constexpr void get(const std::uint8_t* from, Bytes<n>& value) noexcept {
-    copy(from, value.data(), n);
-  }
-  template <std::size_t n>
-  static constexpr void put(std::uint8_t* to, const Bytes<n>& value) noexcept {
-    copy(value.data(), to, n);
-  }
-
-  template <std::size_t n>
-  static constexpr void get(const std::uint8_t* from, Text<n>& value) noexcept {
-    get(from, value.bytes);
-  }
-  template <std::size_t n>
-  static constexpr void put(std::uint8_t* to, const Text<n>& value) noexcept {
-    put(to, value.bytes);
-  }
-
-  // The fixed-offset members of a generated struct or message.
-
-  template <HasFixedMembers T>
-  static constexpr void get(const std::uint8_t* from, T& out) noexcept {
-    get_members(from, out, typename T::FixedMembers{}, indices<T>);
-  }
-  template <HasFixedMembers T>
-  static constexpr void put(std::uint8_t* to, const T& in) noexcept {
-    put_members(to, in, typename T::FixedMembers{}, indices<T>);
+  static constexpr void put(std::uint8_t* to, const T& value) noexcept {
+    constexpr Kind kind = kind_of<T>;
+    if constexpr (kind == Kind::scalar) {
+      store_raw<T>(to, raw_of(value));
+    } else if constexpr (kind == Kind::elements) {
+      constexpr std::size_t step = wire_size<ElementOf<T>>;
+      for_each_element(value, [to](const auto& element, std::size_t i) { put(to + i * step, element); });
+    } else if constexpr (kind == Kind::bytes) {
+      copy(value.data(), to, value.size());
+    } else if constexpr (kind == Kind::text) {
+      put(to, value.bytes);
+    } else if constexpr (HasFixedMembers<T>) {
+      put_members(to, value, typename T::FixedMembers{}, indices<T>);
+    }
   }
 
  private:

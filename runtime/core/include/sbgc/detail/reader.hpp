@@ -24,39 +24,16 @@ class Reader {
 
   template <class T>
   constexpr void value(T& out, const char* field) noexcept {
-    if constexpr (wire_size<T> == 0) {
+    constexpr Kind kind = kind_of<T>;
+    if constexpr (wire_size<T> != 0) {
+      if (take(wire_size<T>, field)) Fixed::get(body_.data() + at_ - wire_size<T>, out);
+    } else if constexpr (kind == Kind::text) {
+      text(out, field);
+    } else if constexpr (kind == Kind::elements) {
+      for_each_element(out, [&](auto& element, std::size_t) { value(element, field); });
+    } else {
       T::varying_members(out, *this);
-    } else if (take(wire_size<T>, field)) {
-      Fixed::get(body_.data() + at_ - wire_size<T>, out);
     }
-  }
-
-  template <std::size_t n>
-  constexpr void value(BoundedText<n>& out, const char* field) noexcept {
-    std::uint8_t length = 0;
-    value(length, field);
-    if (!take(length, field)) return;
-    out.clear();
-    for (std::size_t i = at_ - length; i < at_; ++i) {
-      if (!out.push_back(static_cast<char>(body_[i]))) return fail(Code::text_too_long, field);
-    }
-  }
-
-  // Aggregates of values whose size varies.
-  template <class T>
-    requires(wire_size<T> == 0)
-  constexpr void value(Axes<T>& out, const char* field) noexcept {
-    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
-  }
-  template <class T>
-    requires(wire_size<T> == 0)
-  constexpr void value(Xyz<T>& out, const char* field) noexcept {
-    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
-  }
-  template <class T, std::size_t n>
-    requires(wire_size<T> == 0)
-  constexpr void value(std::array<T, n>& out, const char* field) noexcept {
-    for (T& element : out) value(element, field);
   }
 
   /// Reads a value that is present if `condition` holds.
@@ -195,6 +172,17 @@ class Reader {
   }
 
  private:
+  template <std::size_t n>
+  constexpr void text(BoundedText<n>& out, const char* field) noexcept {
+    std::uint8_t length = 0;
+    value(length, field);
+    if (!take(length, field)) return;
+    out.clear();
+    for (std::size_t i = at_ - length; i < at_; ++i) {
+      if (!out.push_back(static_cast<char>(body_[i]))) return fail(Code::text_too_long, field);
+    }
+  }
+
   /// Reads elements whose size varies, up to the end of the body.
   template <class T, std::size_t n>
   constexpr void rest_that_ends(BoundedArray<T, n>& out, const char* field,

@@ -33,24 +33,17 @@ SBGC_ALWAYS_INLINE constexpr unsigned sum_of_members(const T& value, Members<mem
 /// The same for any value of fixed size.
 template <class T>
 SBGC_ALWAYS_INLINE constexpr unsigned sum_of_value(const T& value) noexcept {
-  if constexpr (wire::Number<T>) {
-    return sum_of_number<sizeof(T)>(value);
-  } else if constexpr (std::is_same_v<T, char>) {
-    return static_cast<std::uint8_t>(value);
-  } else if constexpr (std::is_enum_v<T>) {
-    return sum_of_value(static_cast<std::underlying_type_t<T>>(value));
-  } else if constexpr (RawValue<T>) {
-    return sum_of_number<wire_size<T>>(value.raw());
+  constexpr Kind kind = kind_of<T>;
+  if constexpr (kind == Kind::scalar) {
+    return sum_of_number<wire_size<T>>(raw_of(value));
+  } else if constexpr (kind == Kind::elements || kind == Kind::bytes) {
+    unsigned sum = 0;
+    for_each_element(value, [&sum](const auto& element, std::size_t) { sum += sum_of_value(element); });
+    return sum;
+  } else if constexpr (kind == Kind::text) {
+    return sum_of_value(value.bytes);
   } else if constexpr (HasFixedMembers<T>) {
     return sum_of_members(value, typename T::FixedMembers{});
-  } else if constexpr (requires { value.bytes; }) {
-    return sum_of_value(value.bytes);
-  } else if constexpr (requires { value.roll; }) {
-    return sum_of_value(value.roll) + sum_of_value(value.pitch) + sum_of_value(value.yaw);
-  } else if constexpr (requires { value.size(); }) {
-    unsigned sum = 0;
-    for (std::size_t i = 0; i < value.size(); ++i) sum += sum_of_value(value[i]);
-    return sum;
   } else {
     return 0;  // a message without members
   }

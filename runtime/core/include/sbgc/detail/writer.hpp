@@ -22,36 +22,17 @@ class Writer {
 
   template <class T>
   constexpr void value(const T& in, const char* field) noexcept {
-    if constexpr (wire_size<T> == 0) {
+    constexpr Kind kind = kind_of<T>;
+    if constexpr (wire_size<T> != 0) {
+      if (take(wire_size<T>, field)) Fixed::put(out_.data() + at_ - wire_size<T>, in);
+    } else if constexpr (kind == Kind::text) {
+      value(static_cast<std::uint8_t>(in.size()), field);
+      for (std::size_t i = 0; i < in.size() && status_; ++i) value(in.data()[i], field);
+    } else if constexpr (kind == Kind::elements) {
+      for_each_element(in, [&](const auto& element, std::size_t) { value(element, field); });
+    } else {
       T::varying_members(in, *this);
-    } else if (take(wire_size<T>, field)) {
-      Fixed::put(out_.data() + at_ - wire_size<T>, in);
     }
-  }
-
-  template <std::size_t n>
-  constexpr void value(const BoundedText<n>& in, const char* field) noexcept {
-    value(static_cast<std::uint8_t>(in.size()), field);
-    for (std::size_t i = 0; i < in.size() && status_; ++i) {
-      value(static_cast<std::uint8_t>(in.data()[i]), field);
-    }
-  }
-
-  // Aggregates of values whose size varies.
-  template <class T>
-    requires(wire_size<T> == 0)
-  constexpr void value(const Axes<T>& in, const char* field) noexcept {
-    for (std::size_t i = 0; i < in.size(); ++i) value(in[i], field);
-  }
-  template <class T>
-    requires(wire_size<T> == 0)
-  constexpr void value(const Xyz<T>& in, const char* field) noexcept {
-    for (std::size_t i = 0; i < in.size(); ++i) value(in[i], field);
-  }
-  template <class T, std::size_t n>
-    requires(wire_size<T> == 0)
-  constexpr void value(const std::array<T, n>& in, const char* field) noexcept {
-    for (const T& element : in) value(element, field);
   }
 
   /// Writes a value that must be present if and only if `condition` holds. Otherwise a reader would

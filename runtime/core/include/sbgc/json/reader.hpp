@@ -14,11 +14,13 @@
 #include <utility>
 
 #include <sbgc/detail/compiler.hpp>
+#include <sbgc/detail/walk.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/number.hpp>
 #include <sbgc/text_output.hpp>
 
 namespace sbgc::detail {
@@ -31,6 +33,9 @@ namespace sbgc::detail {
 template <class Source>
 class JsonReader {
  public:
+  using Place = PathPlace;
+  using Scope = typename Source::Scope;
+
   explicit JsonReader(Source& source) : source_(source) {}
 
   /// Returns false if the source does not describe an M.
@@ -44,9 +49,101 @@ class JsonReader {
   const std::string& field() const { return field_; }
   const std::string& reason() const { return reason_; }
 
- private:
-  using Scope = typename Source::Scope;
+  // The handlers of the walk.
 
+  template <class T>
+  void scalar(T& out, const Place& place) {
+    using Raw = RawOf<T>;
+    using Limits = std::numeric_limits<Raw>;
+    Raw raw{};
+    if constexpr (std::is_floating_point_v<Raw>) {
+      real(raw, place.path);
+    } else if constexpr (is_integer24<T>) {
+      raw = static_cast<Raw>(integer(T::lowest, T::highest, place.path));
+    } else if constexpr (sizeof(Raw) == 8) {
+      decimal(raw, place.path);
+    } else {
+      raw = static_cast<Raw>(integer(Limits::min(), Limits::max(), place.path));
+    }
+    out = static_cast<T>(raw);
+  }
+  void counter(Counter&, const Place& place) {
+    // A list comes after its counter, so they are compared once the whole message has been read.
+    announced_ = integer(0, std::numeric_limits<std::uint8_t>::max(), place.path);
+  }
+  void number(Number& out, const Place& place) {
+    constexpr const char* needed = "an object with the type, such as {\"i16\": -5}, is needed";
+    if (!source_.is_object()) return fail(place.path, needed);
+    Scope scope = source_.enter();
+    JsonString key;
+    if (!source_.next(scope, key)) return fail(place.path, needed);
+    const auto as = [&]<class T>(NumberType type, T number) {
+      if (!(key == name(type))) return false;
+      scalar(number, Place(place, name(type), 0));
+      out = {type, 0};
+      if constexpr (std::is_same_v<T, float>) {
+        out.bits = std::bit_cast<std::uint32_t>(number);
+      } else {
+        out.bits = static_cast<std::make_unsigned_t<T>>(number);
+      }
+      return true;
+    };
+    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
+                       as(NumberType::u16, std::uint16_t{}) ||
+                       as(NumberType::i16, std::int16_t{}) ||
+                       as(NumberType::u32, std::uint32_t{}) ||
+                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
+    if (ok() && (!known || source_.next(scope, key))) fail(place.path, needed);
+  }
+  template <class T>
+  void bytes(T& out, const Place& place) {
+    if constexpr (is_bounded<T>) {
+      out.resize(T::capacity());
+      const std::size_t size = hex({out.data(), out.size()}, place.path);
+      if (!out.resize(size)) fail_size(place.path, size, " bytes", T::capacity());
+    } else {
+      if (hex(out, place.path) != out.size()) {
+        fail(place.path, out.size(), " bytes of hex are needed");
+      }
+    }
+  }
+  template <class T>
+  void text(T& out, const Place& place) {
+    std::array<char, T::capacity()> bytes{};
+    const std::size_t size = characters(bytes, place.path);
+    if (size > bytes.size()) return fail_size(place.path, size, " bytes", bytes.size());
+    out.assign(std::string_view(bytes.data(), size));
+  }
+  template <class T>
+  void list(T& out, const Place& place) {
+    const auto put = [&](std::size_t index) {
+      return out.resize(index + 1) ? &out[index] : nullptr;
+    };
+    const std::size_t size = read_elements<typename T::value_type>(put, place);
+    if (size > T::capacity()) fail_size(place.path, size, " elements", T::capacity());
+  }
+  template <class T>
+  void elements(T& out, const Place& place) {
+    if constexpr (requires { Meta<T>::fields; }) {
+      members(out, &place.path);  // axes
+    } else {
+      const std::size_t n = out.size();
+      const auto put = [&](std::size_t index) { return index < n ? &out[index] : nullptr; };
+      if (read_elements<ElementOf<T>>(put, place) != n) {
+        fail(place.path, "a list of ", n, " is needed");
+      }
+    }
+  }
+  template <class T>
+  void optional(T& out, const Place& place) {
+    walk(out.emplace(), place, *this);
+  }
+  template <class T>
+  void group(T& out, const Place& place) {
+    members(out, &place.path);
+  }
+
+ private:
   /// Reads the members of an object. Each pass over them reads those that follow each other in the
   /// source. Text in wire order needs one.
   ///
@@ -72,10 +169,15 @@ class JsonReader {
 
     template <class Member>
     SBGC_NOINLINE void operator()(const FieldInfo& field, Member&& member) {
-      const FieldPath path{parent, field.name};
-      if (!is_next(path, may_be_missing(field, member))) return;
-      reader.value(member, path);
-      if constexpr (std::is_same_v<std::remove_cvref_t<Member>, Counter>) {
+      constexpr Kind kind = kind_of<std::remove_cvref_t<Member>>;
+      const Place place(field, parent);
+      // Counters are implied by their lists, and tails are rare. Everything else is required: a
+      // parameter omitted by mistake would be overwritten with 0.
+      const bool may_be_missing =
+          kind == Kind::optional || kind == Kind::counter || field.optional;
+      if (!is_next(place.path, may_be_missing)) return;
+      walk(member, place, reader);
+      if constexpr (kind == Kind::counter) {
         if (parent == nullptr) reader.announce(field.name);
       }
       if (reader.ok()) take_key();
@@ -127,129 +229,24 @@ class JsonReader {
     } while (members.has_key || members.has_unread);
   }
 
-  // Counters are implied by their lists, and tails are rare. Everything else is required: a
-  // parameter omitted by mistake would be overwritten with 0.
-  template <class T>
-  static bool may_be_missing(const FieldInfo&, const Optional<T>&) {
-    return true;
-  }
-  static bool may_be_missing(const FieldInfo&, const Counter&) { return true; }
-  template <class T>
-  static bool may_be_missing(const FieldInfo& field, const T&) {
-    return field.optional;
-  }
-
-  template <class T>
-  void value(T& out, const FieldPath& path) {
-    if constexpr (std::is_floating_point_v<T>) {
-      real(out, path);
-    } else if constexpr (std::is_enum_v<T>) {
-      std::underlying_type_t<T> raw{};
-      integer(raw, path);
-      out = static_cast<T>(raw);
-    } else if constexpr (std::is_arithmetic_v<T> && sizeof(T) == 8) {
-      decimal(out, path);
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      integer(out, path);
-    } else if constexpr (RawValue<T>) {
-      typename T::raw_type raw{};
-      if constexpr (requires { T::highest; }) {
-        raw = static_cast<typename T::raw_type>(integer(T::lowest, T::highest, path));
-      } else {
-        value(raw, path);
-      }
-      out = T(raw);
-    } else {
-      members(out, &path);
-    }
-  }
-  void value(Counter&, const FieldPath& path) {
-    // A list comes after its counter, so they are compared once the whole message has been read.
-    announced_ = integer(0, std::numeric_limits<std::uint8_t>::max(), path);
-  }
-  void value(Number& out, const FieldPath& path) {
-    constexpr const char* needed = "an object with the type, such as {\"i16\": -5}, is needed";
-    if (!source_.is_object()) return fail(path, needed);
-    Scope scope = source_.enter();
-    JsonString key;
-    if (!source_.next(scope, key)) return fail(path, needed);
-    const auto as = [&]<class T>(NumberType type, T number) {
-      if (!(key == name(type))) return false;
-      value(number, FieldPath{&path, name(type)});
-      out = {type, 0};
-      if constexpr (std::is_same_v<T, float>) {
-        out.bits = std::bit_cast<std::uint32_t>(number);
-      } else {
-        out.bits = static_cast<std::make_unsigned_t<T>>(number);
-      }
-      return true;
-    };
-    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
-                       as(NumberType::u16, std::uint16_t{}) ||
-                       as(NumberType::i16, std::int16_t{}) ||
-                       as(NumberType::u32, std::uint32_t{}) ||
-                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
-    if (ok() && (!known || source_.next(scope, key))) fail(path, needed);
-  }
-  template <class T>
-  void value(Optional<T>& out, const FieldPath& path) {
-    value(out.emplace(), path);
-  }
-  template <std::size_t n>
-  void value(Bytes<n>& out, const FieldPath& path) {
-    if (hex(out, path) != n) fail(path, n, " bytes of hex are needed");
-  }
-  template <std::size_t n>
-  void value(BoundedBytes<n>& out, const FieldPath& path) {
-    out.resize(n);
-    const std::size_t size = hex({out.data(), n}, path);
-    if (!out.resize(size)) fail_size(path, size, " bytes", n);
-  }
-  template <std::size_t n>
-  void value(Text<n>& out, const FieldPath& path) {
-    text(out, path);
-  }
-  template <std::size_t n>
-  void value(BoundedText<n>& out, const FieldPath& path) {
-    text(out, path);
-  }
-  template <class T, std::size_t n>
-  void value(std::array<T, n>& out, const FieldPath& path) {
-    const auto put = [&](std::size_t index) -> T* { return index < n ? &out[index] : nullptr; };
-    if (elements<T>(put, path) != n) fail(path, "a list of ", n, " is needed");
-  }
-  template <class T, std::size_t n>
-  void value(BoundedArray<T, n>& out, const FieldPath& path) {
-    const auto put = [&](std::size_t index) -> T* {
-      return out.resize(index + 1) ? &out[index] : nullptr;
-    };
-    const std::size_t size = elements<T>(put, path);
-    if (size > n) fail_size(path, size, " elements", n);
-  }
-
   /// Reads elements to where `put(index)` says, and checks those for which there is no place.
   /// Returns their number.
   template <class T, class Put>
-  std::size_t elements(const Put& put, const FieldPath& path) {
+  std::size_t read_elements(const Put& put, const Place& place) {
     std::size_t size = 0;
     if (!source_.is_list()) {
-      fail(path, "a list is needed");
+      fail(place.path, "a list is needed");
       return size;
     }
     Scope scope = source_.enter();
     for (; ok() && source_.next(scope); ++size) {
       T extra{};
-      T* const place = put(size);
-      value(place != nullptr ? *place : extra, FieldPath{&path, "", size});
+      T* const to = put(size);
+      walk(to != nullptr ? *to : extra, Place(place, "", size), *this);
     }
     return size;
   }
 
-  template <class T>
-  void integer(T& out, const FieldPath& path) {
-    using Limits = std::numeric_limits<T>;
-    out = static_cast<T>(integer(Limits::min(), Limits::max(), path));
-  }
   /// Returns an integer in a range; 0 after an error.
   SBGC_NOINLINE std::int64_t integer(std::int64_t lowest, std::int64_t highest,
                                      const FieldPath& path) {
@@ -332,13 +329,6 @@ class JsonReader {
     return -1;
   }
 
-  template <class T>
-  void text(T& out, const FieldPath& path) {
-    std::array<char, T::capacity()> bytes{};
-    const std::size_t size = characters(bytes, path);
-    if (size > bytes.size()) return fail_size(path, size, " bytes", bytes.size());
-    out.assign(std::string_view(bytes.data(), size));
-  }
   /// Reads a string as far as it fits into `bytes`. Returns the size of all of it.
   std::size_t characters(std::span<char> bytes, const FieldPath& path) {
     JsonString string;

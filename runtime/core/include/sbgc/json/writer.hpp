@@ -11,8 +11,10 @@
 #include <string_view>
 #include <type_traits>
 
+#include <sbgc/detail/walk.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/number.hpp>
 
 namespace sbgc::detail {
 
@@ -22,6 +24,8 @@ namespace sbgc::detail {
 template <class Sink>
 class JsonWriter {
  public:
+  using Place = FieldPlace;
+
   explicit JsonWriter(Sink& sink) : sink_(sink) {}
 
   template <class T>
@@ -31,52 +35,23 @@ class JsonWriter {
     sink_.end_object();
   }
 
- private:
-  // Not a lambda: that would be a distinct type for each T.
-  struct Adder {
-    JsonWriter& writer;
-
-    template <class T>
-    void operator()(const FieldInfo& field, const T& member) const {
-      writer.add(field.name, member);
-    }
-  };
+  // The handlers of the walk.
 
   template <class T>
-  void add(const char* name, const T& member) {
-    sink_.key(name);
-    value(member);
-  }
-  template <class T>
-  void add(const char* name, const Optional<T>& member) {
-    if (member) add(name, *member);
-  }
-  template <std::size_t n>
-  void add(const char* name, const BoundedBytes<n>& member) {
-    // Tails are rare; an empty one is omitted.
-    if (member.empty() && std::string_view(name) == tail_field.name) return;
-    sink_.key(name);
-    value(member);
-  }
-
-  template <class T>
-  void value(const T& value) {
-    if constexpr (std::is_floating_point_v<T>) {
-      real(value);
-    } else if constexpr (std::is_enum_v<T>) {
-      sink_.integer(static_cast<std::underlying_type_t<T>>(value));
-    } else if constexpr (std::is_arithmetic_v<T> && sizeof(T) == 8) {
-      sink_.decimal(value);  // as text, because many readers of JSON round it
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      sink_.integer(value);
-    } else if constexpr (RawValue<T>) {
-      this->value(value.raw());
+  void scalar(const T& value, const Place&) {
+    const auto raw = raw_of(value);
+    if constexpr (std::is_floating_point_v<RawOf<T>>) {
+      real(raw);
+    } else if constexpr (sizeof raw == 8) {
+      sink_.decimal(raw);  // as text, because many readers of JSON round it
     } else {
-      members(value);
+      sink_.integer(raw);
     }
   }
-  void value(Counter counter) { sink_.integer(static_cast<std::uint32_t>(counter.count)); }
-  void value(const Number& number) {
+  void counter(const Counter& counter, const Place&) {
+    sink_.integer(static_cast<std::uint32_t>(counter.count));
+  }
+  void number(const Number& number, const Place&) {
     sink_.begin_object();
     sink_.key(name(number.type));
     if (number.type == NumberType::f32) {
@@ -86,40 +61,58 @@ class JsonWriter {
     }
     sink_.end_object();
   }
-  template <std::size_t n>
-  void value(const Bytes<n>& bytes) {
-    sink_.hex(bytes);
-  }
-  template <std::size_t n>
-  void value(const BoundedBytes<n>& bytes) {
+  template <class T>
+  void bytes(const T& bytes, const Place&) {
     sink_.hex(std::span(bytes.data(), bytes.size()));
   }
-  template <std::size_t n>
-  void value(const Text<n>& text) {
+  template <class T>
+  void text(const T& text, const Place&) {
     sink_.text({text.data(), text.size()});
   }
-  template <std::size_t n>
-  void value(const BoundedText<n>& text) {
-    sink_.text({text.data(), text.size()});
-  }
-  template <class T, std::size_t n>
-  void value(const std::array<T, n>& array) {
-    list(array);
-  }
-  template <class T, std::size_t n>
-  void value(const BoundedArray<T, n>& array) {
-    list(array);
-  }
-
-  template <class List>
-  void list(const List& elements) {
+  template <class T>
+  void list(const T& list, const Place& place) {
     sink_.begin_list();
-    for (const auto& element : elements) {
+    for (const auto& element : list) {
       sink_.element();
-      value(element);
+      walk(element, place, *this);
     }
     sink_.end_list();
   }
+  template <class T>
+  void elements(const T& elements, const Place& place) {
+    if constexpr (requires { Meta<T>::fields; }) {
+      members(elements);  // axes
+    } else {
+      list(elements, place);
+    }
+  }
+  template <class T>
+  void optional(const T& optional, const Place& place) {
+    walk(*optional, place, *this);
+  }
+  template <class T>
+  void group(const T& value, const Place&) {
+    members(value);
+  }
+
+ private:
+  // Not a lambda: that would be a distinct type for each T.
+  struct Adder {
+    JsonWriter& writer;
+
+    template <class T>
+    void operator()(const FieldInfo& field, const T& member) const {
+      // Missing members and an empty tail are omitted.
+      if constexpr (kind_of<T> == Kind::optional) {
+        if (!member) return;
+      }
+      if constexpr (kind_of<T> == Kind::bytes) {
+        if (&field == &tail_field && member.size() == 0) return;
+      }
+      writer.sink_.key(field.name);
+      walk(member, Place(field, {}), writer);
+    }
+  };
 
   /// JSON has no infinities and NaN; they are words.
   template <class Float>

@@ -10,11 +10,10 @@
 #include <type_traits>
 #include <vector>
 
+#include <sbgc/detail/meaning.hpp>
+#include <sbgc/detail/walk_members.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/meta.hpp>
-#include <sbgc/meta/enums.hpp>
-#include <sbgc/meta/units.hpp>
-#include <sbgc/meta/variables.hpp>
 #include <sbgc/text/values.hpp>
 
 namespace sbgc {
@@ -134,77 +133,49 @@ namespace detail {
 class LeafWalk {
  public:
   using Use = void (*)(void* user, const Leaf& leaf);
+  using Place = PathPlace;
 
   LeafWalk(Use use, void* user) : use_(use), user_(user) {}
 
   template <class T>
-  void members(const T& value, const FieldPath* parent) {
-    Meta<T>::visit(value, Members{*this, parent});
+  SBGC_NOINLINE void members(const T& value, const FieldPath* parent) {
+    walk_members(value, parent, *this);
   }
 
- private:
-  struct Members {
-    LeafWalk& walk;
-    const FieldPath* parent = nullptr;       ///< the path of the struct itself
-    const VariableInfo* variable = nullptr;  ///< the one that the last VariableId names, or null
-
-    template <class T>
-    void operator()(const FieldInfo& field, const T& member) {
-      const FieldPath path{parent, field.name};
-      if constexpr (std::is_same_v<T, msg::VariableId>) variable = find_variable(member);
-      if constexpr (std::is_integral_v<T>) {
-        if (field.is_variable_value && variable != nullptr) {
-          return walk.integer(member, field, path, wire_size<T>, {.unit = &variable->unit});
-        }
-      }
-      walk.value(member, field, path);
-    }
-  };
-
-  /// The meaning of an integer.
-  struct Meaning {
-    const UnitInfo* unit = nullptr;
-    const EnumInfo* names = nullptr;
-    const PackedInfo* packed = nullptr;
-    bool is_u64 = false;
-  };
+  // The handlers of the walk.
 
   template <class T>
-  void value(const T& value, const FieldInfo& field, const FieldPath& path) {
-    if constexpr (std::is_enum_v<T>) {
-      integer(static_cast<std::underlying_type_t<T>>(value), field, path, wire_size<T>,
-              {.names = &EnumMeta<T>::info});
-    } else if constexpr (std::is_floating_point_v<T>) {
-      real(static_cast<double>(value), field, path, nullptr, wire_size<T>);
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      integer(static_cast<std::int64_t>(value), field, path, wire_size<T>,
-              {.is_u64 = std::is_same_v<T, std::uint64_t>});
-    } else if constexpr (requires { UnitMeta<T>::info; }) {
-      quantity(value, field, path);
-    } else if constexpr (requires { typename T::flag_type; }) {
-      integer(value.raw(), field, path, wire_size<T>,
-              {.names = &EnumMeta<typename T::flag_type>::info});
-    } else if constexpr (requires { PackedMeta<T>::info; }) {
-      integer(static_cast<std::int64_t>(value.raw()), field, path, wire_size<T>,
-              {.packed = &PackedMeta<T>::info,
-               .is_u64 = std::is_same_v<typename T::raw_type, std::uint64_t>});
-    } else if constexpr (RawValue<T>) {
-      integer(value.raw(), field, path, wire_size<T>, {});
+  SBGC_NOINLINE void scalar(const T& value, const Place& place) {
+    using Raw = RawOf<T>;
+    Meaning meaning = meaning_of<T>();
+    if (meaning.unit != nullptr) meaning.unit = unit_in_force(*meaning.unit, place);
+    if constexpr (std::is_floating_point_v<Raw>) {
+      add({.path = place.path,
+           .field = place.field,
+           .kind = LeafKind::real,
+           .real = static_cast<double>(raw_of(value)),
+           .unit = meaning.unit,
+           .size = wire_size<T>});
     } else {
-      members(value, &path);
+      integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, meaning,
+              std::is_same_v<Raw, std::uint64_t>);
     }
   }
-  void value(Counter counter, const FieldInfo& field, const FieldPath& path) {
-    add({.path = path,
-         .field = field,
+  template <class T>
+  void variable(T value, const VariableInfo& variable, const Place& place) {
+    integer(value, place, wire_size<T>, {.unit = &variable.unit}, false);
+  }
+  void counter(const Counter& counter, const Place& place) {
+    add({.path = place.path,
+         .field = place.field,
          .kind = LeafKind::counter,
          .integer = static_cast<std::int64_t>(counter.count),
          .size = wire_size<std::uint8_t>});
   }
-  void value(const Number& number, const FieldInfo& field, const FieldPath& path) {
+  void number(const Number& number, const Place& place) {
     const bool is_real = number.type == NumberType::f32;
-    add({.path = path,
-         .field = field,
+    add({.path = place.path,
+         .field = place.field,
          .kind = is_real ? LeafKind::real : LeafKind::integer,
          .integer = is_real ? 0 : number.integer(),
          .real = is_real ? static_cast<double>(number.real()) : 0,
@@ -212,95 +183,53 @@ class LeafWalk {
          .size = size_of(number.type)});
   }
   template <class T>
-  void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
-    if (optional) value(*optional, field, path);
+  void bytes(const T& bytes, const Place& place) {
+    if (&place.field == &tail_field && bytes.size() == 0) return;
+    add({.path = place.path,
+         .field = place.field,
+         .kind = LeafKind::bytes,
+         .bytes = {bytes.data(), bytes.size()},
+         .size = bytes.size()});
   }
   template <class T>
-  void value(const Axes<T>& axes, const FieldInfo& field, const FieldPath& path) {
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      value(axes[i], field, {&path, Meta<Axes<T>>::fields[i].name});
-    }
+  void text(const T& text, const Place& place) {
+    add({.path = place.path,
+         .field = place.field,
+         .kind = LeafKind::text,
+         .text = {text.data(), text.size()},
+         .size = is_bounded<T> ? 1 + text.size() : T::capacity()});
   }
   template <class T>
-  void value(const Xyz<T>& xyz, const FieldInfo& field, const FieldPath& path) {
-    for (std::size_t i = 0; i < xyz.size(); ++i) {
-      value(xyz[i], field, {&path, Meta<Xyz<T>>::fields[i].name});
-    }
-  }
-  template <std::size_t n>
-  void value(const Bytes<n>& bytes, const FieldInfo& field, const FieldPath& path) {
-    this->bytes(bytes, field, path);
-  }
-  template <std::size_t n>
-  void value(const BoundedBytes<n>& bytes, const FieldInfo& field, const FieldPath& path) {
-    if (&field != &tail_field || !bytes.empty()) {
-      this->bytes({bytes.data(), bytes.size()}, field, path);
-    }
-  }
-  template <std::size_t n>
-  void value(const Text<n>& text, const FieldInfo& field, const FieldPath& path) {
-    this->text({text.data(), text.size()}, n, field, path);
-  }
-  template <std::size_t n>
-  void value(const BoundedText<n>& text, const FieldInfo& field, const FieldPath& path) {
-    this->text({text.data(), text.size()}, 1 + text.size(), field, path);
-  }
-  template <class T, std::size_t n>
-  void value(const std::array<T, n>& array, const FieldInfo& field, const FieldPath& path) {
-    list(array.data(), n, field, path);
-  }
-  template <class T, std::size_t n>
-  void value(const BoundedArray<T, n>& array, const FieldInfo& field, const FieldPath& path) {
-    list(array.data(), array.size(), field, path);
+  SBGC_NOINLINE void list(const T& list, const Place& place) {
+    walk_list(list, place, *this);
   }
   template <class T>
-  void list(const T* elements, std::size_t size, const FieldInfo& field, const FieldPath& path) {
-    for (std::size_t i = 0; i < size; ++i) value(elements[i], field, {&path, "", i});
+  SBGC_NOINLINE void elements(const T& elements, const Place& place) {
+    walk_elements(elements, place, *this);
+  }
+  template <class T>
+  void optional(const T& optional, const Place& place) {
+    if (optional) walk(*optional, place, *this);
+  }
+  template <class T>
+  void group(const T& value, const Place& place) {
+    members(value, place.parent());
   }
 
-  template <class Q>
-  void quantity(Q value, const FieldInfo& field, const FieldPath& path) {
-    const UnitInfo* const unit = unit_in_force(UnitMeta<Q>::info, field, path);
-    if constexpr (std::is_floating_point_v<typename Q::raw_type>) {
-      real(static_cast<double>(value.raw()), field, path, unit, wire_size<Q>);
-    } else {
-      integer(value.raw(), field, path, wire_size<Q>, {.unit = unit});
-    }
-  }
-
-  void integer(std::int64_t raw, const FieldInfo& field, const FieldPath& path, std::size_t size,
-               const Meaning& meaning) {
+ private:
+  void integer(std::int64_t raw, const Place& place, std::size_t size, const Meaning& meaning,
+               bool is_u64) {
     // Only a flag set or a packed value can select the unit of a later value.
-    if (meaning.names != nullptr || meaning.packed != nullptr) remember(raw, path);
-    add({.path = path,
-         .field = field,
+    if (meaning.names != nullptr || meaning.packed != nullptr) remember(raw, place.path);
+    add({.path = place.path,
+         .field = place.field,
          .kind = LeafKind::integer,
          .integer = raw,
-         .is_u64 = meaning.is_u64,
+         .is_u64 = is_u64,
          .unit = meaning.unit,
          .names = meaning.names,
          .packed = meaning.packed,
          .size = size});
-  }
-  void real(double raw, const FieldInfo& field, const FieldPath& path, const UnitInfo* unit,
-            std::size_t size) {
-    add({.path = path,
-         .field = field,
-         .kind = LeafKind::real,
-         .real = raw,
-         .unit = unit,
-         .size = size});
-  }
-  void bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field, const FieldPath& path) {
-    add({.path = path,
-         .field = field,
-         .kind = LeafKind::bytes,
-         .bytes = bytes,
-         .size = bytes.size()});
-  }
-  void text(std::string_view text, std::size_t size, const FieldInfo& field,
-            const FieldPath& path) {
-    add({.path = path, .field = field, .kind = LeafKind::text, .text = text, .size = size});
   }
   void add(Leaf leaf) {
     leaf.offset = offset_;
@@ -323,16 +252,15 @@ class LeafWalk {
     }
   }
 
-  const UnitInfo* unit_in_force(const UnitInfo& usual, const FieldInfo& field,
-                                const FieldPath& path) const {
-    return field.alternative == nullptr ? &usual : selected_unit(usual, field, path);
+  const UnitInfo* unit_in_force(const UnitInfo& usual, const Place& place) const {
+    return place.field.alternative == nullptr ? &usual : selected_unit(usual, place);
   }
-  const UnitInfo* selected_unit(const UnitInfo& usual, const FieldInfo& field,
-                                const FieldPath& path) const {
+  const UnitInfo* selected_unit(const UnitInfo& usual, const Place& place) const {
+    const AlternativeUnit& other = *place.field.alternative;
     for (const UnitSource& number : numbers_) {
-      if (number.name != std::string_view(field.alternative->of)) continue;
-      if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;
-      if ((number.raw & field.alternative->mask) != 0) return field.alternative->unit;
+      if (number.name != std::string_view(other.of)) continue;
+      if (*number.axis != '\0' && !leads_through(place.path, number.axis)) continue;
+      if ((number.raw & other.mask) != 0) return other.unit;
     }
     return &usual;
   }
