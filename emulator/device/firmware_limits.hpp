@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 namespace detail {
 
 using sbgc::detail::walk;
-using sbgc::detail::walk_elements;
+using sbgc::detail::walk_axes;
 using sbgc::detail::walk_list;
 
 /// Removes optional fields that do not exist yet, and clears fields that are still reserved and
@@ -64,8 +64,12 @@ class FirmwareLimiter {
     walk_list(list, place, *this);
   }
   template <class T>
-  void elements(T& elements, const Place& place) {
-    walk_elements(elements, place, *this);
+  void array(T& array, const Place& place) {
+    walk_list(array, place, *this);
+  }
+  template <class T>
+  void axes(T& axes, const Place& place) {
+    walk_axes(axes, place, *this);
   }
   template <class T>
   void optional(T& optional, const Place& place) {

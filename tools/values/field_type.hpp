@@ -127,14 +127,17 @@ class FieldTypes {
     return type;
   }
   template <class T>
-  FieldType elements(const T& elements, const Place& place) {
-    FieldType type = sized<T>(FieldShape::list, elements.size());
-    type.members.push_back(detail::walk(elements[0], place, *this));
-    if constexpr (requires { Meta<T>::fields; }) {
-      type.shape = FieldShape::axes;
-      for (const FieldInfo& axis : Meta<T>::fields) type.axes.push_back(axis.name);
-    }
-    if constexpr (requires { elements.roll; }) mark_axis(type.members.front());
+  FieldType array(const T& array, const Place& place) {
+    FieldType type = sized<T>(FieldShape::list, array.size());
+    type.members.push_back(detail::walk(array[0], place, *this));
+    return type;
+  }
+  template <class T>
+  FieldType axes(const T& axes, const Place& place) {
+    FieldType type = array(axes, place);
+    type.shape = FieldShape::axes;
+    for (const FieldInfo& axis : Meta<T>::fields) type.axes.push_back(axis.name);
+    if constexpr (requires { axes.roll; }) mark_axis(type.members.front());
     return type;
   }
   template <class T>
@@ -173,17 +176,15 @@ class FieldTypes {
   };
 
   static const char* type_name(char kind, std::size_t size) {
-    static constexpr std::array names{"u8",  "i8",  "u16", "i16", "u24", "i24", "u32",
-                                      "i32", "u64", "i64", "f32", "f64"};
+    static constexpr std::array names{"u8",  "i8",  "u16", "i16", "u24", "i24",
+                                      "u32", "i32", "u64", "i64", "f32", "f64"};
     const std::string name = kind + std::to_string(8 * size);
     return *std::ranges::find(names, name);
   }
   template <class T>
   static FieldType sized(FieldShape shape, std::size_t count) {
-    return {.shape = shape,
-            .size = wire_size<T>,
-            .count = count,
-            .has_count = !detail::is_bounded<T>};
+    return {
+        .shape = shape, .size = wire_size<T>, .count = count, .has_count = !detail::is_bounded<T>};
   }
   template <class T>
   static std::size_t capacity_of(const T& bytes) {

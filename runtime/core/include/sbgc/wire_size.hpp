@@ -95,7 +95,7 @@ consteval std::size_t size_of_value() noexcept {
   constexpr Kind kind = kind_of<T>;
   if constexpr (kind == Kind::scalar) {
     return is_integer24<T> ? 3 : sizeof(RawOf<T>);
-  } else if constexpr (kind == Kind::elements) {
+  } else if constexpr (kind == Kind::axes || kind == Kind::array) {
     return sizeof(T) / sizeof(ElementOf<T>) * wire_size<ElementOf<T>>;
   } else if constexpr (kind == Kind::bytes || kind == Kind::text) {
     return is_bounded<T> ? 0 : sizeof(T);

@@ -76,11 +76,15 @@ class Check {
     walk_list(list, place, *this);
   }
   template <class T>
-  SBGC_ALWAYS_INLINE constexpr void elements(const T& elements, const Place& place) {
+  SBGC_ALWAYS_INLINE constexpr void array(const T& array, const Place& place) {
+    walk_list(array, place, *this);
+  }
+  template <class T>
+  SBGC_ALWAYS_INLINE constexpr void axes(const T& axes, const Place& place) {
     if constexpr (is_silent) {
-      walk_elements(elements, place, *this);
+      walk_axes(axes, place, *this);
     } else {
-      elements_apart(elements, place);
+      axes_apart(axes, place);
     }
   }
   template <class T>
@@ -116,6 +120,16 @@ class Check {
                                                  const FieldInfo& other, const T& high,
                                                  bool is_strict) {
       compare(low, high, Place(field, parent), other, is_strict);
+    }
+
+    /// "" for an element of an array.
+    template <class T>
+    static constexpr const char* element_name(std::size_t i) noexcept {
+      if constexpr (kind_of<T> == Kind::axes) {
+        return Meta<T>::fields[i].name;
+      } else {
+        return "";
+      }
     }
 
     template <class T>
@@ -171,17 +185,20 @@ class Check {
   template <class Raw>
   SBGC_ALWAYS_INLINE constexpr void aligned(Raw raw, const Place& place) {
     const std::uint16_t align = place.field.align;
-    require(align == 1 || static_cast<std::uint64_t>(raw) % align == 0 || is_special(raw, place), place,
-            {static_cast<double>(raw), static_cast<double>(align), Rule::alignment});
+    require(align == 1 || static_cast<std::uint64_t>(raw) % align == 0 || is_special(raw, place),
+            place, {static_cast<double>(raw), static_cast<double>(align), Rule::alignment});
   }
   template <class Raw>
   SBGC_ALWAYS_INLINE constexpr void in_range(Raw raw, const Range& range, const Place& place,
                                              const UnitInfo* unit = nullptr) {
-    const auto value = static_cast<double>(raw);
-    require(!is_below(raw, range) || is_special(raw, place), place,
-            {value, range.lowest, Rule::minimum, unit});
-    require(!is_above(raw, range) || is_special(raw, place), place,
-            {value, range.highest, Rule::maximum, unit});
+    const bool is_low = is_below(raw, range);
+    const bool is_high = is_above(raw, range);
+    // In one condition, which compilers make one comparison.
+    bool is_outside = is_low | is_high;
+    if (!place.field.special.empty() && is_outside) is_outside = !is_special(raw, place);
+    const double limit = is_low ? range.lowest : range.highest;
+    require(!is_outside, place,
+            {static_cast<double>(raw), limit, is_low ? Rule::minimum : Rule::maximum, unit});
   }
   template <class Raw>
   SBGC_ALWAYS_INLINE constexpr void limited(Raw raw, const Place& place) {
@@ -195,8 +212,8 @@ class Check {
   }
 
   template <class T>
-  SBGC_NOINLINE constexpr void elements_apart(const T& elements, const Place& place) {
-    walk_elements(elements, place, *this);
+  SBGC_NOINLINE constexpr void axes_apart(const T& axes, const Place& place) {
+    walk_axes(axes, place, *this);
   }
 
   template <class Raw>

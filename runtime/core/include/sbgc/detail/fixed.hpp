@@ -56,9 +56,14 @@ struct Fixed {
     constexpr Kind kind = kind_of<T>;
     if constexpr (kind == Kind::scalar) {
       value = static_cast<T>(load_raw<T>(from));
-    } else if constexpr (kind == Kind::elements) {
+    } else if constexpr (kind == Kind::axes) {
       constexpr std::size_t step = wire_size<ElementOf<T>>;
-      for_each_element(value, [from](auto& element, std::size_t i) { get(from + i * step, element); });
+      get(from, value[0]);
+      get(from + step, value[1]);
+      get(from + 2 * step, value[2]);
+    } else if constexpr (kind == Kind::array) {
+      constexpr std::size_t step = wire_size<ElementOf<T>>;
+      for (std::size_t i = 0; i < value.size(); ++i) get(from + i * step, value[i]);
     } else if constexpr (kind == Kind::bytes) {
       copy(from, value.data(), value.size());
     } else if constexpr (kind == Kind::text) {
@@ -73,9 +78,14 @@ struct Fixed {
     constexpr Kind kind = kind_of<T>;
     if constexpr (kind == Kind::scalar) {
       store_raw<T>(to, raw_of(value));
-    } else if constexpr (kind == Kind::elements) {
+    } else if constexpr (kind == Kind::axes) {
       constexpr std::size_t step = wire_size<ElementOf<T>>;
-      for_each_element(value, [to](const auto& element, std::size_t i) { put(to + i * step, element); });
+      put(to, value[0]);
+      put(to + step, value[1]);
+      put(to + 2 * step, value[2]);
+    } else if constexpr (kind == Kind::array) {
+      constexpr std::size_t step = wire_size<ElementOf<T>>;
+      for (std::size_t i = 0; i < value.size(); ++i) put(to + i * step, value[i]);
     } else if constexpr (kind == Kind::bytes) {
       copy(value.data(), to, value.size());
     } else if constexpr (kind == Kind::text) {

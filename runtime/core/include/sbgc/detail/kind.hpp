@@ -33,7 +33,8 @@ concept Scalar = wire::Number<T> || std::is_same_v<T, char> || std::is_enum_v<T>
 
 enum class Kind : std::uint8_t {
   scalar,    ///< a number, enum, quantity, flag set or packed value
-  elements,  ///< a fixed number of elements: Axes, Xyz, std::array
+  axes,      ///< Axes, Xyz: three elements with names
+  array,     ///< std::array
   bytes,     ///< Bytes, BoundedBytes
   text,      ///< Text, BoundedText
   list,      ///< BoundedArray
@@ -46,11 +47,11 @@ enum class Kind : std::uint8_t {
 template <class T>
 inline constexpr Kind kind_of = Scalar<T> ? Kind::scalar : Kind::group;
 template <class T>
-inline constexpr Kind kind_of<Axes<T>> = Kind::elements;
+inline constexpr Kind kind_of<Axes<T>> = Kind::axes;
 template <class T>
-inline constexpr Kind kind_of<Xyz<T>> = Kind::elements;
+inline constexpr Kind kind_of<Xyz<T>> = Kind::axes;
 template <class T, std::size_t n>
-inline constexpr Kind kind_of<std::array<T, n>> = Kind::elements;
+inline constexpr Kind kind_of<std::array<T, n>> = Kind::array;
 template <std::size_t n>
 inline constexpr Kind kind_of<Bytes<n>> = Kind::bytes;
 template <std::size_t n>
@@ -96,24 +97,7 @@ constexpr auto raw_of(T value) noexcept {
 template <Scalar T>
 using RawOf = decltype(raw_of(std::declval<T>()));
 
-/// Calls `use(element, index)` for each of a fixed number of elements. Not a loop over
-/// operator[], which is larger code for axes.
-template <class T, class Use>
-SBGC_ALWAYS_INLINE constexpr void for_each_element(T& value, Use&& use) {
-  if constexpr (requires { value.roll; }) {
-    use(value.roll, std::size_t{0});
-    use(value.pitch, std::size_t{1});
-    use(value.yaw, std::size_t{2});
-  } else if constexpr (requires { value.x; }) {
-    use(value.x, std::size_t{0});
-    use(value.y, std::size_t{1});
-    use(value.z, std::size_t{2});
-  } else {
-    for (std::size_t i = 0; i < value.size(); ++i) use(value[i], i);
-  }
-}
-
-/// The type of the elements.
+/// The type of the elements of axes or of an array.
 template <class T>
 using ElementOf = std::remove_cvref_t<decltype(std::declval<T&>()[0])>;
 

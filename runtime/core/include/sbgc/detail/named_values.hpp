@@ -18,8 +18,10 @@ constexpr void be_at_least(Availability& versions, const EnumInfo& info) noexcep
 
 /// True for enums, flag sets and packed values.
 template <class T>
-inline constexpr bool has_named_values = std::is_enum_v<T> || requires { typename T::flag_type; } ||
-                                         requires { PackedMeta<T>::info; };
+inline constexpr bool has_named_values = std::is_enum_v<T> || requires {
+  typename T::flag_type;
+}
+|| requires { PackedMeta<T>::info; };
 
 /// The first versions that have every named value of an enum, flag set or packed value.
 template <class T>

@@ -29,8 +29,12 @@ class Reader {
       if (take(wire_size<T>, field)) Fixed::get(body_.data() + at_ - wire_size<T>, out);
     } else if constexpr (kind == Kind::text) {
       text(out, field);
-    } else if constexpr (kind == Kind::elements) {
-      for_each_element(out, [&](auto& element, std::size_t) { value(element, field); });
+    } else if constexpr (kind == Kind::axes) {
+      value(out[0], field);
+      value(out[1], field);
+      value(out[2], field);
+    } else if constexpr (kind == Kind::array) {
+      for (auto& element : out) value(element, field);
     } else {
       T::varying_members(out, *this);
     }

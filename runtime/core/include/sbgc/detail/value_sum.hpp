@@ -36,9 +36,11 @@ SBGC_ALWAYS_INLINE constexpr unsigned sum_of_value(const T& value) noexcept {
   constexpr Kind kind = kind_of<T>;
   if constexpr (kind == Kind::scalar) {
     return sum_of_number<wire_size<T>>(raw_of(value));
-  } else if constexpr (kind == Kind::elements || kind == Kind::bytes) {
+  } else if constexpr (kind == Kind::axes) {
+    return sum_of_value(value[0]) + sum_of_value(value[1]) + sum_of_value(value[2]);
+  } else if constexpr (kind == Kind::array || kind == Kind::bytes) {
     unsigned sum = 0;
-    for_each_element(value, [&sum](const auto& element, std::size_t) { sum += sum_of_value(element); });
+    for (const auto& element : value) sum += sum_of_value(element);
     return sum;
   } else if constexpr (kind == Kind::text) {
     return sum_of_value(value.bytes);

@@ -36,17 +36,19 @@ struct FieldPlace {
   constexpr Parent parent() const { return {}; }
 };
 
-/// Passes a value to the handler of its kind and returns its result. A visitor has a `Place` and one handler for each Kind,
-/// `scalar(value, place)` and so on; walk_elements(), walk_list() and walk_members() go on to the
-/// values inside.
+/// Passes a value to the handler of its kind and returns its result. A visitor has a `Place` and
+/// one handler for each Kind, `scalar(value, place)` and so on; walk_axes(), walk_list() and
+/// walk_members() go on to the values inside.
 template <class T, class Visitor>
 SBGC_ALWAYS_INLINE constexpr decltype(auto) walk(T& value, const typename Visitor::Place& place,
                                                  Visitor& visitor) {
   constexpr Kind kind = kind_of<std::remove_const_t<T>>;
   if constexpr (kind == Kind::scalar) {
     return visitor.scalar(value, place);
-  } else if constexpr (kind == Kind::elements) {
-    return visitor.elements(value, place);
+  } else if constexpr (kind == Kind::axes) {
+    return visitor.axes(value, place);
+  } else if constexpr (kind == Kind::array) {
+    return visitor.array(value, place);
   } else if constexpr (kind == Kind::bytes) {
     return visitor.bytes(value, place);
   } else if constexpr (kind == Kind::text) {
@@ -64,34 +66,17 @@ SBGC_ALWAYS_INLINE constexpr decltype(auto) walk(T& value, const typename Visito
   }
 }
 
-/// The name of an element of axes; "" for one of an array.
-template <class T>
-constexpr const char* element_name(std::size_t index) noexcept {
-  if constexpr (requires { Meta<T>::fields; }) {
-    return Meta<T>::fields[index].name;
-  } else {
-    return "";
-  }
+template <class T, class Visitor>
+SBGC_ALWAYS_INLINE constexpr void walk_axes(T& value, const typename Visitor::Place& place,
+                                            Visitor& visitor) {
+  using Place = typename Visitor::Place;
+  constexpr auto& names = Meta<std::remove_const_t<T>>::fields;
+  walk(value[0], Place(place, names[0].name, 0), visitor);
+  walk(value[1], Place(place, names[1].name, 1), visitor);
+  walk(value[2], Place(place, names[2].name, 2), visitor);
 }
 
-/// Walks the elements of one value. Not a lambda, which would not be inlined.
-template <class T, class Visitor>
-struct ElementWalk {
-  const typename Visitor::Place& place;
-  Visitor& visitor;
-
-  template <class Element>
-  SBGC_ALWAYS_INLINE constexpr void operator()(Element& element, std::size_t i) const {
-    walk(element, typename Visitor::Place(place, element_name<T>(i), i), visitor);
-  }
-};
-
-template <class T, class Visitor>
-SBGC_ALWAYS_INLINE constexpr void walk_elements(T& value, const typename Visitor::Place& place,
-                                                Visitor& visitor) {
-  for_each_element(value, ElementWalk<std::remove_const_t<T>, Visitor>{place, visitor});
-}
-
+/// Walks the elements of a list or an array.
 template <class T, class Visitor>
 SBGC_ALWAYS_INLINE constexpr void walk_list(T& value, const typename Visitor::Place& place,
                                             Visitor& visitor) {

@@ -28,8 +28,12 @@ class Writer {
     } else if constexpr (kind == Kind::text) {
       value(static_cast<std::uint8_t>(in.size()), field);
       for (std::size_t i = 0; i < in.size() && status_; ++i) value(in.data()[i], field);
-    } else if constexpr (kind == Kind::elements) {
-      for_each_element(in, [&](const auto& element, std::size_t) { value(element, field); });
+    } else if constexpr (kind == Kind::axes) {
+      value(in[0], field);
+      value(in[1], field);
+      value(in[2], field);
+    } else if constexpr (kind == Kind::array) {
+      for (const auto& element : in) value(element, field);
     } else {
       T::varying_members(in, *this);
     }

@@ -119,20 +119,18 @@ class JsonReader {
     const auto put = [&](std::size_t index) {
       return out.resize(index + 1) ? &out[index] : nullptr;
     };
-    const std::size_t size = read_elements<typename T::value_type>(put, place);
+    const std::size_t size = elements<typename T::value_type>(put, place);
     if (size > T::capacity()) fail_size(place.path, size, " elements", T::capacity());
   }
   template <class T>
-  void elements(T& out, const Place& place) {
-    if constexpr (requires { Meta<T>::fields; }) {
-      members(out, &place.path);  // axes
-    } else {
-      const std::size_t n = out.size();
-      const auto put = [&](std::size_t index) { return index < n ? &out[index] : nullptr; };
-      if (read_elements<ElementOf<T>>(put, place) != n) {
-        fail(place.path, "a list of ", n, " is needed");
-      }
-    }
+  void array(T& out, const Place& place) {
+    const std::size_t n = out.size();
+    const auto put = [&](std::size_t index) { return index < n ? &out[index] : nullptr; };
+    if (elements<ElementOf<T>>(put, place) != n) fail(place.path, "a list of ", n, " is needed");
+  }
+  template <class T>
+  void axes(T& out, const Place& place) {
+    members(out, &place.path);
   }
   template <class T>
   void optional(T& out, const Place& place) {
@@ -173,8 +171,7 @@ class JsonReader {
       const Place place(field, parent);
       // Counters are implied by their lists, and tails are rare. Everything else is required: a
       // parameter omitted by mistake would be overwritten with 0.
-      const bool may_be_missing =
-          kind == Kind::optional || kind == Kind::counter || field.optional;
+      const bool may_be_missing = kind == Kind::optional || kind == Kind::counter || field.optional;
       if (!is_next(place.path, may_be_missing)) return;
       walk(member, place, reader);
       if constexpr (kind == Kind::counter) {
@@ -232,7 +229,7 @@ class JsonReader {
   /// Reads elements to where `put(index)` says, and checks those for which there is no place.
   /// Returns their number.
   template <class T, class Put>
-  std::size_t read_elements(const Put& put, const Place& place) {
+  std::size_t elements(const Put& put, const Place& place) {
     std::size_t size = 0;
     if (!source_.is_list()) {
       fail(place.path, "a list is needed");

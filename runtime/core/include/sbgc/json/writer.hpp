@@ -79,12 +79,12 @@ class JsonWriter {
     sink_.end_list();
   }
   template <class T>
-  void elements(const T& elements, const Place& place) {
-    if constexpr (requires { Meta<T>::fields; }) {
-      members(elements);  // axes
-    } else {
-      list(elements, place);
-    }
+  void array(const T& array, const Place& place) {
+    list(array, place);
+  }
+  template <class T>
+  void axes(const T& axes, const Place&) {
+    members(axes);
   }
   template <class T>
   void optional(const T& optional, const Place& place) {

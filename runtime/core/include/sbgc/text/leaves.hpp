@@ -204,8 +204,12 @@ class LeafWalk {
     walk_list(list, place, *this);
   }
   template <class T>
-  SBGC_NOINLINE void elements(const T& elements, const Place& place) {
-    walk_elements(elements, place, *this);
+  SBGC_NOINLINE void array(const T& array, const Place& place) {
+    walk_list(array, place, *this);
+  }
+  template <class T>
+  SBGC_NOINLINE void axes(const T& axes, const Place& place) {
+    walk_axes(axes, place, *this);
   }
   template <class T>
   void optional(const T& optional, const Place& place) {
