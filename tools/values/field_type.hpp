@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <sbgc/detail/meaning.hpp>
+#include <sbgc/detail/scalar_info.hpp>
 #include <sbgc/detail/walk.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/wire_size.hpp>
@@ -83,11 +83,9 @@ class FieldTypes {
   FieldType scalar(const T& value, const Place&) {
     using Raw = detail::RawOf<T>;
     using Limits = std::numeric_limits<Raw>;
-    const detail::Meaning meaning = detail::meaning_of<T>();
-    FieldType type{.size = wire_size<T>,
-                   .unit = meaning.unit,
-                   .names = meaning.names,
-                   .packed = meaning.packed};
+    const detail::ScalarInfo info = detail::scalar_info<T>();
+    FieldType type{
+        .size = wire_size<T>, .unit = info.unit, .names = info.names, .packed = info.packed};
     if constexpr (std::is_floating_point_v<Raw>) {
       type.shape = FieldShape::real;
       type.type = type_name('f', type.size);

@@ -138,7 +138,7 @@ void violations(Body body, const Availability& versions, const ViolationReport& 
 }
 
 template <class M>
-ParametersKind kind_of() {
+ParametersKind parameters_kind_of() {
   return {
       .name = Meta<M>::info.name,
       .summary = Meta<M>::info.summary,
@@ -177,7 +177,8 @@ std::uint8_t mixed(std::uint8_t byte, std::uint8_t other, std::uint8_t mask) {
 const std::vector<ParametersKind>& parameters_kinds() {
   static const std::vector<ParametersKind> kinds = [] {
     std::vector<ParametersKind> result;
-    ParameterMessages::for_each([&]<class M>(Type<M>) { result.push_back(kind_of<M>()); });
+    ParameterMessages::for_each(
+        [&]<class M>(Type<M>) { result.push_back(parameters_kind_of<M>()); });
     return result;
   }();
   return kinds;

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <sbgc/detail/meaning.hpp>
+#include <sbgc/detail/scalar_info.hpp>
 #include <sbgc/detail/walk_members.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/meta.hpp>
@@ -147,17 +147,17 @@ class LeafWalk {
   template <class T>
   SBGC_NOINLINE void scalar(const T& value, const Place& place) {
     using Raw = RawOf<T>;
-    Meaning meaning = meaning_of<T>();
-    if (meaning.unit != nullptr) meaning.unit = unit_in_force(*meaning.unit, place);
+    ScalarInfo info = scalar_info<T>();
+    if (info.unit != nullptr) info.unit = unit_in_force(*info.unit, place);
     if constexpr (std::is_floating_point_v<Raw>) {
       add({.path = place.path,
            .field = place.field,
            .kind = LeafKind::real,
            .real = static_cast<double>(raw_of(value)),
-           .unit = meaning.unit,
+           .unit = info.unit,
            .size = wire_size<T>});
     } else {
-      integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, meaning,
+      integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, info,
               std::is_same_v<Raw, std::uint64_t>);
     }
   }
@@ -221,18 +221,18 @@ class LeafWalk {
   }
 
  private:
-  void integer(std::int64_t raw, const Place& place, std::size_t size, const Meaning& meaning,
+  void integer(std::int64_t raw, const Place& place, std::size_t size, const ScalarInfo& info,
                bool is_u64) {
     // Only a flag set or a packed value can select the unit of a later value.
-    if (meaning.names != nullptr || meaning.packed != nullptr) remember(raw, place.path);
+    if (info.names != nullptr || info.packed != nullptr) remember(raw, place.path);
     add({.path = place.path,
          .field = place.field,
          .kind = LeafKind::integer,
          .integer = raw,
          .is_u64 = is_u64,
-         .unit = meaning.unit,
-         .names = meaning.names,
-         .packed = meaning.packed,
+         .unit = info.unit,
+         .names = info.names,
+         .packed = info.packed,
          .size = size});
   }
   void add(Leaf leaf) {

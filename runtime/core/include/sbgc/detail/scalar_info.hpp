@@ -9,14 +9,14 @@
 namespace sbgc::detail {
 
 /// At most one of these is set.
-struct Meaning {
+struct ScalarInfo {
   const UnitInfo* unit{};
   const EnumInfo* names{};
   const PackedInfo* packed{};
 };
 
 template <Scalar T>
-constexpr Meaning meaning_of() noexcept {
+constexpr ScalarInfo scalar_info() noexcept {
   if constexpr (std::is_enum_v<T>) {
     return {.names = &EnumMeta<T>::info};
   } else if constexpr (requires { typename T::flag_type; }) {
