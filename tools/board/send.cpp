@@ -257,7 +257,7 @@ void add_send(CLI::App& app, CommandContext& context) {
   command->footer(
       "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
       "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
-      "which may be written behind it; raw:NUMBER is the number on the wire. Enums and flags take "
+      "which may be written after it; raw:NUMBER is the number on the wire. Enums and flags take "
       "names, with | between flags. Bytes are hex. Lists take values with commas between them, or "
       "one by one.\n"
       "\n"

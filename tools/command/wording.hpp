@@ -21,7 +21,7 @@ std::string printable(std::string_view text);
 /// Returns the sentence without a period at its end, as part of a longer message.
 std::string without_period(std::string sentence);
 
-/// Returns the sentence as messages of the command are written, behind "sbgc: ": in lower case and
+/// Returns the sentence as messages of the command are written, after "sbgc: ": in lower case and
 /// without the final period. A name at its beginning stays as it is.
 std::string as_message(std::string sentence);
 

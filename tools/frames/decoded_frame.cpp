@@ -73,8 +73,13 @@ std::string objection_to(const MessageInfo& info, const Availability& versions) 
   if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
     return "needs firmware before " + firmware(info.until.firmware);
   }
-  return info.since.firmware > versions.firmware ? "needs firmware " + firmware(info.since.firmware)
-                                                 : std::string();
+  if (info.since.firmware > versions.firmware) {
+    return "needs firmware " + firmware(info.since.firmware);
+  }
+  if (info.since.board > versions.board) {
+    return "needs board " + to_string(msg::BoardVersion(info.since.board));
+  }
+  return "";
 }
 
 /// Writes objections by path; that to the whole message has the path "".

@@ -24,14 +24,14 @@ using Header = std::array<std::uint8_t, frame_header_size>;
 constexpr std::array<std::uint8_t, 5> removed_bytes{0x04, 0x11, 0x12, 0x13, 0x16};
 constexpr std::uint8_t carriage_return = 0x0D;
 constexpr std::uint8_t line_feed = 0x0A;
-/// The bytes of a header behind the start byte, the size first: with the same sum, the id could be
+/// The bytes of a header after the start byte, the size first: with the same sum, the id could be
 /// missing as well, but few ids are among the removed bytes.
 constexpr std::array<std::size_t, 3> places{frame_size_offset, frame_id_offset,
                                             frame_header_checksum_offset};
 static_assert(places.size() + 1 == frame_header_size);
 
 bool is_removed(std::uint8_t byte) {
-  return std::ranges::find(removed_bytes, byte) != removed_bytes.end();
+  return std::find(removed_bytes.begin(), removed_bytes.end(), byte) != removed_bytes.end();
 }
 
 std::uint8_t sum_of(ByteSpan bytes) {
@@ -93,7 +93,7 @@ std::string remark_on_replaced(ByteSpan frame) {
   if (!has_only_sums(framing_of(frame.data()))) return "";
   const ByteSpan body = frame.subspan(frame_header_size, frame[frame_size_offset]);
   const std::uint8_t checksum = frame[frame_header_size + body.size()];
-  const auto line_feeds = std::ranges::count(body, line_feed);
+  const auto line_feeds = std::count(body.begin(), body.end(), line_feed);
   const auto explains = [&](std::uint8_t sent) {
     constexpr int difference = carriage_return - line_feed;
     const int missing = static_cast<std::uint8_t>(sent - sum_of(body));

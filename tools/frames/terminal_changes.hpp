@@ -18,7 +18,7 @@ struct ChangedHeader {
   std::string change{};  ///< such as "its size, 0x12, is missing: the port is not in raw mode"
 };
 
-/// Returns the header that the driver may have changed to the invalid one behind the start byte
+/// Returns the header that the driver may have changed to the invalid one after the start byte
 /// `bytes[0]`, if it fits a command.
 std::optional<ChangedHeader> changed_header(std::span<const std::uint8_t> bytes,
                                             std::optional<Direction> direction);

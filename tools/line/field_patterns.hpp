@@ -15,7 +15,7 @@ bool matches_glob(std::string_view pattern, std::string_view text);
 /// Returns true for the paths of `paths` that the patterns choose, in their order. A pattern is
 /// - a glob for the whole path: "axes.*.angle",
 /// - a path, or the part of it before a dot or bracket: "angle" for "angle.roll",
-/// - the end of a path behind a dot, if it is unique: "cycle_time",
+/// - the end of a path after a dot, if it is unique: "cycle_time",
 /// - the name in the specification: "ANGLE_ROLL".
 /// `patterns` are separated by commas; without any, all are chosen. Throws CommandError for a
 /// pattern that chooses nothing, with suggestions.

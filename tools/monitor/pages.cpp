@@ -63,7 +63,7 @@ void draw_frame(Screen& screen, const View& view, const GimbalSnapshot& gimbal,
              "1-4, Tab: page   p: pause   z: zero   arrows: scroll   q: quit", Style::dim);
 }
 
-/// Draws a row of the table of axes. Returns the column behind it.
+/// Draws a row of the table of axes. Returns the column after it.
 void draw_axis(Screen& screen, std::size_t row, std::size_t axis, const View& view,
                const GimbalSnapshot& gimbal) {
   const LiveValues& values = gimbal.values;

@@ -216,7 +216,7 @@ void add_params_set(CLI::App& params, CommandContext& context) {
   command->footer(
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
       "back and compares. A number is in the unit that `params show` prints, which may be written "
-      "behind it; raw:NUMBER is the number on the wire. A general parameter is set in all "
+      "after it; raw:NUMBER is the number on the wire. A general parameter is set in all "
       "profiles.\n"
       "\n"
       "Examples:\n"

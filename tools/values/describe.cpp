@@ -68,10 +68,10 @@ class Page {
     if (text.empty()) return;
     fmt::print("{:{}}{}\n", "", indent, wrapped(text, line_width(), indent, indent));
   }
-  /// A name in a column of `width` characters, and a text behind it or below.
+  /// A name in a column of `width` characters, and a text after it or below.
   void entry(std::string_view name, std::string_view text, std::size_t indent,
              std::size_t width) const {
-    // A narrow column behind the name is hard to read: the text stands below it then.
+    // A narrow column after the name is hard to read: the text is below it then.
     constexpr std::size_t narrow = 24;
     const bool is_below = line_width() < indent + width + narrow;
     const std::size_t column = indent + (is_below ? 2 : width);
@@ -117,7 +117,7 @@ class Layout {
   std::vector<PlacedField> take() { return std::move(fields_); }
 
  private:
-  /// Returns the offsets behind the members.
+  /// Returns the offsets after the members.
   Offsets members_at(const std::vector<FieldType>& members, const std::string& path, Offsets at) {
     for (const FieldType& member : members) {
       // Conditions decide whether a field is there, so its place is not fixed.
@@ -377,7 +377,7 @@ struct Occurrence {
   const FieldType* type = nullptr;
 };
 
-/// Returns the fields with this path or name in all messages, or behind the name of one message.
+/// Returns the fields with this path or name in all messages, or after the name of one message.
 std::vector<Occurrence> occurrences_of(std::string word) {
   const std::size_t dot = std::min(word.find('.'), word.size());
   const std::string first = word.substr(0, dot);

@@ -47,7 +47,7 @@ std::optional<std::int64_t> integer_of(std::string_view text) {
   return is_negative ? -number : number;
 }
 
-/// A number and the text behind it.
+/// A number and the text after it.
 struct Measure {
   double number{};
   std::string_view rest{};

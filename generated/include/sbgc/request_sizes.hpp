@@ -12,7 +12,7 @@
 namespace sbgc {
 
 /// Returns the size of the largest form of a request that a board with these versions has. The
-/// board ignores the bytes behind it. Returns max_body_size if there are none, because the form
+/// board ignores the bytes after it. Returns max_body_size if there are none, because the form
 /// ends in a list or keeps a tail.
 constexpr std::size_t largest_request(std::uint8_t id, const Availability& versions) noexcept {
   switch (id) {

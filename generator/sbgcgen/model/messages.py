@@ -24,7 +24,7 @@ class Message:
 
     `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
     `min_size` up is this message; of several forms, only the longest can be open. `takes_surplus`: the
-    board ignores bytes behind this longest form of a request. `example` has the
+    board ignores bytes after this longest form of a request. `example` has the
     values by path in which the worked example is not typical; a message with the body of another
     inherits that message's. `preparation` is what to do before the request is sent. A request stops all
     motion if it has the values of one of the patterns in `stops`.
@@ -124,7 +124,7 @@ class Message:
 
     @cached_property
     def has_end(self) -> bool:
-        """True if bytes behind the known fields belong neither to a list nor to a tail."""
+        """True if bytes after the known fields belong neither to a list nor to a tail."""
         has_tail = self.keeps_tail or self.in_both_directions
         return not has_tail and not any(
             leaf.count is None or leaf.field.dim in ("counted", "rest") for leaf in self.leaves

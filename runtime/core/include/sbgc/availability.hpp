@@ -29,7 +29,7 @@ constexpr bool is_supported(const Availability& versions) noexcept {
 }
 
 /// As above, for the board that sent `info`:
-///     if (is_supported<BeepSound>(board_info)) ...
+///     if (is_supported<msg::BeepSound>(board_info)) ...
 template <Message M, class Info>
   requires requires(const Info& info) { versions_of(info); }
 constexpr bool is_supported(const Info& info) noexcept {

@@ -36,7 +36,7 @@ NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
   if constexpr (HasVaryingMembers<M>) {
     // Zeros stand for what is missing: more than any message needs.
     std::array<std::uint8_t, 4 * max_body_size> padded{};
-    std::ranges::copy(body, padded.begin());
+    std::copy(body.begin(), body.end(), padded.begin());
     M message{};
     if constexpr (HasFixedMembers<M>) Fixed::get(padded.data(), message);
     const auto size = [&] {

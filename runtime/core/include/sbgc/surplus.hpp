@@ -1,4 +1,4 @@
-/// Requests with surplus: bytes behind the largest form of the command. Boards ignore them.
+/// Requests with surplus: bytes after the largest form of the command. Boards ignore them.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Meta<WithSurplus<M>> : Meta<M> {
   }
 };
 
-/// True if the bytes behind M are surplus: it is the largest form of a request and has no open end.
+/// True if the bytes after M are surplus: it is the largest form of a request and has no open end.
 template <Message M>
 inline constexpr bool takes_surplus = M::direction ==
                                       Direction::to_board&& M::max_size <
@@ -59,7 +59,7 @@ constexpr const M& without_surplus(const WithSurplus<M>& message) noexcept {
   return message;
 }
 
-/// Decodes a request and its surplus, which begins behind the largest form: a shorter body has
+/// Decodes a request and its surplus, which begins after the largest form: a shorter body has
 /// none.
 template <Message M>
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,

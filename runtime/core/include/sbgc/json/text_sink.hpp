@@ -71,7 +71,7 @@ inline void put_real(TextOutput& out, double value) {
   const std::string_view digits(number.digits, static_cast<std::size_t>(number.size));
   const auto point = static_cast<std::size_t>(number.exponent);
   constexpr int most_digits = 15;  // before the point
-  constexpr int most_zeros = 3;    // behind the point
+  constexpr int most_zeros = 3;    // after the point
   if (number.exponent > most_digits || number.exponent < -most_zeros) {
     const int exponent = number.exponent - 1;
     const int size = exponent < 0 ? -exponent : exponent;
