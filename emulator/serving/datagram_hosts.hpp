@@ -30,7 +30,7 @@ class DatagramHosts {
   /// A host that has been silent for this long is removed, even if its place is not needed.
   static constexpr Duration idle_time = seconds(60);
   /// A sender that finds no place is remembered for at least this long, at most for twice as long.
-  /// Another one with the same address is soon taken for it: there are some 28,000 ports.
+  /// A longer memory would take new senders for earlier ones, because a machine reuses its ports.
   static constexpr Duration memory = seconds(1);
   /// Unless there are more of them.
   static constexpr std::size_t most_remembered = 4096;
@@ -42,6 +42,9 @@ class DatagramHosts {
     bool has_tried{};                   ///< it found no place before
     std::optional<Instant> answered{};  ///< when something was sent to it
     bool is_known{};                    ///< it has sent again after that
+
+    /// When something was last sent by it, or to it, as to one that listens to a stream.
+    Instant last() const { return std::max(heard, answered.value_or(heard)); }
   };
 
   explicit DatagramHosts(std::size_t places) : places_(places) {}
@@ -84,7 +87,7 @@ class DatagramHosts {
       const Duration silent = now - host.heard;
       // It may be listening to a stream.
       if (host.is_known) return silent >= safe_again && now - *host.answered >= safe_again;
-      if (!tries_again) return silent >= safe_once;
+      if (!tries_again) return now - host.last() >= safe_once;
       return silent >= time_to_go_on || (!host.has_tried && !host.answered);
     });
     remember(replaced ? replaced->endpoint : endpoint, now);
@@ -123,7 +126,7 @@ class DatagramHosts {
   }
 
   static bool has_priority(const Host& one, const Host& other) {
-    return one.is_known == other.is_known ? one.heard < other.heard : other.is_known;
+    return one.is_known == other.is_known ? one.last() < other.last() : other.is_known;
   }
 
   std::size_t places_;

@@ -14,7 +14,9 @@ import pytest
 
 from compiler import COMPILERS, INCLUDES, cross_compilers
 
-HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|from_json|text|fmt|ostream|io/|client/)")
+HOSTED = re.compile(
+    r"^sbgc/(json|parse_json|to_json|from_json|text|explain|fmt|ostream|io/|client/|detail/characters)"
+)
 FLAGS = [
     "-std=c++20",
     "-ffreestanding",

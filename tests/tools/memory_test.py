@@ -47,7 +47,7 @@ def test_progress_on_a_terminal(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     data.write_bytes(bytes(640))
     written = answer_on_terminal("y", "eeprom", "write", str(data), "-p", gimbal.address)
     assert written.status == 0, written
-    bars = re.findall(r"\r\[(#*)( *)\] (\d+)/640 bytes", written.error)
+    bars = re.findall(r"\r\x1b\[K\[(#*)( *)\] (\d+)/640 bytes", written.error)
     assert len(bars) > 3
     for full, empty, done in bars:
         assert (len(full), len(full + empty)) == (int(done) * 30 // 640, 30)

@@ -34,7 +34,7 @@ bool is_likely_request(const Frame& frame) {
   std::size_t missing = max_body_size + 1;
   AllMessages::for_each([&]<class M>(Type<M>) {
     if (M::direction == Direction::to_board || Meta<M>::info.id != frame.id) return;
-    if (M::min_size > size) missing = std::min(missing, M::min_size - size);
+    missing = std::min(missing, M::min_size - std::min(M::min_size, size));
   });
   return surplus < missing;
 }

@@ -169,8 +169,8 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   // A stream that is silent for longer is started again.
   const auto longest = std::max<Clock::duration>(ReconnectOptions{}.longest_silence, 3 * interval);
   const auto take = [&](const Sample& sample) {
-    if (has_ended) return;  // the capture begins again
-    has_samples = true;
+    if (has_ended) return;                                    // the capture begins again
+    if (!has_samples.exchange(true)) has_unreadable = false;  // of an earlier stream
     const auto now = Clock::now();
     const double time = std::chrono::duration<double>(now - start).count();
     const auto pause = counter.count(now, client.connections());
@@ -183,10 +183,13 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   Subscription samples =
       ends ? stream->listen(client, take) : value_of(stream->start(client, interval, take));
   const auto end = options.time ? start + *options.time : Clock::time_point::max();
+  // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
+  const auto settled =
+      Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 3 * interval);
   bool is_read = true;
   while (is_read && !was_interrupted() && Clock::now() < end) {
     if (has_ended || client.state() == LinkState::given_up) break;
-    if (has_unreadable && !has_samples) break;
+    if (has_unreadable && !has_samples && Clock::now() > settled) break;
     const auto soon = Clock::now() + std::chrono::milliseconds(50);
     is_read = write_out(lines.take(std::min(end, soon)));
   }

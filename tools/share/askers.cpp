@@ -71,7 +71,8 @@ bool Askers::Entry::can_be_answered_by(const Frame& frame) const {
     const std::uint8_t failed = roles::failed_command(frame);
     return failed == responses.command || failed == 0;
   }
-  if (responses.form_of(frame) != nullptr) return true;
+  // A body of a wrong size is an answer, too, which does not decode.
+  if (responses.form_of<true>(frame) != nullptr) return true;
   // Not every answer is documented.
   return frame.id == responses.command &&
          std::none_of(responses.forms.begin(), responses.forms.begin() + responses.form_count,
@@ -91,6 +92,7 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
   Entry* last = nullptr;
   bool is_of_one = true;
   for (Entry& entry : entries_) {
+    if (!entry.is_due(now) && now - entry.at > memory) continue;
     if (!entry.can_be_answered_by(frame)) continue;
     // Whoever has left does not make it another's.
     if (is_anonymous && !entry.asker && !entry.is_due(now)) continue;
@@ -118,8 +120,9 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
     owner = last;
   }
   if (owner == nullptr) return {.is_answer = true};
+  const bool is_awaited = owner->is_due(now);
   owner->take(frame, now);
-  return {.is_answer = true, .asker = owner->asker};
+  return {.is_answer = true, .is_awaited = is_awaited, .asker = owner->asker};
 }
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-/// Whose the answers of a board are.
+/// Tells to which host an answer of the board belongs.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +51,7 @@ class Askers {
 
   struct Claim {
     bool is_answer = false;        ///< else nobody has asked for it
+    bool is_awaited = false;       ///< it is the answer to a request without one
     std::optional<Asker> asker{};  ///< if it is known, and has not left
   };
   /// Tells whose a frame is, and counts it as an answer.

@@ -292,7 +292,7 @@ void BridgePorts::refuse_stream(const Asker& asker, const StreamKey& key, const 
   std::array<std::uint8_t, max_body_size> body{};
   const std::size_t size = encode(error, std::span(body)).size;
   const auto id = static_cast<std::uint8_t>(msg::ErrorExt::command);
-  answer(asker, {.id = id, .body = std::span(body).first(size)});
+  give(asker, {.id = id, .body = std::span(body).first(size)}, false);
   log(fmt::format("host {}: a stream of {} is refused, because {}", asker.port,
                   to_string(static_cast<msg::CommandFromBoard>(key.first)), reason));
 }
@@ -314,7 +314,9 @@ RawRequest BridgePorts::merged(std::size_t port, const RawRequest& request) {
   stream.heard = now();
   const auto share = stream.shares.find(port);
   if (wanted != roles::stream_end) {
-    const std::int64_t before = share == stream.shares.end() ? 0 : share->second.interval;
+    // A stream that ends does not come back if its next start is refused.
+    const bool goes_on = share != stream.shares.end() && share->second.end == 0;
+    const std::int64_t before = goes_on ? share->second.interval : 0;
     stream.shares[port] = {.interval = wanted, .before = before};
   } else if (share != stream.shares.end()) {
     // Until the board confirms, its samples go to the host, as on a line to the board.
@@ -367,7 +369,7 @@ void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
   Call& call = place->second;
   call.is_due_soon = false;  // a calibration may go on
   if (call.stream && roles::is_error(frame)) refused(tag, call);
-  answer(call.asker, frame);
+  give(call.asker, frame, false);
   begin_exclusive();
 }
 
@@ -403,14 +405,15 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
     std::erase_if(stream.shares, [&](const auto& one) { return one.second.end == tag; });
     place = end_if_unused(place);
   }
-  const auto call = calls_.find(tag);
-  if (call == calls_.end()) return;
-  const std::size_t port = call->second.asker.port;
-  if (failure == ErrorCode::overload && call->second.stream) {
-    refused(tag, call->second);
-    refuse_stream(call->second.asker, *call->second.stream, "the line has no room for it");
+  // Taken out first, because answers wake the host, which may send at once.
+  const auto call = calls_.extract(tag);
+  if (call.empty()) return;
+  const Asker asker = call.mapped().asker;
+  const std::size_t port = asker.port;
+  if (failure == ErrorCode::overload && call.mapped().stream) {
+    refused(tag, call.mapped());
+    refuse_stream(asker, *call.mapped().stream, "the line has no room for it");
   }
-  calls_.erase(call);
   if (room(port) == 0) hosts_[port]->heard = now();
   --hosts_[port]->pending;
   begin_exclusive();
@@ -441,7 +444,8 @@ void BridgePorts::arrived(const BoardFrame& message) {
 /// A message that answers no request which has not ended: unsolicited, or a late answer.
 void BridgePorts::give_unclaimed(const Frame& frame) {
   const Askers::Claim claim = askers_.claim(frame, now());
-  if (claim.asker) return answer(*claim.asker, frame);
+  // What nobody waits for may be dropped, as what nobody has asked for.
+  if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
   if (!claim.is_answer) give_all(frame);
 }
 
@@ -513,28 +517,23 @@ void BridgePorts::give_all(const Frame& frame) {
 }
 
 void BridgePorts::give(std::size_t port, const Frame& frame, bool may_be_dropped) {
-  Host& host = *hosts_[port];
+  give({port, hosts_[port]->framing}, frame, may_be_dropped);
+}
+
+void BridgePorts::give(const Asker& to, const Frame& frame, bool may_be_dropped) {
+  Host& host = *hosts_[to.port];
   if (host.must_leave) return;
   if (may_be_dropped && host.output.size() > most_for_samples) {
     ++host.counters.dropped;
     return;
   }
-  put(port, host.framing, frame);
-}
-
-void BridgePorts::answer(const Asker& asker, const Frame& frame) {
-  put(asker.port, asker.framing, frame);
-}
-
-void BridgePorts::put(std::size_t port, Framing framing, const Frame& frame) {
-  Host& host = *hosts_[port];
   std::array<std::uint8_t, max_frame_size> bytes{};
-  const WriteResult written = write_frame(framing, frame.id, frame.body, bytes);
+  const WriteResult written = write_frame(to.framing, frame.id, frame.body, bytes);
   if (!written) return;
   host.output.insert(host.output.end(), bytes.begin(),
                      bytes.begin() + static_cast<std::ptrdiff_t>(written.size));
   ++host.counters.messages;
-  wake(port);
+  wake(to.port);
 }
 
 void BridgePorts::log(const std::string& text) const {

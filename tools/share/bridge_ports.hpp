@@ -63,7 +63,7 @@ class BridgeLine {
 ///   in place of a confirmation. So does one for which the line has no room.
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
-/// - A request that fails has no response, as on a line to the board.
+/// - Another request that fails has no response, as on a line to the board.
 /// - After a request that restarts the board, its host has the line for itself, with all bytes as
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
 ///   left, the board introduces itself again, or nothing of that kind happens. The board does not
@@ -216,13 +216,12 @@ class BridgePorts final : public serving::HostPorts {
   bool has_other_configuration(const StreamKey& key) const;
   std::uint64_t send(std::optional<std::size_t> port, RawRequest request);
   void give(std::size_t port, const Frame& frame, bool may_be_dropped);
+  void give(const Asker& to, const Frame& frame, bool may_be_dropped);
   void give_all(const Frame& frame);
   void give_sample(const Frame& frame, bool is_answer);
   void wake(std::size_t port);
   bool is_streamed(std::uint8_t id) const;
   bool awaits(std::size_t port, std::uint8_t id) const;
-  void answer(const Asker& asker, const Frame& frame);
-  void put(std::size_t port, Framing framing, const Frame& frame);
   void give_unclaimed(const Frame& frame);
 
   BridgeLine& line_;

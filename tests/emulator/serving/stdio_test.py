@@ -46,7 +46,7 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
 def test_what_is_not_known_is_refused_by_its_code() -> None:
     done = subprocess.run(
         [PROGRAM, "emulate", "--stdio"],
-        input=frame(BOARD_INFO, b"\0") + frame(200) + frame(69, bytes(9)) + frame(BOARD_INFO),
+        input=frame(BOARD_INFO, b"\0") + frame(200) + frame(67, bytes(14)) + frame(BOARD_INFO),
         capture_output=True,
         timeout=PATIENCE,
         check=False,
@@ -54,7 +54,7 @@ def test_what_is_not_known_is_refused_by_its_code() -> None:
     assert done.returncode == 0, done.stderr
     introduction = done.stdout[: 5 + 18]
     unknown_command = frame(255, bytes([200, 6, 0, 0, 0, 0]))
-    wrong_size = frame(255, bytes([69, 1, 0, 0, 0, 0]))
+    wrong_size = frame(255, bytes([67, 1, 0, 0, 0, 0]))
     assert introduction[1] == BOARD_INFO, "for a body of one byte, too"
     assert done.stdout == introduction + unknown_command + wrong_size + introduction
 

@@ -34,7 +34,7 @@ template <class M, class... Context>
 NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
   NeededSize needed{.size = fixed_size<M>};
   if constexpr (HasVaryingMembers<M>) {
-    // Zeros stand for what is missing: more than any message needs.
+    // Missing bytes read as zero; there are more of them than any message needs.
     std::array<std::uint8_t, 4 * max_body_size> padded{};
     std::copy(body.begin(), body.end(), padded.begin());
     M message{};

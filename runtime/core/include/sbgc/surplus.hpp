@@ -1,7 +1,6 @@
 /// Requests with surplus: bytes after the largest form of the command. Boards ignore them.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/fixed.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/request_sizes.hpp>
 #include <sbgc/types.hpp>
@@ -69,7 +69,7 @@ template <Message M>
   const Status status = decode(body, request);
   if (status.code != Code::too_long || body.size() <= M::max_size) return status;
   out.tail.resize_for_overwrite(body.size() - status.offset);
-  std::copy(body.begin() + status.offset, body.end(), out.tail.begin());
+  detail::copy(body.data() + status.offset, out.tail.data(), out.tail.size());
   return decode(body.first(status.offset), request);
 }
 
@@ -83,7 +83,7 @@ template <Message M>
   const auto at = static_cast<std::uint16_t>(written.size);
   const std::size_t size = written.size + in.tail.size();
   if (size > out.size()) return {0, {Code::buffer_too_small, at, tail_field.name}};
-  std::copy(in.tail.begin(), in.tail.end(), out.begin() + at);
+  detail::copy(in.tail.data(), out.data() + at, in.tail.size());
   WithSurplus<M> read{};
   const bool is_surplus = decode(out.first(size), read) && read.tail.size() == in.tail.size();
   if (!is_surplus) return {0, {Code::presence_mismatch, at, tail_field.name}};
@@ -95,7 +95,7 @@ template <class Use>
 constexpr Code select_received(Direction direction, std::uint8_t id, std::size_t size, Use&& use) {
   const bool is_request = direction == Direction::to_board;
   const std::size_t largest = is_request ? largest_request(id, newest) : max_body_size;
-  return select(direction, id, std::min(size, largest), std::forward<Use>(use));
+  return select(direction, id, size < largest ? size : largest, std::forward<Use>(use));
 }
 
 /// As visit(), but also decodes requests with surplus. The visitor gets Received<M> and must accept

@@ -26,27 +26,14 @@ constexpr std::int64_t nearest(std::int64_t numerator, std::int64_t denominator)
 }
 
 template <class T>
-constexpr std::int64_t raw_of(const T& setting) noexcept {
-  if constexpr (RawValue<T>) {
-    return setting.raw();
-  } else {
-    return static_cast<std::int64_t>(setting);
-  }
-}
-
-template <class T>
 constexpr void set_raw(T& setting, std::int64_t count) noexcept {
-  if constexpr (RawValue<T>) {
-    setting = T(static_cast<typename T::raw_type>(count));
-  } else {
-    setting = static_cast<T>(count);
-  }
+  setting = static_cast<T>(static_cast<RawOf<T>>(count));
 }
 
 template <class T>
 constexpr std::int32_t variable_value(const VariableScale& scale, const T& setting) noexcept {
   return static_cast<std::int32_t>(
-      nearest(raw_of(setting) * scale.denominator - scale.addend, scale.numerator));
+      nearest(std::int64_t{raw_of(setting)} * scale.denominator - scale.addend, scale.numerator));
 }
 
 /// Raw values in `special` have a meaning of their own, such as "disabled". Only a value that

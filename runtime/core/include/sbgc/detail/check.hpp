@@ -24,6 +24,7 @@ template <class Report>
 class Check {
  public:
   static constexpr bool is_silent = std::is_same_v<Report, const NoReport>;
+  static constexpr bool is_inlined = is_silent;
   using Place = std::conditional_t<is_silent, FieldPlace, PathPlace>;
   using Parent = typename Place::Parent;
 

@@ -19,6 +19,20 @@ struct MemberWalk {
 
   template <class Member>
   SBGC_ALWAYS_INLINE constexpr void operator()(const FieldInfo& field, Member&& member) {
+    if constexpr (Visitor::is_inlined) {
+      step(field, member);
+    } else {
+      step_apart(field, member);
+    }
+  }
+
+ private:
+  template <class Member>
+  SBGC_NOINLINE constexpr void step_apart(const FieldInfo& field, Member& member) {
+    step(field, member);
+  }
+  template <class Member>
+  SBGC_ALWAYS_INLINE constexpr void step(const FieldInfo& field, Member& member) {
     using Value = std::remove_cvref_t<Member>;
     const Place place(field, parent);
     if constexpr (std::is_same_v<Value, msg::VariableId>) variable = find_variable(member);
@@ -31,8 +45,9 @@ struct MemberWalk {
   }
 };
 
-/// Walks the members of a message or struct. The value of an adjustable variable goes to the
-/// handler `variable(value, info, place)`.
+/// Walks the members of a message or struct. If the visitor `is_inlined`, everything is compiled
+/// for each member; else once for each type of member, which is smaller. The value of an adjustable
+/// variable goes to the handler `variable(value, info, place)`.
 template <class T, class Visitor>
 SBGC_ALWAYS_INLINE constexpr void walk_members(T& value, typename Visitor::Place::Parent parent,
                                                Visitor& visitor) {

@@ -134,6 +134,7 @@ class LeafWalk {
  public:
   using Use = void (*)(void* user, const Leaf& leaf);
   using Place = PathPlace;
+  static constexpr bool is_inlined = false;
 
   LeafWalk(Use use, void* user) : use_(use), user_(user) {}
 
