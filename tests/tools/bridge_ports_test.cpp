@@ -221,6 +221,41 @@ TEST_F(Bridge, ALateAnswerGoesToTheOneWhoAsked) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
+TEST_F(Bridge, ALateAnswerOfAWrongSizeGoesToTheOneWhoAsked) {
+  const std::size_t asking = join();
+  const std::size_t other = join();
+  ask(asking, msg::GetAnglesRequest{});
+  ports.ended(line.sent[0].tag, ErrorCode::timeout);
+  const Bytes broken = sample_of(msg::GetAngles::command, 5);
+  time = time + milliseconds(400);
+  ports.arrived({.frame = frame_at(broken.data())});
+  EXPECT_EQ(read(asking), broken);
+  EXPECT_THAT(read(other), IsEmpty());
+}
+
+TEST_F(Bridge, AnAnswerIsNobodysAfterAMinute) {
+  const std::size_t asking = join();
+  const std::size_t other = join();
+  ask(asking, msg::GetAnglesRequest{});
+  answer(line.sent[0], msg::GetAngles{});
+  read(asking);
+  time = time + seconds(59);
+  send(msg::GetAngles{});
+  EXPECT_EQ(read(asking), frame_of(msg::GetAngles{}));
+  EXPECT_THAT(read(other), IsEmpty());
+  time = time + seconds(2);
+  send(msg::GetAngles{});
+  EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
+}
+
+TEST_F(Bridge, WhatAHostHasAskedForOnceDoesNotFillTheMemory) {
+  const std::size_t host = join();
+  ask(host, msg::GetAnglesRequest{});
+  answer(line.sent[0], msg::GetAngles{});
+  for (int i = 0; i < 10'000; ++i) send(msg::GetAngles{});
+  EXPECT_LT(ports.output(host).size(), 2 * BridgePorts::max_output);
+}
+
 TEST_F(Bridge, SeveralAnswersGoToTheOneWhoAsked) {
   const std::size_t first = join();
   const std::size_t second = join();
@@ -419,6 +454,23 @@ TEST_F(Bridge, AStreamWhoseChangeIsRefusedGoesOn) {
     send(msg::RealtimeData3{});
     EXPECT_EQ(read(host), frame_of(msg::RealtimeData3{}));
   }
+}
+
+TEST_F(Bridge, AStreamThatEndsDoesNotComeBackWhenItsNextStartIsRefused) {
+  const std::size_t host = join();
+  ask(host, stream(20));
+  answer(line.sent[0], confirmation_of_stream());
+  ask(host, stream(0));
+  ask(host, stream(40));
+  answer(line.sent[1], confirmation_of_stream());
+  msg::ErrorExt error;
+  error.cmd_id = msg::DataStreamInterval::command;
+  answer(line.sent[2], error);
+  for (int i = 0; i < 10; ++i) {
+    time = time + seconds(1);
+    ports.tick();
+  }
+  EXPECT_THAT(line.sent, SizeIs(3));
 }
 
 TEST_F(Bridge, AStreamForWhichTheLineHasNoRoomIsRefused) {
