@@ -72,7 +72,7 @@ bool Askers::Entry::can_be_answered_by(const Frame& frame) const {
     return failed == responses.command || failed == 0;
   }
   // A body of a wrong size is an answer, too, which does not decode.
-  if (responses.form_of<true>(frame) != nullptr) return true;
+  if (responses.form_of(frame, true) != nullptr) return true;
   // Not every answer is documented.
   return frame.id == responses.command &&
          std::none_of(responses.forms.begin(), responses.forms.begin() + responses.form_count,

@@ -103,8 +103,7 @@ struct Responses {
 
   /// Returns the form that the frame matches, or null. With `any_size`, a body of a wrong size
   /// matches the first form.
-  template <bool any_size = false>
-  constexpr const ResponseForm* form_of(const Frame& frame) const noexcept {
+  constexpr const ResponseForm* form_of(const Frame& frame, bool any_size = false) const noexcept {
     for (std::size_t i = form_count; i-- > 0;) {
       if (forms[i].fits(frame, any_size && i == 0)) return &forms[i];
     }

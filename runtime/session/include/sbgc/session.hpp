@@ -231,7 +231,7 @@ class BasicSession {
   /// A session for one request at a time needs neither order nor hosts.
   static constexpr bool is_shared = capacity.requests > 1;
   /// The only request gets what answers it by its id: to compare sizes would take code.
-  using Meaning = detail::Meaning<!is_shared>;
+  using Meaning = detail::Meaning;
 
   // Accepting requests
 
@@ -481,33 +481,13 @@ class BasicSession {
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
     const Handle next = next_handle();
-    const Meaning meaning = detail::meaning_of<!is_shared>(frame, streams_.has(frame.id));
+    const Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id), !is_shared);
     const bool is_reset = meaning.kind == EventKind::reset;
     const bool is_error = meaning.kind == EventKind::board_error;
     if (is_error) count(&SessionStatistics::board_errors);
     if (is_reset) count(&SessionStatistics::resets);
     if (is_reset) forget_streams();
-    Late late;
-    Request* meant = nullptr;
-    std::size_t candidates = 0;
-    const auto match = [&](const auto& fits) {
-      late = late_replies_.match(fits);
-      candidates = late.count;
-      for (Request& request : requests_) {
-        if (!request.is_in_flight() || !fits(request.policy.responses)) continue;
-        if (is_sample(request, frame)) continue;
-        ++candidates;
-        if (meant == nullptr || request.is_answered_before(*meant, is_error)) meant = &request;
-      }
-    };
-    match(meaning);
-    if constexpr (is_shared) {
-      // What has the size of no answer is one that does not decode, unless it is of a stream.
-      const bool is_for_none = meant == nullptr && late.entry == nullptr;
-      if (is_for_none && meaning.kind == EventKind::unsolicited) {
-        match(detail::Meaning<true>{frame, meaning.kind, meaning.command});
-      }
-    }
+    const auto [late, meant, candidates] = found_for(meaning);
     Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
     const bool is_confirmation = meaning.kind == EventKind::confirmation;
     const bool is_unclear = is_error && candidates > 1 && !has_order(meant, meaning);
@@ -530,13 +510,43 @@ class BasicSession {
     late_replies_.limit(detail::ticks_of_ms(roles::reset_delay_ms) + settings_.late);
   }
 
+  using Late = typename detail::LateReplies<capacity.late_replies, is_shared>::Match;
+
+  /// What a frame can answer.
+  struct Found {
+    Late late{};
+    Request* meant{};
+    std::size_t candidates{};
+  };
+
+  SBGC_ALWAYS_INLINE Found found_for(Meaning meaning) noexcept {
+    Found found = found_once(meaning);
+    if constexpr (is_shared) {
+      // What has the size of no answer is one that does not decode, unless it is of a stream.
+      meaning.any_size = found.candidates == 0 && meaning.kind == EventKind::unsolicited;
+      if (meaning.any_size) found = found_once(meaning);
+    }
+    return found;
+  }
+  SBGC_ALWAYS_INLINE Found found_once(const Meaning& meaning) noexcept {
+    Found found{late_replies_.match(meaning), nullptr, 0};
+    found.candidates = found.late.count;
+    const bool is_error = meaning.kind == EventKind::board_error;
+    for (Request& request : requests_) {
+      if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
+      if (is_sample(request, meaning.frame)) continue;
+      ++found.candidates;
+      Request*& meant = found.meant;
+      if (meant == nullptr || request.is_answered_before(*meant, is_error)) meant = &request;
+    }
+    return found;
+  }
+
   /// Returns true if the oldest request that a frame can answer is the one that it answers.
   static bool has_order(const Request* meant, const Meaning& meaning) noexcept {
     if constexpr (!is_shared) return false;
     return meant != nullptr && meant->policy.has_effect && !meaning.is_anonymous();
   }
-
-  using Late = typename detail::LateReplies<capacity.late_replies, is_shared>::Match;
 
   /// Returns true if a frame that can be a response to `request` is one to an earlier request, or
   /// is repeated.
@@ -560,7 +570,7 @@ class BasicSession {
 
   /// Returns the outcome of a request that the frame answers.
   static Outcome outcome_of(const Request& request, const Frame& frame) noexcept {
-    const ResponseForm* const form = request.policy.responses.template form_of<true>(frame);
+    const ResponseForm* const form = request.policy.responses.form_of(frame, true);
     return form->is_error ? Outcome::failed : Outcome::answered;
   }
 
@@ -592,7 +602,7 @@ class BasicSession {
 
   /// Returns true if the frame is a sample of a stream, though it could also answer the request.
   bool is_sample(const Request& request, const Frame& frame) const noexcept {
-    const ResponseForm* const form = request.policy.responses.template form_of<true>(frame);
+    const ResponseForm* const form = request.policy.responses.form_of(frame, true);
     return form != nullptr && form->size != frame.body.size() && streams_.has_size_of_sample(frame);
   }
 

@@ -13,11 +13,11 @@ namespace sbgc::detail {
 
 /// The kind of a frame, and the command that it confirms or reports as failed (0 if unknown), else
 /// its id. With `any_size`, a body of a wrong size, which does not decode, is a response, too.
-template <bool any_size>
 struct Meaning {
   const Frame& frame;
   EventKind kind;
   std::uint8_t command;
+  bool any_size;
 
   /// Returns true for an error that does not say which request has failed.
   bool is_anonymous() const noexcept { return kind == EventKind::board_error && command == 0; }
@@ -26,21 +26,20 @@ struct Meaning {
   SBGC_NOINLINE bool operator()(const Responses& responses) const noexcept {
     if (kind == EventKind::confirmation) return responses.is_confirmed_by(command, frame);
     if (kind == EventKind::board_error) return command == 0 || command == responses.command;
-    return responses.form_of<any_size>(frame) != nullptr;
+    return responses.form_of(frame, any_size) != nullptr;
   }
 };
 
 /// Returns the meaning of a frame. `is_of_stream` is true if its id is that of a running stream.
-template <bool any_size>
-Meaning<any_size> meaning_of(const Frame& frame, bool is_of_stream) noexcept {
-  if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id};
+inline Meaning meaning_of(const Frame& frame, bool is_of_stream, bool any_size) noexcept {
+  if (roles::is_reset(frame)) return {frame, EventKind::reset, frame.id, any_size};
   if (roles::is_confirmation(frame)) {
-    return {frame, EventKind::confirmation, roles::confirmed_command(frame)};
+    return {frame, EventKind::confirmation, roles::confirmed_command(frame), any_size};
   }
   if (roles::is_error(frame)) {
-    return {frame, EventKind::board_error, roles::failed_command(frame)};
+    return {frame, EventKind::board_error, roles::failed_command(frame), any_size};
   }
-  return {frame, is_of_stream ? EventKind::stream : EventKind::unsolicited, frame.id};
+  return {frame, is_of_stream ? EventKind::stream : EventKind::unsolicited, frame.id, any_size};
 }
 
 }  // namespace sbgc::detail
