@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/dispatch.hpp>
@@ -24,11 +23,6 @@ struct NeededSize {
   bool depends_on_flags{};   ///< which announce the members that are present
   const char* without = "";  ///< the only flag without which the body has the right size, or ""
 };
-
-template <class T>
-struct IsFlagSet : std::false_type {};
-template <class Flag>
-struct IsFlagSet<Flags<Flag>> : std::true_type {};
 
 template <class M, class... Context>
 NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
@@ -47,7 +41,7 @@ NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
     needed.size = size();
     std::size_t candidates = 0;
     const auto try_without_each = [&]<class Set>(Set& flags) {
-      if constexpr (IsFlagSet<Set>::value) {
+      if constexpr (requires { typename Set::flag_type; }) {
         using Flag = typename Set::flag_type;
         const Set all = flags;
         for (const ValueInfo& value : EnumMeta<Flag>::info.values) {

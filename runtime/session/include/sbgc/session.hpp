@@ -230,8 +230,6 @@ class BasicSession {
 
   /// A session for one request at a time needs neither order nor hosts.
   static constexpr bool is_shared = capacity.requests > 1;
-  /// The only request gets what answers it by its id: to compare sizes would take code.
-  using Meaning = detail::Meaning;
 
   // Accepting requests
 
@@ -481,7 +479,8 @@ class BasicSession {
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
     const Handle next = next_handle();
-    const Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id), !is_shared);
+    // The only request gets what answers it by its id: to compare sizes first would take code.
+    const detail::Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id), !is_shared);
     const bool is_reset = meaning.kind == EventKind::reset;
     const bool is_error = meaning.kind == EventKind::board_error;
     if (is_error) count(&SessionStatistics::board_errors);
@@ -519,7 +518,7 @@ class BasicSession {
     std::size_t candidates{};
   };
 
-  SBGC_ALWAYS_INLINE Found found_for(Meaning meaning) noexcept {
+  SBGC_ALWAYS_INLINE Found found_for(detail::Meaning meaning) noexcept {
     Found found = found_once(meaning);
     if constexpr (is_shared) {
       // What has the size of no answer is one that does not decode, unless it is of a stream.
@@ -528,7 +527,7 @@ class BasicSession {
     }
     return found;
   }
-  SBGC_ALWAYS_INLINE Found found_once(const Meaning& meaning) noexcept {
+  SBGC_ALWAYS_INLINE Found found_once(const detail::Meaning& meaning) noexcept {
     Found found{late_replies_.match(meaning), nullptr, 0};
     found.candidates = found.late.count;
     const bool is_error = meaning.kind == EventKind::board_error;
@@ -543,7 +542,7 @@ class BasicSession {
   }
 
   /// Returns true if the oldest request that a frame can answer is the one that it answers.
-  static bool has_order(const Request* meant, const Meaning& meaning) noexcept {
+  static bool has_order(const Request* meant, const detail::Meaning& meaning) noexcept {
     if constexpr (!is_shared) return false;
     return meant != nullptr && meant->policy.has_effect && !meaning.is_anonymous();
   }
