@@ -34,7 +34,7 @@ JsonResult from_json(std::string_view text, M& message) {
   }
   // Text that is not JSON at all is the first problem.
   const char* const no_json = source.problem();
-  return {JsonProblem{source.line(), source.column(),
+  return {JsonProblem{source.line(source.at()), source.column(source.at()),
                       no_json != nullptr ? no_json : reader.reason(),
                       no_json != nullptr ? "" : reader.field()}};
 }

@@ -64,7 +64,6 @@ class JsonTextSource {
     const char* const end = number.text.data() + number.text.size();
     if (std::from_chars(number.text.data(), end, out).ec == std::errc::result_out_of_range) {
       if (!is_tiny(number.text)) {
-        at_ = end;
         return refuse("a number that is too large for JSON");
       }
       out = number.is_negative ? -0.0 : 0.0;
@@ -77,6 +76,14 @@ class JsonTextSource {
     return scan_string(out) || refuse();
   }
 
+  /// Reads one of the words null, true and false.
+  bool word(std::string_view text) {
+    skip_space();
+    if (!rest().starts_with(text)) return false;
+    at_ += text.size();
+    return true;
+  }
+
   /// Must be called after the value. Returns false if more text follows.
   bool finish() {
     skip_space();
@@ -86,15 +93,22 @@ class JsonTextSource {
   /// Returns what is wrong with the text; null if it is JSON so far.
   const char* problem() const { return problem_; }
 
-  std::size_t line() const {
+  /// Ends the reading: the text is not JSON at the position.
+  bool refuse() {
+    return refuse(at_ == end_ ? "this is not JSON, or only its beginning" : "this is not JSON");
+  }
+
+  /// The position, for line() and column().
+  const char* at() const { return at_; }
+  std::size_t line(const char* at) const {
     std::size_t result = 1;
-    for (const char* at = begin_; at != at_; ++at) result += *at == '\n' ? 1 : 0;
+    for (const char* read = begin_; read != at; ++read) result += *read == '\n' ? 1 : 0;
     return result;
   }
-  std::size_t column() const {
-    const char* start = at_;
+  std::size_t column(const char* at) const {
+    const char* start = at;
     while (start != begin_ && start[-1] != '\n') --start;
-    return 1 + static_cast<std::size_t>(at_ - start);
+    return 1 + static_cast<std::size_t>(at - start);
   }
 
  private:
@@ -112,9 +126,6 @@ class JsonTextSource {
     return at_ != end_ && *at_ == c;
   }
 
-  bool refuse() {
-    return refuse(at_ == end_ ? "this is not JSON, or only its beginning" : "this is not JSON");
-  }
   bool refuse(const char* problem) {
     if (problem_ == nullptr) problem_ = problem;
     return false;

@@ -108,6 +108,7 @@ inline bool operator==(const JsonString& string, const char* text) {
 }
 
 inline std::string to_string(const JsonString& string) {
+  if (!string.has_escapes) return std::string(string.raw);
   std::string result;
   JsonBytes bytes(string);
   for (int byte = bytes.next(); byte != JsonBytes::end; byte = bytes.next()) {
