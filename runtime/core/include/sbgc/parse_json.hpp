@@ -74,7 +74,7 @@ class JsonBuilder {
     if (source_.is_list()) return open(false);
     JsonInteger integer;
     if (source_.integer(integer)) return add(number(integer));
-    double real = 0;
+    double real{};
     if (source_.real(real)) return add(real);
     JsonString string;
     if (source_.string(string)) return add(to_string(string));
@@ -136,9 +136,8 @@ class JsonBuilder {
   /// Returns the integer, also above those of `value`.
   static Json number(const JsonInteger& integer) {
     if (integer.value < 0) return integer.value;
-    std::uint64_t result = 0;
-    const char* const begin = integer.text.data() + (integer.text.front() == '-' ? 1 : 0);
-    std::from_chars(begin, integer.text.data() + integer.text.size(), result);
+    std::uint64_t result = 0;  // also of "-0"
+    std::from_chars(integer.text.data(), integer.text.data() + integer.text.size(), result);
     return result;
   }
 
@@ -147,10 +146,8 @@ class JsonBuilder {
     std::vector<const Member*> sorted(members.size());
     std::transform(members.begin(), members.end(), sorted.begin(),
                    [](const Member& member) { return &member; });
-    std::sort(sorted.begin(), sorted.end(), [](const Member* a, const Member* b) {
-      const int order = a->key.compare(b->key);
-      return order != 0 ? order < 0 : a < b;
-    });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Member* a, const Member* b) { return a->key < b->key; });
     const Member* first = nullptr;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
       if (sorted[i]->key != sorted[i - 1]->key) continue;
