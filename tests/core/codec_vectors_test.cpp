@@ -13,7 +13,7 @@
 #include <sbgc/json_dom.hpp>
 #include <sbgc/surplus.hpp>
 
-#include "any_message.hpp"
+#include "messages.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -68,11 +68,11 @@ class Vector {
     for (const Json& earlier : json_["after"]) {
       const ByteVector body = body_of(earlier);
       const MessageType* const type =
-          find_message_type(direction_of(earlier), earlier["id"], body.size());
+          find_message(direction_of(earlier), earlier["id"], body.size());
       ASSERT_NE(type, nullptr);
-      const auto message = type->make();
-      EXPECT_TRUE(message->decode(body));
-      message->teach(contexts_);
+      auto message = type->make();
+      EXPECT_TRUE(message.decode(body));
+      message.teach(contexts_);
     }
   }
 
@@ -91,24 +91,24 @@ class Vector {
   void check_decode(const MessageType& type) const {
     const ByteVector bytes = body_of(json_);
     const ExactCopy body(bytes);
-    EXPECT_EQ(find_message_type(direction_of(json_), json_["id"], bytes.size()), chosen(type));
-    const auto message = type.make();
-    const Status status = message->decode(body.get(), contexts_);
+    EXPECT_EQ(find_message(direction_of(json_), json_["id"], bytes.size()), chosen(type));
+    auto message = type.make();
+    const Status status = message.decode(body.get(), contexts_);
     if (has("error")) {
       EXPECT_EQ(error_of(status), json_["error"]);
       return;
     }
     ASSERT_TRUE(status) << error_of(status);
-    EXPECT_EQ(message->to_dom(), json_["fields"])
-        << "differences: " << Json::diff(json_["fields"], message->to_dom());
-    EXPECT_EQ(message->body(), bytes);
+    EXPECT_EQ(dom_of(message), json_["fields"])
+        << "differences: " << Json::diff(json_["fields"], dom_of(message));
+    EXPECT_EQ(encoded_body(message), bytes);
   }
 
   void check_encode(const MessageType& type) const {
-    const auto message = type.make();
-    message->from_dom(json_["fields"]);
+    auto message = type.make();
+    read_dom(json_["fields"], message);
     ByteVector body(max_body_size);
-    const WriteResult written = message->encode(body);
+    const WriteResult written = message.encode(body);
     body.resize(written.size);
     if (has("error")) {
       EXPECT_EQ(error_of(written.status), json_["error"]);

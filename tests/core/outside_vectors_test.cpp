@@ -10,7 +10,7 @@
 
 #include <sbgc/parser.hpp>
 
-#include "any_message.hpp"
+#include "messages.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -47,20 +47,20 @@ class OutsideVectors : public testing::TestWithParam<std::size_t> {
 
   /// Decodes a body, encodes it again, and compares the fields named by the entry.
   void check(std::uint8_t id, const ByteVector& body) const {
-    const MessageType* const type = find_message_type(direction(), id, body.size());
+    const MessageType* const type = find_message(direction(), id, body.size());
     if (!ids_of_model(text("direction")).contains(id)) {
       // The project's specification lacks this command. As soon as it has it, this fails.
       EXPECT_EQ(type, nullptr) << "missing in the exported model";
       return;
     }
     ASSERT_NE(type, nullptr) << "the exported model has it, the codec does not";
-    const auto message = type->make();
-    const Status status = message->decode(body);
+    auto message = type->make();
+    const Status status = message.decode(body);
     ASSERT_TRUE(status) << name(status.code) << " at " << status.offset << " " << status.field;
-    EXPECT_EQ(message->body(), body);
+    EXPECT_EQ(encoded_body(message), body);
     check_command_name(type->info->command);
     if (!vector().contains("fields")) return;
-    FieldValues values = message->spec_fields();
+    FieldValues values = spec_fields(message);
     for (const auto& [name, expected] : vector()["fields"].items()) {
       const auto list = expected.is_array() ? expected.get<std::vector<double>>()
                                             : std::vector{expected.get<double>()};
@@ -117,7 +117,7 @@ TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
     const int id = payload ? vector["command_id"].get<int>() : bytes.at(1);
     const bool to_board = vector["direction"] == "to_board";
     const MessageType* const type =
-        find_message_type(to_board ? Direction::to_board : Direction::from_board,
+        find_message(to_board ? Direction::to_board : Direction::from_board,
                           static_cast<std::uint8_t>(id), payload ? bytes.size() : bytes.size() - 5);
     if (type == nullptr) unknown.insert(id);
     if (!ids_of_model(to_board ? "to_board" : "from_board").contains(id)) lacking.insert(id);

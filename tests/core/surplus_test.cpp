@@ -10,7 +10,7 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>
 
-#include "any_message.hpp"
+#include "messages.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -16,7 +16,7 @@
 #include <sbgc/ostream.hpp>
 #include <sbgc/text/values.hpp>
 
-#include "any_message.hpp"
+#include "messages.hpp"
 
 namespace sbgc {
 namespace {

@@ -15,7 +15,7 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/variable_parameters.hpp>
 
-#include "any_message.hpp"
+#include "messages.hpp"
 
 namespace sbgc::test {
 namespace {

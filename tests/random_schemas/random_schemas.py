@@ -32,7 +32,8 @@ from sbgcgen.targets import outputs
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = [
-    ROOT / "tests/core/any_message.cpp",
+    *(ROOT / "runtime/any/src").glob("*.cpp"),
+    ROOT / "tests/core/messages.cpp",
     ROOT / "tests/core/codec_vectors_test.cpp",
     ROOT / "tests/random_schemas/conversation.cpp",
     ROOT / "tests/random_schemas/settings_test.cpp",

@@ -52,6 +52,19 @@ inline std::string or_number(std::string text, std::int64_t raw) {
   return text;
 }
 
+/// Lists the values of a message: "{params = 3, …".
+struct LeafList {
+  void operator()(const Leaf& leaf) {
+    if (leaf.kind == LeafKind::counter || is_unused(leaf)) return;
+    text += is_empty ? "{" : ", ";
+    is_empty = false;
+    text += to_string(leaf.path) + " = " + value_text(leaf);
+  }
+
+  std::string text{};
+  bool is_empty = true;
+};
+
 /// Writes a raw value or limit in its unit.
 inline void put_limit(TextOutput& out, double raw, const UnitInfo* unit) {
   if (unit == nullptr || unit->is_plain()) return put_number(out, raw);
@@ -98,17 +111,10 @@ std::string to_string(Q quantity) {
 /// Returns the text of a message or of a struct in it. Only a message begins with its name.
 template <detail::AnyStruct T>
 std::string to_string(const T& message) {
-  std::string result;
-  if constexpr (requires { Meta<T>::info; }) result = Meta<T>::info.name;
-  result += '{';
-  bool is_first = true;
-  for_each_leaf(message, [&](const Leaf& leaf) {
-    if (leaf.kind == LeafKind::counter || is_unused(leaf)) return;
-    if (!is_first) result += ", ";
-    is_first = false;
-    result += to_string(leaf.path) + " = " + value_text(leaf);
-  });
-  return result + '}';
+  detail::LeafList list;
+  if constexpr (requires { Meta<T>::info; }) list.text = Meta<T>::info.name;
+  for_each_leaf(message, list);
+  return list.text + (list.is_empty ? "{}" : "}");
 }
 
 inline std::string to_string(Rule rule) { return name(rule); }

@@ -1,0 +1,167 @@
+/// Messages whose type is known only at run time, for loggers, gateways and script engines.
+///
+///     const MessageType* const type = find_message("GetAngles");
+///     AnyMessage message = type->make();
+///     if (message.decode(body)) std::puts(message.to_json().c_str());
+///
+/// This needs the compiled library sbgc::any, which has no I/O and no threads and throws nothing.
+/// An AnyMessage has the size of two pointers. It holds the message on the heap: one allocation of
+/// MessageType::memory bytes when it is made or copied. Besides that, only functions that return
+/// text allocate.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/field_type.hpp>
+#include <sbgc/framing.hpp>
+#include <sbgc/from_json.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/surplus.hpp>
+#include <sbgc/text/leaves.hpp>
+#include <sbgc/text_output.hpp>
+#include <sbgc/violation.hpp>
+
+namespace sbgc {
+
+class AnyMessage;
+
+namespace detail {
+
+/// The operations on a message. `message` is a Received<M>.
+struct AnyOperations {
+  using UseViolation = void (*)(void* user, const Violation& violation);
+
+  void (*construct)(void* message);
+  bool (*equal)(const void* message, const void* other);
+  Status (*decode)(std::span<const std::uint8_t> body, void* message, const Contexts& contexts);
+  WriteResult (*encode)(const void* message, std::span<std::uint8_t> out);
+  void (*teach)(const void* message, Contexts& contexts);
+  void (*leaves)(const void* message, LeafWalk& walk);
+  bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
+  void (*write_json)(const void* message, TextOutput& out);
+  JsonResult (*read_json)(std::string_view text, void* message);
+};
+
+template <class Report>
+void call_report(void* report, const Violation& violation) {
+  (*static_cast<Report*>(report))(violation);
+}
+
+}  // namespace detail
+
+/// The type of a message: one body layout of a command. There is one object for each.
+struct MessageType {
+  const MessageInfo* info = nullptr;
+  Form form{};
+  std::size_t memory{};  ///< the size of the message in memory, with the surplus it may have
+
+  /// Returns the fields in wire order.
+  const std::vector<FieldType>& (*fields)() = nullptr;
+  const detail::AnyOperations* operations = nullptr;
+
+  bool is_sent_to_board() const noexcept { return info->direction != Direction::from_board; }
+  /// Returns a message whose fields are 0, empty or absent, unless the specification has a default.
+  AnyMessage make() const;
+};
+
+/// Returns all types, in the order of the specification's families.
+std::span<const MessageType* const> message_types() noexcept;
+
+/// Returns the type with this name, such as "GetAnglesRequest"; null if there is none.
+const MessageType* find_message(std::string_view name) noexcept;
+
+/// Returns the type of a body of `size` bytes, as select_received(); null if there is none.
+const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size) noexcept;
+
+/// Returns why a board with these versions does not know the message, such as "needs firmware
+/// 2.66"; "" if it does.
+std::string objection_to(const MessageInfo& info, const Availability& versions);
+
+/// A message of any type, and the surplus if it is a request (see <sbgc/surplus.hpp>). A moved-from
+/// message can only be assigned to or destroyed.
+class AnyMessage {
+ public:
+  explicit AnyMessage(const MessageType& type);
+  AnyMessage(const AnyMessage& other);
+  AnyMessage(AnyMessage&&) noexcept = default;
+  AnyMessage& operator=(const AnyMessage& other) { return *this = AnyMessage(other); }
+  AnyMessage& operator=(AnyMessage&&) noexcept = default;
+  ~AnyMessage() = default;
+
+  const MessageType& type() const noexcept { return *type_; }
+
+  /// As the functions for a message of known type; after an error, the values are unspecified.
+  [[nodiscard]] Status decode(std::span<const std::uint8_t> body,
+                              const Contexts& contexts = {}) noexcept {
+    return type_->operations->decode(body, memory_.get(), contexts);
+  }
+  [[nodiscard]] WriteResult encode(std::span<std::uint8_t> out) const noexcept {
+    return type_->operations->encode(memory_.get(), out);
+  }
+  [[nodiscard]] WriteResult encode_frame(Framing framing,
+                                         std::span<std::uint8_t> out) const noexcept;
+  /// Stores the facts of the message that decoding later ones needs.
+  void teach(Contexts& contexts) const noexcept {
+    type_->operations->teach(memory_.get(), contexts);
+  }
+
+  /// Calls `use(const Leaf&)` for every value, in wire order, as for_each_leaf().
+  template <class Use>
+  void for_each_leaf(Use&& use) const {
+    detail::LeafWalk walk(detail::call_user<std::remove_reference_t<Use>>, &use);
+    type_->operations->leaves(memory_.get(), walk);
+  }
+  /// Calls `report(const Violation&)` for every value that a board with these versions does not
+  /// allow; returns true if there is none.
+  template <class Report>
+  bool validate(const Availability& versions, Report&& report) const {
+    return type_->operations->validate(memory_.get(), versions,
+                                       detail::call_report<std::remove_reference_t<Report>>,
+                                       &report);
+  }
+
+  void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }
+  std::string to_json() const;
+  /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
+  JsonResult from_json(std::string_view text) {
+    return type_->operations->read_json(text, memory_.get());
+  }
+
+  /// Returns the message if its type is M, or WithSurplus<M> for one that takes surplus; otherwise
+  /// null.
+  template <Message M>
+  const Received<M>* get_if() const noexcept {
+    return type_->info == &Meta<M>::info ? static_cast<const Received<M>*>(value()) : nullptr;
+  }
+  template <Message M>
+  Received<M>* get_if() noexcept {
+    return type_->info == &Meta<M>::info ? static_cast<Received<M>*>(value()) : nullptr;
+  }
+
+  friend bool operator==(const AnyMessage& a, const AnyMessage& b) noexcept {
+    return a.type_ == b.type_ && a.type_->operations->equal(a.memory_.get(), b.memory_.get());
+  }
+
+ private:
+  const void* value() const noexcept { return memory_.get(); }
+  void* value() noexcept { return memory_.get(); }
+
+  const MessageType* type_;
+  std::unique_ptr<std::byte[]> memory_;
+};
+
+inline AnyMessage MessageType::make() const { return AnyMessage(*this); }
+
+/// Returns the text of a message, such as "GetAngles{axes.roll.imu_angle = -30 deg, …}".
+std::string to_string(const AnyMessage& message);
+
+}  // namespace sbgc

@@ -1,0 +1,66 @@
+#include <array>
+#include <cstring>
+
+#include <sbgc/any.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/text.hpp>
+
+namespace sbgc {
+
+const MessageType* find_message(std::string_view name) noexcept {
+  for (const MessageType* const type : message_types()) {
+    if (type->info->name == name) return type;
+  }
+  return nullptr;
+}
+
+std::string objection_to(const MessageInfo& info, const Availability& versions) {
+  const auto firmware = [](std::uint16_t version) {
+    return to_string(msg::FirmwareVersion(version));
+  };
+  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
+    return "needs firmware before " + firmware(info.until.firmware);
+  }
+  if (info.since.firmware > versions.firmware) {
+    return "needs firmware " + firmware(info.since.firmware);
+  }
+  if (info.since.board > versions.board) {
+    return "needs board " + to_string(msg::BoardVersion(info.since.board));
+  }
+  return "";
+}
+
+AnyMessage::AnyMessage(const MessageType& type)
+    : type_(&type), memory_(std::make_unique<std::byte[]>(type.memory)) {
+  type.operations->construct(memory_.get());
+}
+
+AnyMessage::AnyMessage(const AnyMessage& other) : AnyMessage(*other.type_) {
+  std::memcpy(memory_.get(), other.memory_.get(), type_->memory);
+}
+
+WriteResult AnyMessage::encode_frame(Framing framing, std::span<std::uint8_t> out) const noexcept {
+  std::array<std::uint8_t, max_body_size> body{};
+  const WriteResult written = encode(body);
+  if (written) return write_frame(framing, type_->info->id, std::span(body).first(written.size), out);
+  Status status = written.status;
+  if (status.code == Code::buffer_too_small) status.code = Code::too_long;
+  return {0, status};
+}
+
+std::string AnyMessage::to_json() const {
+  std::string result;
+  StringOutput out(result);
+  write_json(out);
+  out.finish();
+  return result;
+}
+
+std::string to_string(const AnyMessage& message) {
+  detail::LeafList list;
+  list.text = message.type().info->name;
+  message.for_each_leaf(list);
+  return list.text + (list.is_empty ? "{}" : "}");
+}
+
+}  // namespace sbgc
