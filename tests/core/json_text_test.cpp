@@ -107,7 +107,7 @@ TEST_P(JsonText, AcceptsWhatTheDomAccepts) {
     auto message = GetParam()->make();
     const std::size_t more = is_of_fixed_size(*GetParam()) ? 0 : 5 * i;
     if (!message.decode(bodies.next(std::min(min_size + more, max_body_size)),
-                         random_contexts(i))) {
+                        random_contexts(i))) {
       continue;
     }
     const std::string text = message.to_json();

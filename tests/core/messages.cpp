@@ -35,7 +35,8 @@ std::vector<ViolationCopy> violations_of(const AnyMessage& message) {
   return result;
 }
 
-std::vector<ViolationCopy> walk_violations(const AnyMessage& message, const Availability& versions) {
+std::vector<ViolationCopy> walk_violations(const AnyMessage& message,
+                                           const Availability& versions) {
   std::vector<ViolationCopy> result;
   ViolationCopies copies{result};
   with_message(message, [&](const auto& value) {

@@ -118,7 +118,7 @@ TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
     const bool to_board = vector["direction"] == "to_board";
     const MessageType* const type =
         find_message(to_board ? Direction::to_board : Direction::from_board,
-                          static_cast<std::uint8_t>(id), payload ? bytes.size() : bytes.size() - 5);
+                     static_cast<std::uint8_t>(id), payload ? bytes.size() : bytes.size() - 5);
     if (type == nullptr) unknown.insert(id);
     if (!ids_of_model(to_board ? "to_board" : "from_board").contains(id)) lacking.insert(id);
   }

@@ -38,6 +38,7 @@ def build(compiler: str, package: str, source: str, moved: Path, *options: str) 
     "package, source",
     [
         ("sbgc-json", "json.cpp"),
+        ("sbgc-any", "any.cpp"),
         ("sbgc-emulator", "emulator.cpp"),
         ("sbgc-client", "client.cpp"),
     ],

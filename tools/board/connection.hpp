@@ -56,4 +56,9 @@ void require_possible(const Client& client, const M& request, bool validate = tr
   value_of(detail::prepare(request, client.identity().versions(), validate));
 }
 
+inline void require_possible(const Client& client, const AnyMessage& request,
+                             bool validate = true) {
+  value_of(detail::prepare(request, client.identity().versions(), validate));
+}
+
 }  // namespace sbgc::tools

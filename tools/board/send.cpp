@@ -14,7 +14,6 @@
 #include <sbgc/json/hex.hpp>
 #include <sbgc/validate.hpp>
 
-#include "board/any_call.hpp"
 #include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "command/choices.hpp"
@@ -45,17 +44,15 @@ struct SendOptions {
 };
 
 /// A message with its values.
-// NOLINTNEXTLINE(bugprone-exception-escape): moving Json throws nothing
 struct Outgoing {
-  const MessageType* type = nullptr;
-  Json fields{};
+  AnyMessage message;
   std::string values{};  ///< for the user
 };
 
 /// Returns the number of values that the user can set.
-std::size_t number_of_values(const Outgoing& out) {
+std::size_t number_of_values(const AnyMessage& message) {
   std::size_t number = 0;
-  out.type->for_each_value(out.fields, [&](const Leaf& leaf) {
+  message.for_each_leaf([&](const Leaf& leaf) {
     if (!leaf.field.reserved && leaf.kind != LeafKind::counter) ++number;
   });
   return number;
@@ -63,9 +60,9 @@ std::size_t number_of_values(const Outgoing& out) {
 
 /// Returns the values as given, and what holds for the others. A profile is also named as people
 /// count it, from 1: "profile_id = 1 (profile 2)".
-std::string values_text(const Outgoing& out, const std::vector<Assignment>& assignments) {
+std::string values_text(const AnyMessage& message, const std::vector<Assignment>& assignments) {
   std::vector<std::string> shown;
-  out.type->for_each_value(out.fields, [&](const Leaf& leaf) {
+  message.for_each_leaf([&](const Leaf& leaf) {
     if (!is_profile_index(leaf.field)) return;
     const char* const special = special_meaning(leaf);
     shown.push_back(
@@ -73,13 +70,13 @@ std::string values_text(const Outgoing& out, const std::vector<Assignment>& assi
                     special != nullptr ? special : fmt::format("profile {}", leaf.integer + 1)));
   });
   for (const Assignment& one : assignments) {
-    const FieldInfo* const info = find_fields(out.type->fields(), one.name).front().type->info;
+    const FieldInfo* const info = find_fields(message.type().fields(), one.name).front().type->info;
     if (info != nullptr && is_profile_index(*info)) continue;
     shown.push_back(fmt::format("{} = {}", one.name, one.value));
   }
   std::string text;
   for (const std::string& one : shown) text += (text.empty() ? "" : ", ") + one;
-  if (!shown.empty() && number_of_values(out) > shown.size()) {
+  if (!shown.empty() && number_of_values(message) > shown.size()) {
     text += "; every other field is 0, empty or its default";
   }
   return text;
@@ -104,39 +101,39 @@ Outgoing outgoing_of(const SendOptions& options) {
   try {
     const std::vector<Assignment> assignments = parse_assignments(options.values);
     std::vector<std::string> names;
-    Outgoing out;
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
-    out.type = &form_with(forms, names);
-    out.fields = initial_fields(out.type->fields());
-    assign(*out.type, assignments, out.fields);
-    add_demanded(*out.type, out.fields);
-    out.values = values_text(out, assignments);
-    const std::string problems =
-        options.no_validate ? "" : violations_of(*out.type, out.fields, newest);
+    const MessageType& type = form_with(forms, names);
+    Json fields = initial_fields(type.fields());
+    assign(type, assignments, fields);
+    add_demanded(type, fields);
+    AnyMessage message = message_of(type, fields);
+    std::string values = values_text(message, assignments);
+    const std::string problems = options.no_validate ? "" : violations_of(message, newest);
     if (!problems.empty()) throw ValueError(problems);
-    static_cast<void>(encoded(*out.type, out.fields, basic_framing));
-    return out;
+    static_cast<void>(encoded(message, basic_framing));
+    return {std::move(message), std::move(values)};
   } catch (const std::runtime_error& error) {
     throw CommandError(clipped(error.what()), wrong_usage);
   }
 }
 
-bool is_zero(const Json& value) {
-  return value.is_null() || (value.is_number() && value.get<double>() == 0);
-}
-
 /// Returns what the request can do. A form that only reads may share its fields with one that does
 /// more, as CMD_AHRS_HELPER does: the board looks at their values, so these effects count, too,
 /// unless they are 0.
-Effects effects_of(const Outgoing& out) {
-  Effects effects = out.type->info->effects;
+Effects effects_of(const AnyMessage& message) {
+  Effects effects = message.type().info->effects;
   for (const MessageType* const other :
-       messages_named(out.type->info->command, Direction::to_board)) {
-    const bool shares_a_value = std::ranges::any_of(other->fields(), [&](const FieldType& field) {
-      return out.fields.contains(field.name) && !is_zero(out.fields[field.name]);
+       messages_named(message.type().info->command, Direction::to_board)) {
+    message.for_each_leaf([&](const Leaf& leaf) {
+      const FieldPath* member = &leaf.path;
+      while (member->parent != nullptr) member = member->parent;
+      const bool is_shared = std::ranges::any_of(other->fields(), [&](const FieldType& field) {
+        return std::string_view(field.name) == member->name;
+      });
+      const bool is_zero = leaf.path.parent == nullptr && raw_text(leaf) == "0";
+      if (is_shared && !is_zero) effects = effects | other->info->effects;
     });
-    if (shares_a_value) effects = effects | other->info->effects;
   }
   return effects;
 }
@@ -178,10 +175,10 @@ Frame frame_of(std::span<const std::uint8_t> bytes, std::uint8_t id) {
 }
 
 int dry_run(const SendOptions& options, const Outgoing& out) {
-  const std::vector<std::uint8_t> bytes = encoded(*out.type, out.fields, basic_framing);
-  const Frame frame = frame_of(bytes, out.type->info->id);
+  const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
+  const Frame frame = frame_of(bytes, out.message.type().info->id);
   const std::string hex = detail::to_hex(bytes);
-  const Effects effects = effects_of(out);
+  const Effects effects = effects_of(out.message);
   if (options.format == "jsonl") {
     FramePrinting(true).print(
         frame, Direction::to_board,
@@ -198,22 +195,22 @@ int dry_run(const SendOptions& options, const Outgoing& out) {
 int send(const SendOptions& options, const CommandContext& context) {
   const Outgoing out = outgoing_of(options);
   if (options.dry_run) return dry_run(options, out);
-  const MessageInfo& info = *out.type->info;
-  const Effects effects = effects_of(out);
+  const MessageInfo& info = *out.message.type().info;
+  const Effects effects = effects_of(out.message);
   Client client = connect(context.gimbal);
-  require_any_possible(client, *out.type, out.fields, !options.no_validate);
+  require_possible(client, out.message, !options.no_validate);
   if (needs_arming(info, effects)) {
     arm(options.arming,
         fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",
                     out.values, effect_text(effects)));
   }
   FramePrinting printing(options.format == "jsonl");
-  const std::vector<std::uint8_t> bytes = encoded(*out.type, out.fields, basic_framing);
+  const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
   printing.learn(frame_of(bytes, info.id), Direction::to_board);
   CallOptions call = call_options(context.gimbal);
   call.expect_confirmation = true;
   call.validate = !options.no_validate;
-  const Reply reply = value_of(call_any(client, *out.type, out.fields, call));
+  const Reply reply = value_of(client.transact(out.message, call));
   switch (reply.kind) {
     case ReplyKind::answered:
     case ReplyKind::confirmed: {

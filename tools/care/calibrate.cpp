@@ -10,7 +10,6 @@
 
 #include <sbgc/client/calibration.hpp>
 
-#include "board/any_call.hpp"
 #include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
@@ -101,7 +100,7 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
                                                          : calibration.info().effects;
     result.fields = initial_fields(result.type->fields());
     assign(*result.type, assignments, result.fields);
-    const std::string problems = violations_of(*result.type, result.fields, newest);
+    const std::string problems = violations_of(message_of(*result.type, result.fields), newest);
     if (!problems.empty()) throw ValueError(problems);
     if (result.form->has_action) {
       result.options.imu = static_cast<msg::CalibImu>(result.fields.at("imu_idx").get<int>());
@@ -141,7 +140,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
   }
   Chosen chosen = choose(calibration_named(command.name), command);
   Client client = connect(context.gimbal);
-  require_any_possible(client, *chosen.type, chosen.fields);
+  require_possible(client, message_of(*chosen.type, chosen.fields));
   arm(command.arming, sentences(chosen));
   const Interruption interruption;
   ProgressBar bar;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <sbgc/any.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/explain.hpp>
 #include <sbgc/meta/all.hpp>
@@ -63,23 +64,6 @@ std::string field_at(std::size_t offset) {
   const M message{};
   Meta<M>::visit(message, FieldFinder{offset, at, result});
   return result;
-}
-
-/// Returns why a board with these versions does not know the message, or "".
-std::string objection_to(const MessageInfo& info, const Availability& versions) {
-  const auto firmware = [](std::uint16_t version) {
-    return to_string(msg::FirmwareVersion(version));
-  };
-  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
-    return "needs firmware before " + firmware(info.until.firmware);
-  }
-  if (info.since.firmware > versions.firmware) {
-    return "needs firmware " + firmware(info.since.firmware);
-  }
-  if (info.since.board > versions.board) {
-    return "needs board " + to_string(msg::BoardVersion(info.since.board));
-  }
-  return "";
 }
 
 /// Writes objections by path; that to the whole message has the path "".

@@ -9,8 +9,8 @@
 
 #include "command/input.hpp"
 #include "values/assignments.hpp"
+#include "values/message_json.hpp"
 #include "values/message_names.hpp"
-#include "values/message_type.hpp"
 
 namespace sbgc::tools {
 
@@ -27,7 +27,7 @@ std::string text_of(const Json& line, const char* key) {
 /// Returns the message that the line names: one of ours, or the form of a command that has its
 /// fields. Such a command goes to the board, unless the line says otherwise or only the board sends
 /// it.
-const MessageType& message_of(const Json& line) {
+const MessageType& type_named_in(const Json& line) {
   const std::string name = text_of(line, "message");
   const auto direction = line.find("direction");
   const bool is_from_board = direction != line.end() && *direction == "from_board";
@@ -78,13 +78,14 @@ Framing framing_named_in(const Json& line) {
 }
 
 /// Returns a frame. Throws InputError and JsonError.
-std::vector<std::uint8_t> encode_fields(const MessageType& message, const Json& fields,
+std::vector<std::uint8_t> encode_fields(const MessageType& type, const Json& fields,
                                         Framing framing, const EncodeRules& rules) {
+  const AnyMessage message = message_of(type, fields);
   if (!rules.no_validate) {
-    const std::string problems = violations_of(message, fields, newest);
+    const std::string problems = violations_of(message, newest);
     if (!problems.empty()) throw InputError(problems);
   }
-  return encoded(message, fields, framing);
+  return encoded(message, framing);
 }
 
 bool works_with_defaults(const MessageType& message, Json fields, const EncodeRules& rules) {
@@ -107,7 +108,7 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeRules
   }
   const Json& line = parsed.value;
   if (!line.is_object()) throw InputError("a line must be a JSON object");
-  const MessageType& message = message_of(line);
+  const MessageType& message = type_named_in(line);
   check_rest(line, *message.info);
   Json fields = line.value("fields", Json::object());
   if (!line.contains("fields") && !rules.defaults) throw InputError("'fields' is missing");

@@ -59,9 +59,9 @@ FieldCondition::FieldCondition(const std::string& text) {
   // A mistake must not look like a capture without such frames.
   std::vector<FieldSource> sources;
   std::string problem;
-  for (const MessageType& message : message_types()) {
-    sources.push_back({message.info->name, &message.fields()});
-    const std::string why_not = add_target(message);
+  for (const MessageType* const message : message_types()) {
+    sources.push_back({message->info->name, &message->fields()});
+    const std::string why_not = add_target(*message);
     if (problem.empty()) problem = why_not;
   }
   if (!targets_.empty()) return;
@@ -165,19 +165,13 @@ bool has_values(const DecodedFrame& frame) {
   return frame.message != nullptr && !frame.fields.empty();
 }
 
-const MessageType& type_of(const DecodedFrame& frame) {
-  static const std::map<const MessageInfo*, const MessageType*> types = [] {
-    std::map<const MessageInfo*, const MessageType*> result;
-    for (const MessageType& type : message_types()) result.emplace(type.info, &type);
-    return result;
-  }();
-  return *types.at(frame.message);
-}
+const MessageType& type_of(const DecodedFrame& frame) { return *find_message(frame.message->name); }
 
 void for_each_value(const DecodedFrame& frame, const std::function<void(const Leaf&, bool)>& use) {
-  type_of(frame).for_each_value(Json::parse(frame.fields), [&](const Leaf& leaf) {
-    use(leaf, leaf.offset + leaf.size <= frame.certain);
-  });
+  AnyMessage message = type_of(frame).make();
+  static_cast<void>(message.from_json(frame.fields));
+  message.for_each_leaf(
+      [&](const Leaf& leaf) { use(leaf, leaf.offset + leaf.size <= frame.certain); });
 }
 
 }  // namespace sbgc::tools

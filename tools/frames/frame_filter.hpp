@@ -10,7 +10,7 @@
 #include <sbgc/json_dom.hpp>
 
 #include "frames/decoded_frame.hpp"
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 

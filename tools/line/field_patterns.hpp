@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 

@@ -28,7 +28,7 @@
 #include "line/sample_writer.hpp"
 #include "line/stream_interval.hpp"
 #include "line/stream_type.hpp"
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 

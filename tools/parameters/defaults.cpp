@@ -16,7 +16,7 @@ namespace {
 
 /// Returns the block as that of another profile.
 Parameters of_profile(const Parameters& block, std::uint8_t profile) {
-  Json fields = fields_of(block);
+  Json fields = fields_of(message_in(block));
   for (const FieldType& field : find_message(block.id.message)->fields()) {
     if (field.info != nullptr && field.info->role == FieldRole::copy) fields[field.name] = profile;
   }

@@ -24,14 +24,6 @@ std::vector<FieldSource> parameter_sources() {
   return sources;
 }
 
-/// Calls `use(M{})` for the message with this name.
-template <class Use>
-void with_parameter_message(std::string_view name, Use&& use) {
-  ParameterMessages::for_each([&]<class M>(Type<M>) {
-    if (name == ParametersOf<M>::name) use(M{});
-  });
-}
-
 bool is_settable(const FieldInfo& field) {
   return field.role != FieldRole::copy && field.role != FieldRole::state && !field.reserved &&
          &field != &tail_field;
@@ -50,26 +42,18 @@ const std::vector<ParameterMessage>& parameter_messages() {
   return messages;
 }
 
-Json fields_of(const Parameters& block) {
-  Json fields;
-  ParameterSet set;
-  if (!set.put(block)) return fields;
-  with_parameter_message(block.id.message, [&]<class M>(M message) {
-    message = *set.get<M>(block.id.copy);
-    fields = to_dom(message);
-  });
-  return fields;
+AnyMessage message_in(const Parameters& block) {
+  AnyMessage message = find_message(block.id.message)->make();
+  static_cast<void>(message.decode(block.body));  // ParameterSet has checked this
+  return message;
 }
 
 Parameters block_of(const ParametersId& id, const Json& fields) {
-  Parameters block{id, {}};
-  with_parameter_message(id.message, [&]<class M>(M message) {
-    from_dom(fields, message);
-    block.body.resize(max_body_size);
-    const WriteResult written = encode(message, block.body);
-    if (!written) throw ValueError(to_string(written.status));
-    block.body.resize(written.size);
-  });
+  Parameters block{id, std::vector<std::uint8_t>(max_body_size)};
+  const AnyMessage message = message_of(*find_message(id.message), fields);
+  const WriteResult written = message.encode(block.body);
+  if (!written) throw ValueError(to_string(written.status));
+  block.body.resize(written.size);
   return block;
 }
 
@@ -122,8 +106,7 @@ std::string ShownParameter::short_text() const {
 
 std::vector<ShownParameter> shown_parameters(const Parameters& block) {
   std::vector<ShownParameter> result;
-  const MessageType& type = *find_message(block.id.message);
-  type.for_each_value(fields_of(block), [&](const Leaf& leaf) {
+  message_in(block).for_each_leaf([&](const Leaf& leaf) {
     if (!is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
     ShownParameter shown{.message = block.id.message,
                          .path = to_string(leaf.path),

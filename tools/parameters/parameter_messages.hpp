@@ -11,7 +11,7 @@
 #include <sbgc/client/parameters.hpp>
 
 #include "values/field_lookup.hpp"
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 
@@ -24,8 +24,8 @@ struct ParameterMessage {
 /// All of them, in the order of the specification's families.
 const std::vector<ParameterMessage>& parameter_messages();
 
-/// Returns the values of a block as JSON.
-Json fields_of(const Parameters& block);
+/// Returns the message with the values of a block of a ParameterSet.
+AnyMessage message_in(const Parameters& block);
 
 /// Returns the block with these values. Throws JsonError.
 Parameters block_of(const ParametersId& id, const Json& fields);

@@ -152,7 +152,7 @@ int set(const SetOptions& options, const CommandContext& context) {
     for (const Parameters& block : present.all()) {
       if (block.id.message != name) continue;
       is_present = true;
-      Json fields = fields_of(block);
+      Json fields = fields_of(message_in(block));
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
       for (const FieldValue& value : here) check_presence(fields, value, context);
       try {

@@ -256,8 +256,9 @@ void set_values(const MessageType& message, const std::vector<FieldValue>& value
   }
   if (!has_units) return;
   Units units;
-  message.for_each_value(fields,
-                         [&](const Leaf& leaf) { units.emplace(to_string(leaf.path), leaf.unit); });
+  message_of(message, fields).for_each_leaf([&](const Leaf& leaf) {
+    units.emplace(to_string(leaf.path), leaf.unit);
+  });
   for (const FieldValue& value : values) {
     if (is_in_unit(*value.field.type)) set(value, unit_of(value.field, units));
   }
@@ -272,9 +273,9 @@ void replace_names(const MessageType& message, Json& fields) {
 }
 
 void add_demanded(const MessageType& message, Json& fields) {
-  std::vector<std::uint8_t> frame(max_frame_size);
+  std::vector<std::uint8_t> body(max_body_size);
   for (;;) {
-    const WriteResult written = message.encode(fields, basic_framing, frame);
+    const WriteResult written = message_of(message, fields).encode(body);
     if (written.status.code != Code::presence_mismatch) return;
     const auto found = find_fields(message.fields(), written.status.field);
     if (found.size() != 1) return;

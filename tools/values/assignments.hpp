@@ -8,7 +8,7 @@
 #include <sbgc/json_dom.hpp>
 
 #include "values/field_lookup.hpp"
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 

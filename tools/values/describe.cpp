@@ -23,8 +23,8 @@
 #include "values/effect_text.hpp"
 #include "values/field_lookup.hpp"
 #include "values/field_text.hpp"
+#include "values/message_json.hpp"
 #include "values/message_names.hpp"
-#include "values/message_type.hpp"
 #include "values/names.hpp"
 #include "values/words.hpp"
 
@@ -267,11 +267,11 @@ bool print_command(const Page& page, const CommandReference& command) {
   page.paragraph(command.summary, 2);
   bool has_messages = false;
   std::string_view described;
-  for (const MessageType& type : message_types()) {
-    if (std::string_view(type.info->command) != command.name) continue;
+  for (const MessageType* const type : message_types()) {
+    if (std::string_view(type->info->command) != command.name) continue;
     page.gap();
-    const std::string_view description = description_of(*type.info);
-    print_message(page, type, description != described);
+    const std::string_view description = description_of(*type->info);
+    print_message(page, *type, description != described);
     described = description;
     has_messages = true;
   }
@@ -302,10 +302,10 @@ std::vector<NamedType> named_types() {
     const bool is_new = std::ranges::find(found->uses, use) == found->uses.end();
     if (is_new) found->uses.push_back(use);
   };
-  for (const MessageType& message : message_types()) {
-    for_each_field(message.fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
+  for (const MessageType* const message : message_types()) {
+    for_each_field(message->fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
       if (type.names == nullptr && type.packed == nullptr) return;
-      const std::string use = fmt::format("{}.{}", message.info->name, way_text(way));
+      const std::string use = fmt::format("{}.{}", message->info->name, way_text(way));
       if (type.names != nullptr) add(type.names->name, type.names, nullptr, use);
       if (type.packed == nullptr) return;
       add(type.packed->name, nullptr, type.packed, use);
@@ -381,31 +381,32 @@ struct Occurrence {
 std::vector<Occurrence> occurrences_of(std::string word) {
   const std::size_t dot = std::min(word.find('.'), word.size());
   const std::string first = word.substr(0, dot);
-  const bool is_of_one = std::ranges::any_of(message_types(), [&](const MessageType& message) {
-    return is_same_word(first, message.info->name);
+  const bool is_of_one = std::ranges::any_of(message_types(), [&](const MessageType* message) {
+    return is_same_word(first, message->info->name);
   });
   if (is_of_one) word.erase(0, dot + 1);
   std::vector<Occurrence> found;
-  for (const MessageType& message : message_types()) {
-    if (is_of_one && !is_same_word(first, message.info->name)) continue;
+  for (const MessageType* const message : message_types()) {
+    if (is_of_one && !is_same_word(first, message->info->name)) continue;
     std::vector<FoundField> fields;
     try {
-      fields = find_fields(message.fields(), word);
+      fields = find_fields(message->fields(), word);
     } catch (const ValueError&) {
       // Several fields of the message: each that ends with the name.
-      for_each_field(message.fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
-        const FieldType* const last = way.back().member;
-        if (last != nullptr &&
-            (is_same_word(last->name, word) || is_same_word(last->info->spec_name, word))) {
-          found.push_back({&message, way_text(way), &type});
-        }
-      });
+      for_each_field(
+          message->fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
+            const FieldType* const last = way.back().member;
+            if (last != nullptr &&
+                (is_same_word(last->name, word) || is_same_word(last->info->spec_name, word))) {
+              found.push_back({message, way_text(way), &type});
+            }
+          });
       continue;
     }
     if (fields.empty()) continue;
     const std::string path = fields.size() > 1 ? steps_text(fields.front().steps) + ", ..."
                                                : steps_text(fields.front().steps);
-    found.push_back({&message, path, fields.front().type});
+    found.push_back({message, path, fields.front().type});
   }
   return found;
 }
@@ -469,11 +470,11 @@ bool print_word(const Page& page, const std::string& word) {
   }
   if (id) return is_known;
   if (!is_known) {
-    for (const MessageType& type : message_types()) {
-      if (!is_same_word(word, type.info->name)) continue;
+    for (const MessageType* const type : message_types()) {
+      if (!is_same_word(word, type->info->name)) continue;
       separate();
-      page.heading(type.info->command, fmt::format("  id {}", type.info->id));
-      print_message(page, type);
+      page.heading(type->info->command, fmt::format("  id {}", type->info->id));
+      print_message(page, *type);
     }
   }
   for (const FamilyReference& family : family_references) {
@@ -521,9 +522,9 @@ std::vector<std::string> all_words() {
     if (type.names == nullptr) continue;
     for (const ValueInfo& value : type.names->values) words.insert(value.name);
   }
-  for (const MessageType& message : message_types()) {
-    words.insert(message.info->name);
-    for_each_field(message.fields(), [&](const std::vector<WayStep>& way, const FieldType&) {
+  for (const MessageType* const message : message_types()) {
+    words.insert(message->info->name);
+    for_each_field(message->fields(), [&](const std::vector<WayStep>& way, const FieldType&) {
       if (way.back().member != nullptr) words.insert(way.back().member->name);
     });
   }

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "values/field_type.hpp"
+#include <sbgc/field_type.hpp>
 
 namespace sbgc::tools {
 

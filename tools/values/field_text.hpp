@@ -5,9 +5,8 @@
 #include <vector>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/field_type.hpp>
 #include <sbgc/meta.hpp>
-
-#include "values/field_type.hpp"
 
 namespace sbgc::tools {
 

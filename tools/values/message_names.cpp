@@ -39,16 +39,16 @@ std::optional<std::uint8_t> parse_command_id(std::string_view word) {
 std::vector<const MessageType*> messages_named(std::string_view name, Direction direction) {
   if (const MessageType* const found = find_message(name)) return {found};
   std::vector<const MessageType*> forms;
-  for (const MessageType& type : message_types()) {
-    if (!travels_in(*type.info, direction)) continue;
-    if (is_command_name(name, type.info->command)) forms.push_back(&type);
+  for (const MessageType* const type : message_types()) {
+    if (!travels_in(*type->info, direction)) continue;
+    if (is_command_name(name, type->info->command)) forms.push_back(type);
   }
   if (!forms.empty()) return forms;
   const MessageType* other = nullptr;
-  for (const MessageType& type : message_types()) {
-    if (!is_same_word(name, type.info->name)) continue;
-    if (travels_in(*type.info, direction)) return {&type};
-    other = &type;
+  for (const MessageType* const type : message_types()) {
+    if (!is_same_word(name, type->info->name)) continue;
+    if (travels_in(*type->info, direction)) return {type};
+    other = type;
   }
   return other != nullptr ? std::vector{other} : std::vector<const MessageType*>{};
 }
@@ -97,10 +97,10 @@ std::string similar_messages(std::string_view name) {
 
 std::vector<std::string> message_names() {
   std::vector<std::string> names;
-  for (const MessageType& type : message_types()) {
-    if (!type.is_sent_to_board()) continue;
-    names.emplace_back(type.info->name);
-    names.emplace_back(type.info->command);
+  for (const MessageType* const type : message_types()) {
+    if (!type->is_sent_to_board()) continue;
+    names.emplace_back(type->info->name);
+    names.emplace_back(type->info->command);
   }
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "values/message_type.hpp"
+#include "values/message_json.hpp"
 #include "values/names.hpp"
 
 namespace sbgc::tools {

@@ -20,10 +20,10 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/field_type.hpp>
 #include <sbgc/json_dom.hpp>
 
 #include "values/field_lookup.hpp"
-#include "values/field_type.hpp"
 
 namespace sbgc::tools {
 

@@ -14,22 +14,6 @@ const MessageType* find_message(std::string_view name) noexcept {
   return nullptr;
 }
 
-std::string objection_to(const MessageInfo& info, const Availability& versions) {
-  const auto firmware = [](std::uint16_t version) {
-    return to_string(msg::FirmwareVersion(version));
-  };
-  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
-    return "needs firmware before " + firmware(info.until.firmware);
-  }
-  if (info.since.firmware > versions.firmware) {
-    return "needs firmware " + firmware(info.since.firmware);
-  }
-  if (info.since.board > versions.board) {
-    return "needs board " + to_string(msg::BoardVersion(info.since.board));
-  }
-  return "";
-}
-
 AnyMessage::AnyMessage(const MessageType& type)
     : type_(&type), memory_(std::make_unique<std::byte[]>(type.memory)) {
   type.operations->construct(memory_.get());
@@ -42,7 +26,8 @@ AnyMessage::AnyMessage(const AnyMessage& other) : AnyMessage(*other.type_) {
 WriteResult AnyMessage::encode_frame(Framing framing, std::span<std::uint8_t> out) const noexcept {
   std::array<std::uint8_t, max_body_size> body{};
   const WriteResult written = encode(body);
-  if (written) return write_frame(framing, type_->info->id, std::span(body).first(written.size), out);
+  if (written)
+    return write_frame(framing, type_->info->id, std::span(body).first(written.size), out);
   Status status = written.status;
   if (status.code == Code::buffer_too_small) status.code = Code::too_long;
   return {0, status};

@@ -135,8 +135,7 @@ class FieldTypes {
   }
   template <class T>
   static FieldType sized(FieldShape shape, std::size_t count) {
-    return {
-        .shape = shape, .size = wire_size<T>, .count = count, .has_count = !is_bounded<T>};
+    return {.shape = shape, .size = wire_size<T>, .count = count, .has_count = !is_bounded<T>};
   }
   template <class T>
   static std::size_t capacity_of(const T& bytes) {

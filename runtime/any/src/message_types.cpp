@@ -39,14 +39,18 @@ constexpr detail::AnyOperations operations_of = {
             return sbgc::decode(body, out);
           }
         },
-    .encode = [](const void* message,
-                 std::span<std::uint8_t> out) { return sbgc::encode(*static_cast<const T*>(message), out); },
+    .encode =
+        [](const void* message, std::span<std::uint8_t> out) {
+          return sbgc::encode(*static_cast<const T*>(message), out);
+        },
     .teach =
         [](const void* message, Contexts& contexts) {
           contexts.learn(without_surplus(*static_cast<const T*>(message)));
         },
-    .leaves = [](const void* message,
-                 detail::LeafWalk& walk) { walk.members(*static_cast<const T*>(message), nullptr); },
+    .leaves =
+        [](const void* message, detail::LeafWalk& walk) {
+          walk.members(*static_cast<const T*>(message), nullptr);
+        },
     .validate =
         [](const void* message, const Availability& versions,
            detail::AnyOperations::UseViolation use, void* user) {

@@ -17,6 +17,11 @@
 namespace sbgc {
 namespace {
 
+Json fields_json(const Parameters& block) {
+  const auto& kind = *detail::find_parameters_kind(block.id.message);
+  return Json::parse(kind.message(block.body).to_json());
+}
+
 constexpr const char* format_name = "sbgc-backup";
 constexpr int format_version = 1;
 constexpr std::size_t largest_file = JsonLimits{}.size;
@@ -179,8 +184,7 @@ class Reader {
     }
     const ParametersId id = block.id;
     if (auto put = out.put(std::move(block)); !put) return fail(path, put.error().message);
-    const auto& kind = *detail::find_parameters_kind(id.message);
-    check_fields(json, path, kind.to_json(out.find(id)->body));
+    check_fields(json, path, fields_json(*out.find(id)));
   }
 
   /// Only the bodies are restored, so a changed field is an error. Fields with names that this
@@ -266,11 +270,10 @@ std::string to_json_text(const Backup& backup) {
   Json settings = Json::array();
   for (const Parameters& block : backup.parameters.all()) {
     listed.push_back(block.id);
-    settings.push_back(
-        {{"message", block.id.message},
-         {"copy", block.id.copy},
-         {"body", detail::to_hex(block.body)},
-         {"fields", detail::find_parameters_kind(block.id.message)->to_json(block.body)}});
+    settings.push_back({{"message", block.id.message},
+                        {"copy", block.id.copy},
+                        {"body", detail::to_hex(block.body)},
+                        {"fields", fields_json(block)}});
   }
   listed.insert(listed.end(), backup.missing.begin(), backup.missing.end());
   const Json contents = contents_json(listed);

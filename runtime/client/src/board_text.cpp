@@ -1,55 +1,24 @@
 #include "board_text.hpp"
 
 #include <optional>
-#include <tuple>
-#include <type_traits>
 
-#include <sbgc/dispatch.hpp>
+#include <sbgc/any.hpp>
 #include <sbgc/explain.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
-#include <sbgc/visit.hpp>
 
 namespace sbgc::detail {
 
 std::string command_name(std::uint8_t id, Direction direction) {
-  const char* found = nullptr;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const bool goes_there = M::direction == direction || M::direction == Direction::both;
-    const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-    if (found == nullptr && goes_there && has_id) found = Meta<M>::info.command;
-  });
-  return found != nullptr ? found : "command " + std::to_string(id);
+  for (const MessageType* const type : message_types()) {
+    const MessageInfo& info = *type->info;
+    const bool goes_there = info.direction == direction || info.direction == Direction::both;
+    if (goes_there && info.id == id) return info.command;
+  }
+  return "command " + std::to_string(id);
 }
 
 namespace {
-
-/// Calls `use(name, number, names)` for each number in a message except command ids; `names`
-/// describes its values, or is null.
-template <class Use>
-void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const Use& use) {
-  std::ignore = visit(id, body, Direction::from_board, [&]<class M>(const M& message) {
-    const auto value = [&](const FieldInfo& field, const auto& member) {
-      using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (std::is_same_v<Member, msg::CommandToBoard> ||
-                    std::is_same_v<Member, msg::CommandFromBoard>) {
-        // Command ids: the caller already names the command.
-      } else if constexpr (std::is_enum_v<Member>) {
-        use(field.name, static_cast<int>(member), &EnumMeta<Member>::info);
-      } else if constexpr (std::is_integral_v<Member>) {
-        use(field.name, static_cast<int>(member), nullptr);
-      }
-    };
-    Meta<M>::visit(message, [&]<class T>(const FieldInfo& field, const T& member) {
-      if constexpr (requires { member.has_value(); }) {
-        if (member.has_value()) value(field, *member);
-      } else {
-        value(field, member);
-      }
-    });
-  });
-}
 
 /// Returns the value with this number, or null.
 const ValueInfo* value_of(const EnumInfo& names, int number) {
@@ -75,11 +44,23 @@ std::string describe(std::uint8_t id, std::span<const std::uint8_t> body) {
     const ValueInfo* known = value_of(EnumMeta<roles::ErrorReason>::info, code);
     return known != nullptr ? known->name : "unknown code " + std::to_string(code);
   }
+  const MessageType* const type = find_message(Direction::from_board, id, body.size());
+  if (type == nullptr) return {};
+  AnyMessage message = type->make();
+  if (!message.decode(body)) return {};
   std::string text;
-  for_each_number(id, body, [&](const char* name, int number, const EnumInfo* names) {
+  message.for_each_leaf([&](const Leaf& leaf) {
+    const EnumInfo* const names = leaf.names;
+    // The caller already names the command.
+    const bool is_command = names == &EnumMeta<msg::CommandToBoard>::info ||
+                            names == &EnumMeta<msg::CommandFromBoard>::info;
+    const bool is_flags = names != nullptr && names->is_flags;
+    const bool is_other = is_command || is_flags || leaf.unit != nullptr || leaf.packed != nullptr;
+    if (leaf.kind != LeafKind::integer || is_other || leaf.path.parent != nullptr) return;
     if (!text.empty()) text += ", ";
-    text += name;
+    text += leaf.field.name;
     text += ' ';
+    const int number = static_cast<int>(leaf.integer);
     const ValueInfo* known = names != nullptr ? value_of(*names, number) : nullptr;
     text += known != nullptr ? known->name + (" (" + std::to_string(number) + ")")
                              : std::to_string(number);

@@ -5,6 +5,7 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
 
@@ -57,6 +58,20 @@ Result<Client> detail::connect_client(const Opener& opener, const ConnectOptions
 
 Result<Client> Client::connect(const std::string& address, const ConnectOptions& options) {
   return detail::connect_client(detail::opener_of(address, options), options);
+}
+
+Result<std::optional<AnyMessage>> Client::call(const AnyMessage& request,
+                                               const CallOptions& options) {
+  const Result<Reply> reply = transact(request, options);
+  if (!reply) return reply.error();
+  const MessageType* const type =
+      find_message(Direction::from_board, reply->id, reply->body.size());
+  if (type == nullptr) return std::optional<AnyMessage>();
+  AnyMessage message = type->make();
+  const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
+  const Status status = message.decode({reply->body.data(), reply->body.size()}, contexts);
+  if (!status) return detail::decode_error(status, *reply);
+  return std::optional(std::move(message));
 }
 
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options) {

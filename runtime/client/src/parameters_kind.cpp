@@ -27,32 +27,13 @@ M message_of(Body body) {
   return message;
 }
 
-/// Sets all bits of a number, an enum or a quantity.
-template <class T>
-void set_all_bits(T& value) {
-  if constexpr (std::is_enum_v<T>) {
-    value = static_cast<T>(static_cast<std::underlying_type_t<T>>(~0U));
-  } else if constexpr (std::is_integral_v<T>) {
-    value = static_cast<T>(~0U);
-  } else {
-    static_assert(RawValue<T>, "a field with a role is a number");
-    value = T(static_cast<typename T::raw_type>(~0U));
-  }
-}
-
-/// Returns a body of M with 1 bits in the fields of this role.
-template <class M>
-std::vector<std::uint8_t> mask_of(FieldRole role) {
-  M marked{};
-  Meta<M>::visit(marked, [role](const FieldInfo& field, auto&& member) {
-    using Member = std::remove_cvref_t<decltype(member)>;
-    constexpr bool is_number =
-        std::is_enum_v<Member> || std::is_integral_v<Member> || RawValue<Member>;
-    if constexpr (is_number) {
-      if (field.role == role) set_all_bits(member);
-    }
+/// Returns a mask with 1 bits in the fields of this role.
+std::vector<std::uint8_t> mask_of(const MessageType& type, FieldRole role) {
+  std::vector<std::uint8_t> mask;
+  type.make().for_each_leaf([&](const Leaf& leaf) {
+    mask.resize(leaf.offset + leaf.size, leaf.field.role == role ? 0xFF : 0x00);
   });
-  return bytes_of(marked);
+  return mask;
 }
 
 /// Calls `use(Type<Request>{})` for the first request that the board supports.
@@ -79,7 +60,7 @@ Task<Result<std::vector<std::uint8_t>>> read_parameters_of(std::uint8_t copy, Ca
       [&]<class Request>(Type<Request>) { reading.emplace(read_with<M, Request>(copy, options)); });
   if (reading) co_return co_await std::move(*reading);
   co_return ClientError{ErrorCode::unsupported,
-                        fmt::format("this board cannot report {}", Meta<M>::info.name)};
+                        fmt::format("this board cannot report {}", ParametersOf<M>::name)};
 }
 
 template <class M, class Request>
@@ -97,54 +78,42 @@ Task<Result<void>> write_parameters_of(std::vector<std::uint8_t> body, CallOptio
                  });
   if (writing) co_return co_await std::move(*writing);
   co_return ClientError{ErrorCode::unsupported,
-                        fmt::format("this board cannot store {}", Meta<M>::info.name)};
+                        fmt::format("this board cannot store {}", ParametersOf<M>::name)};
 }
 
-template <class M>
-std::string problem(Body body, std::uint8_t copy) {
-  M message{};
-  if (const Status status = decode(body, message); !status) {
-    return fmt::format("{} bytes cannot be a {}: {}", body.size(), Meta<M>::info.name,
-                       text(status.code));
-  }
-  if (copy >= ParametersOf<M>::copies) {
-    return fmt::format("there is no copy {} of {}", copy, Meta<M>::info.name);
-  }
-  if constexpr (ParametersOf<M>::copies > 1) {
-    const int said = ParametersOf<M>::copy(message);
-    if (said != copy) return fmt::format("the body is of profile {}", said + 1);
-  }
-  return "";
-}
+/// A value as text, for comparison.
+struct LeafText {
+  std::string path;
+  std::string raw;
+  std::string meaning;  ///< for example "-30 deg" or "FOLLOW_MODE_FC"; may be ""
+};
 
-using ViolationReport = std::function<void(const std::vector<std::string>&, const std::string&)>;
-
-/// Returns the paths of the values that are to blame: that of the violation, and of the field that
-/// it must not exceed.
-std::vector<std::string> paths_of(const Violation& violation) {
-  std::vector<std::string> paths{to_string(violation.path)};
-  if (violation.other == nullptr) return paths;
-  std::string other = paths.front();
-  const std::size_t at = other.rfind(violation.field.name);
-  other.replace(at, std::string_view(violation.field.name).size(), violation.other->name);
-  paths.push_back(std::move(other));
-  return paths;
-}
-
-template <class M>
-void violations(Body body, const Availability& versions, const ViolationReport& report) {
-  validate(message_of<M>(body), versions,
-           [&](const Violation& violation) { report(paths_of(violation), to_string(violation)); });
+/// Returns the values that are parameters. Bytes without a meaning become separate numbers.
+std::vector<LeafText> leaf_texts(const AnyMessage& message) {
+  std::vector<LeafText> texts;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    const FieldRole role = leaf.field.role;
+    if (role == FieldRole::copy || role == FieldRole::state) return;
+    if (leaf.kind == LeafKind::counter) return;
+    if (leaf.kind != LeafKind::bytes) {
+      texts.push_back({to_string(leaf.path), raw_text(leaf), meaning_text(leaf)});
+      return;
+    }
+    for (std::size_t i = 0; i < leaf.bytes.size(); ++i) {
+      texts.push_back({to_string(FieldPath{&leaf.path, "", i}), std::to_string(leaf.bytes[i]), ""});
+    }
+  });
+  return texts;
 }
 
 template <class M>
 ParametersKind parameters_kind_of() {
+  const MessageType& type = *find_message(ParametersOf<M>::name);
   return {
-      .name = Meta<M>::info.name,
-      .summary = Meta<M>::info.summary,
+      .type = &type,
       .copies = ParametersOf<M>::copies,
-      .state_mask = mask_of<M>(FieldRole::state),
-      .general_mask = mask_of<M>(FieldRole::general),
+      .state_mask = mask_of(type, FieldRole::state),
+      .general_mask = mask_of(type, FieldRole::general),
       .is_readable =
           [](const Availability& versions) {
             return with_supported(typename ParametersOf<M>::Readers{}, versions, [](auto) {});
@@ -155,10 +124,6 @@ ParametersKind parameters_kind_of() {
           },
       .read = read_parameters_of<M>,
       .write = write_parameters_of<M>,
-      .problem = problem<M>,
-      .leaves = [](Body body) { return leaf_texts(message_of<M>(body)); },
-      .to_json = [](Body body) { return to_dom(message_of<M>(body)); },
-      .violations = violations<M>,
   };
 }
 
@@ -184,9 +149,30 @@ const std::vector<ParametersKind>& parameters_kinds() {
   return kinds;
 }
 
+std::string ParametersKind::problem(Body body, std::uint8_t copy) const {
+  AnyMessage message = type->make();
+  if (const Status status = message.decode(body); !status) {
+    return fmt::format("{} bytes cannot be a {}: {}", body.size(), name(), text(status.code));
+  }
+  if (copy >= copies) return fmt::format("there is no copy {} of {}", copy, name());
+  std::string result;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.field.role != FieldRole::copy || leaf.integer == copy) return;
+    result = fmt::format("the body is of profile {}", leaf.integer + 1);
+  });
+  return result;
+}
+
+AnyMessage ParametersKind::message(Body body) const {
+  AnyMessage result = type->make();
+  static_cast<void>(result.decode(body));
+  return result;
+}
+
 const ParametersKind* find_parameters_kind(std::string_view name) {
   const auto& kinds = parameters_kinds();
-  const auto found = std::ranges::find(kinds, name, &ParametersKind::name);
+  const auto found =
+      std::ranges::find_if(kinds, [&](const auto& kind) { return kind.name() == name; });
   return found != kinds.end() ? &*found : nullptr;
 }
 
@@ -195,7 +181,7 @@ std::vector<ParametersId> readable_parameters(const Availability& versions) {
   for (const ParametersKind& kind : parameters_kinds()) {
     if (!kind.is_readable(versions)) continue;
     for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
-      result.push_back({std::string(kind.name), copy});
+      result.push_back({kind.name(), copy});
     }
   }
   return result;
@@ -221,10 +207,10 @@ bool are_equal(const ParametersKind& kind, Body a, Body b) {
 
 std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after) {
   std::vector<FieldChange> changes;
-  std::vector<LeafText> now = kind.leaves(after);
+  std::vector<LeafText> now = leaf_texts(kind.message(after));
   std::unordered_map<std::string_view, const LeafText*> by_path;
   for (const LeafText& leaf : now) by_path.emplace(leaf.path, &leaf);
-  for (LeafText& leaf : kind.leaves(before)) {
+  for (LeafText& leaf : leaf_texts(kind.message(before))) {
     const auto found = by_path.find(leaf.path);
     if (found == by_path.end()) {
       changes.push_back({leaf.path, leaf.raw, "", leaf.meaning, ""});

@@ -1,4 +1,4 @@
-/// Type-erased messages that hold parameters: the operations on their bodies.
+/// The messages that hold parameters, and the operations on their bodies.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/task.hpp>
-#include <sbgc/json_dom.hpp>
-
-#include "leaves.hpp"
 
 namespace sbgc::detail {
 
@@ -21,8 +19,7 @@ using Body = std::span<const std::uint8_t>;
 
 /// A message that holds parameters, and the requests that read and store it.
 struct ParametersKind {
-  std::string_view name;
-  const char* summary;
+  const MessageType* type;
   std::uint8_t copies;
   /// 1 bits where a body holds state of the board.
   std::vector<std::uint8_t> state_mask;
@@ -33,15 +30,12 @@ struct ParametersKind {
   bool (*is_writable)(const Availability& versions);
   Task<Result<std::vector<std::uint8_t>>> (*read)(std::uint8_t copy, CallOptions options);
   Task<Result<void>> (*write)(std::vector<std::uint8_t> body, CallOptions options);
+
+  std::string name() const { return type->info->name; }
   /// Returns why the body does not hold parameters of this copy; "" if it does.
-  std::string (*problem)(Body body, std::uint8_t copy);
-  std::vector<LeafText> (*leaves)(Body body);
-  Json (*to_json)(Body body);
-  /// Calls `report(paths, text)` for every value, or two that contradict each other, that these
-  /// versions do not allow.
-  void (*violations)(
-      Body body, const Availability& versions,
-      const std::function<void(const std::vector<std::string>&, const std::string&)>& report);
+  std::string problem(Body body, std::uint8_t copy) const;
+  /// Returns the message with this body, in which problem() has found none.
+  AnyMessage message(Body body) const;
 };
 
 /// All kinds, in the order of the families in the specification.

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
 
+#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/detail/compiler.hpp>
@@ -35,30 +37,19 @@ std::string text_of(const Violation& violation, const Availability& versions) {
 
 /// True if the board takes another form of the command.
 bool has_another_form(std::uint8_t id, const Availability& versions) {
-  bool is_known = false;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (M::direction != Direction::from_board) {
-      const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-      is_known = is_known || (has_id && is_supported<M>(versions));
-    }
+  return std::ranges::any_of(message_types(), [&](const MessageType* type) {
+    return type->is_sent_to_board() && type->info->id == id &&
+           objection_to(*type->info, versions).empty();
   });
-  return is_known;
 }
 
 std::string lacking(const MessageInfo& info, const Availability& versions) {
-  std::string command = info.command;
+  const std::string objection = objection_to(info, versions);
   const bool is_request = info.direction != Direction::from_board;
-  if (is_request && has_another_form(info.id, versions)) command += " in this form";
-  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
-    return command + " needs firmware before " +
-           to_string(msg::FirmwareVersion(info.until.firmware)) + has_firmware(versions);
-  }
-  if (info.since.firmware > versions.firmware) {
-    return command + " needs firmware " + to_string(msg::FirmwareVersion(info.since.firmware)) +
-           has_firmware(versions);
-  }
-  return command + " needs board " + to_string(msg::BoardVersion(info.since.board)) +
-         is_board(versions);
+  const bool has_other = is_request && has_another_form(info.id, versions);
+  const bool is_of_board = objection.starts_with("needs board");
+  return std::string(info.command) + (has_other ? " in this form " : " ") + objection +
+         (is_of_board ? is_board(versions) : has_firmware(versions));
 }
 
 template <Message M>
@@ -102,6 +93,24 @@ Result<Request> prepare(const M& message, const Availability& versions, bool val
     request.teach = [message](Contexts& contexts) { contexts.learn(message); };
   }
   return request;
+}
+
+Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate) {
+  Result<Request> result = ClientError{ErrorCode::invalid, "only the board sends this message"};
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (M::direction != Direction::from_board) {
+      const auto* const request = message.get_if<M>();
+      if (request == nullptr) return;
+      result = prepare(without_surplus(*request), versions, validate);
+      if constexpr (takes_surplus<M>) {
+        for (const std::uint8_t byte : request->tail) {
+          if (!result || result->body.push_back(byte)) continue;
+          result = ClientError{ErrorCode::invalid, "the tail is too long"};
+        }
+      }
+    }
+  });
+  return result;
 }
 
 template <Message M>

@@ -4,7 +4,7 @@
 ///     AnyMessage message = type->make();
 ///     if (message.decode(body)) std::puts(message.to_json().c_str());
 ///
-/// This needs the compiled library sbgc::any, which has no I/O and no threads and throws nothing.
+/// This needs the compiled library sbgc::any, which has no I/O, no threads and no exceptions.
 /// An AnyMessage has the size of two pointers. It holds the message on the heap: one allocation of
 /// MessageType::memory bytes when it is made or copied. Besides that, only functions that return
 /// text allocate.
@@ -124,9 +124,8 @@ class AnyMessage {
   /// allow; returns true if there is none.
   template <class Report>
   bool validate(const Availability& versions, Report&& report) const {
-    return type_->operations->validate(memory_.get(), versions,
-                                       detail::call_report<std::remove_reference_t<Report>>,
-                                       &report);
+    return type_->operations->validate(
+        memory_.get(), versions, detail::call_report<std::remove_reference_t<Report>>, &report);
   }
 
   void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }

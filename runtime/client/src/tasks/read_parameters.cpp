@@ -21,7 +21,7 @@ CallOptions parameters_options(const Deadline& deadline) {
 
 Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
                                   const Deadline& deadline) {
-  const ParametersId id{std::string(kind.name), copy};
+  const ParametersId id{kind.name(), copy};
   const std::string what = fmt::format("reading {}", to_text(id));
   if (deadline.is_over()) co_return late_error(what);
   Result<std::vector<std::uint8_t>> body = co_await kind.read(copy, parameters_options(deadline));
@@ -35,7 +35,7 @@ Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
 Task<Result<Parameters>> read_one_surely(const ParametersKind& kind, std::uint8_t copy,
                                          const Deadline& deadline, std::vector<Parameters> seen) {
   const auto read = [&] { return read_one(kind, copy, deadline); };
-  std::string what = fmt::format("reading {}", to_text({std::string(kind.name), copy}));
+  std::string what = fmt::format("reading {}", to_text({kind.name(), copy}));
   co_return co_await read_surely<Parameters>(read, std::move(what), std::move(seen));
 }
 

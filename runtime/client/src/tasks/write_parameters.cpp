@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/parameters.hpp>
+#include <sbgc/text.hpp>
 
 #include "tasks/parameters_call.hpp"
 
@@ -22,6 +23,18 @@ struct Step {
   std::vector<std::uint8_t> before{};
   std::vector<std::uint8_t> wanted{};  ///< with the state of the board merged in
 };
+
+/// Returns the paths of the values that are to blame: that of the violation, and of the field that
+/// it must not exceed.
+std::vector<std::string> paths_of(const Violation& violation) {
+  std::vector<std::string> paths{to_string(violation.path)};
+  if (violation.other == nullptr) return paths;
+  std::string other = paths.front();
+  const std::size_t at = other.rfind(violation.field.name);
+  other.replace(at, std::string_view(violation.field.name).size(), violation.other->name);
+  paths.push_back(std::move(other));
+  return paths;
+}
 
 /// The state of a running write_parameters().
 class Writing {
@@ -90,16 +103,16 @@ class Writing {
     std::string problems;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const ParametersReport& block = report_.parameters[i];
-      steps_[i].kind->violations(
-          steps_[i].wanted, versions,
-          [&](const std::vector<std::string>& paths, const std::string& text) {
-            const auto is_to_blame = [&](const FieldChange& change) {
-              return std::ranges::find(paths, change.path) != paths.end();
-            };
-            if (std::ranges::none_of(block.wanted, is_to_blame)) return;
-            problems +=
-                fmt::format("{}{}, {}", problems.empty() ? "" : "\n", to_text(block.id), text);
-          });
+      const AnyMessage message = steps_[i].kind->message(steps_[i].wanted);
+      message.validate(versions, [&](const Violation& violation) {
+        const std::vector<std::string> paths = paths_of(violation);
+        const auto is_to_blame = [&](const FieldChange& change) {
+          return std::ranges::find(paths, change.path) != paths.end();
+        };
+        if (std::ranges::none_of(block.wanted, is_to_blame)) return;
+        problems += fmt::format("{}{}, {}", problems.empty() ? "" : "\n", to_text(block.id),
+                                to_string(violation));
+      });
       problems += contradiction(i, problems.empty() ? "" : "\n");
     }
     if (problems.empty()) return {};

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -77,6 +78,14 @@ class Client : public TaskCalls<Client> {
   /// which may not be decodable.
   template <Message M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
+    return conversation_.call(conversation_.prepare(request, options), options);
+  }
+
+  // The same for messages whose type is known at run time; see <sbgc/any.hpp>. call() returns the
+  // response or confirmation, or nothing if the protocol has none.
+  Result<std::optional<AnyMessage>> call(const AnyMessage& request,
+                                         const CallOptions& options = {});
+  Result<Reply> transact(const AnyMessage& request, const CallOptions& options = {}) {
     return conversation_.call(conversation_.prepare(request, options), options);
   }
 

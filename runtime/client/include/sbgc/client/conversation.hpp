@@ -57,6 +57,10 @@ class Conversation {
     return detail::prepare(message, versions(), options.validate);
   }
 
+  Result<Request> prepare(const AnyMessage& message, const CallOptions& options) const {
+    return detail::prepare(message, versions(), options.validate);
+  }
+
   /// Returns the error if this board has no data stream of M.
   template <Message M>
   std::optional<ClientError> stream_refusal() const {

@@ -13,6 +13,7 @@
 
 namespace sbgc {
 
+class AnyMessage;
 struct Availability;
 struct Contexts;
 
@@ -38,6 +39,10 @@ struct Request {
 /// encodes that one. The library defines this function for every message to the board.
 template <Message M>
 Result<Request> prepare(const M& message, const Availability& versions, bool validate);
+
+/// The same for a message whose type is known at run time; also encodes its surplus. Fails for a
+/// message from the board.
+Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate);
 
 /// Returns the error if a board with these versions does not have M, of which it would have to send
 /// a data stream. The library defines this function for every message of roles::StreamMessages.
