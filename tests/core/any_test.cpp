@@ -70,11 +70,5 @@ TEST(AnyMessage, WhatNoFrameCanCarryIsAnError) {
   }
 }
 
-TEST(AnyMessage, ABoardWithoutTheMessageIsNamed) {
-  const MessageInfo& info = *find_message("ControlQuat")->info;
-  EXPECT_EQ(objection_to(info, newest), "");
-  EXPECT_EQ(objection_to(info, {2430, 36}), "needs firmware 2.73");
-}
-
 }  // namespace
 }  // namespace sbgc::test

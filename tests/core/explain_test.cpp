@@ -85,5 +85,10 @@ TEST(Explain, SaysThatABodyIsTooLongOrBetweenForms) {
             "2 bytes: The command has no form with a body of this size");
 }
 
+TEST(Explain, ABoardWithoutTheMessageIsNamed) {
+  EXPECT_EQ(objection_to(Meta<msg::BeepSound>::info, newest), "");
+  EXPECT_EQ(objection_to(Meta<msg::BeepSound>::info, {2430, 36}), "needs firmware 2.59");
+}
+
 }  // namespace
 }  // namespace sbgc

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <sbgc/any.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/explain.hpp>
 #include <sbgc/meta/all.hpp>

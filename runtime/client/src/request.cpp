@@ -8,6 +8,7 @@
 #include <sbgc/client/request.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/explain.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>

@@ -82,10 +82,6 @@ const MessageType* find_message(std::string_view name) noexcept;
 /// Returns the type of a body of `size` bytes, as select_received(); null if there is none.
 const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size) noexcept;
 
-/// Returns why a board with these versions does not know the message, such as "needs firmware
-/// 2.66"; "" if it does.
-std::string objection_to(const MessageInfo& info, const Availability& versions);
-
 /// A message of any type, and the surplus if it is a request (see <sbgc/surplus.hpp>). A moved-from
 /// message can only be assigned to or destroyed.
 class AnyMessage {

@@ -1,4 +1,5 @@
-/// Explains why a body does not decode. Requires a hosted standard library.
+/// Explains why a body does not decode, or why a board does not know a message. Requires a hosted
+/// standard library.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include <sbgc/codec.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/text/status.hpp>
+#include <sbgc/text.hpp>
 
 namespace sbgc {
 
@@ -102,6 +103,24 @@ inline std::string explain(const Status& status, Direction direction, std::uint8
   const detail::NeededSize needed = detail::needed_size(direction, id, body, contexts);
   std::string text = detail::size_text(status, body.size(), needed);
   return text.empty() ? detail::bytes_text(body.size()) + ": " + to_string(status) : text;
+}
+
+/// Returns why a board with these versions does not know the message, such as "needs firmware
+/// 2.66"; "" if it does.
+inline std::string objection_to(const MessageInfo& info, const Availability& versions) {
+  const auto firmware = [](std::uint16_t version) {
+    return to_string(msg::FirmwareVersion(version));
+  };
+  if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
+    return "needs firmware before " + firmware(info.until.firmware);
+  }
+  if (info.since.firmware > versions.firmware) {
+    return "needs firmware " + firmware(info.since.firmware);
+  }
+  if (info.since.board > versions.board) {
+    return "needs board " + to_string(msg::BoardVersion(info.since.board));
+  }
+  return "";
 }
 
 }  // namespace sbgc
