@@ -70,5 +70,75 @@ TEST(AnyMessage, WhatNoFrameCanCarryIsAnError) {
   }
 }
 
+/// Returns the value at a path as text, or "-".
+std::string value_at(const AnyMessage& message, std::string_view path) {
+  std::string result = "-";
+  message.with_leaf(path, [&](const Leaf& leaf) { result = value_text(leaf); });
+  return result;
+}
+
+TEST(AnyMessage, ValuesAreAssignedFromText) {
+  AnyMessage control = find_message("ControlExt")->make();
+  EXPECT_EQ(control.assign("axes.pitch.angle", "-30deg"), "");
+  EXPECT_EQ(value_at(control, "axes.pitch.angle"), "-29.9927 deg") << "the nearest";
+  EXPECT_EQ(control.assign("axes.pitch.angle", "raw:16384"), "");
+  EXPECT_EQ(value_at(control, "axes.pitch.angle"), "360 deg");
+
+  AnyMessage variables = find_message("SetAdjVarsVal")->make();
+  EXPECT_EQ(variables.assign("params[1].param_id", "lpf_freq_roll"), "");
+  EXPECT_EQ(variables.assign("params[1].param_value", "30Hz"), "");
+  EXPECT_EQ(value_at(variables, "params[1].param_value"), "30 Hz");
+  EXPECT_EQ(variables.get_if<msg::SetAdjVarsVal>()->params.size(), 2U);
+
+  AnyMessage sound = find_message("BeepSound")->make();
+  EXPECT_EQ(sound.assign("note_freq_hz", "600, 700"), "");
+  EXPECT_EQ(value_at(sound, "note_freq_hz[1]"), "700 Hz");
+  EXPECT_EQ(sound.assign("note_freq_hz", "600"), "");
+  EXPECT_EQ(value_at(sound, "note_freq_hz[1]"), "-");
+}
+
+TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {
+  AnyMessage sound = find_message("BeepSound")->make();
+  ASSERT_EQ(sound.assign("note_length", "80 ms"), "");
+  const AnyMessage before = sound;
+  EXPECT_EQ(sound.assign("note", "1"), "BeepSound has no field 'note'");
+  EXPECT_EQ(sound.assign("note_freq_hz[0].x", "1"), "BeepSound has no field 'note_freq_hz[0].x'");
+  EXPECT_EQ(sound.assign("note_length", "80 Hz"), "note_length: 'Hz' is not its unit, which is ms");
+  EXPECT_EQ(sound.assign("decay_factor", "16"), "decay_factor: 16 is above 15");
+  EXPECT_EQ(sound.assign("decay_factor", "300"), "decay_factor: 300 does not fit: 0 to 255");
+  EXPECT_EQ(sound.assign("note_freq_hz", "600,1"), "note_freq_hz[1]: 1 Hz is below 554 Hz");
+  EXPECT_EQ(sound.assign("note_freq_hz[50]", "600"), "note_freq_hz: 51 elements are more than 50");
+  EXPECT_EQ(sound.assign("note_freq_hz[999]", "600"),
+            "note_freq_hz[999]: there is no such element");
+  EXPECT_TRUE(sound.assign("mode", "LOUD").starts_with("mode: 'LOUD' is not a name of BeepModes"));
+  EXPECT_TRUE(sound == before);
+}
+
+TEST(AnyMessage, EveryValueIsAssignedFromItsOwnText) {
+  RandomBodies bodies(3);
+  std::size_t assigned = 0;
+  for (const MessageType* const type : message_types()) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      AnyMessage message = type->make();
+      const std::size_t more = is_of_fixed_size(*type) ? 0 : 7 * i;
+      if (!message.decode(bodies.next(type->info->min_size + more), random_contexts(i))) continue;
+      AnyMessage copy = message;
+      message.for_each_leaf([&](const Leaf& leaf) {
+        const bool is_exact = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::bytes;
+        if (!is_exact || leaf.announced != NumberType::none || leaf.is_u64) return;
+        const std::string path = to_string(leaf.path);
+        const std::string text = (leaf.kind == LeafKind::integer ? "raw:" : "") + raw_text(leaf);
+        const std::string problem = copy.assign(path, text);
+        // Random values need not be valid, but all others can be assigned.
+        if (problem.empty()) ++assigned;
+        EXPECT_TRUE(problem.empty() || !message.validate(newest, [](const Violation&) {}))
+            << type->info->name << ' ' << problem;
+      });
+      EXPECT_EQ(encoded_body(copy), encoded_body(message)) << type->info->name;
+    }
+  }
+  EXPECT_GT(assigned, 5000U);
+}
+
 }  // namespace
 }  // namespace sbgc::test

@@ -656,7 +656,7 @@ def test_flags_are_filtered_one_by_one() -> None:
         (["-w", "imu_angel=3"], "no message has a field 'imu_angel'; did you mean 'imu_angle'"),
         (["-w", "imu_angle"], "is no condition"),
         (["-w", "mode=MODE_SPEEED"], "'MODE_SPEEED' is not a name of"),
-        (["-w", "cycle_time > 70000"], "70000 is outside of 0 us to 65535 us"),
+        (["-w", "cycle_time > 70000"], "70000 does not fit: 0 us to 65535 us"),
         (["-w", "config > 3"], "is a group; name one of its fields"),
         (["-m", "CMD_CONTROL", "-w", "cycle_time > 7"], "the selected messages have no such field"),
         (["-w", "=3"], "is no condition"),

@@ -206,7 +206,7 @@ def test_set_says_what_it_would_write(board: str, values: list[str], words: str)
     [
         ("pitch.p=300", 2, ["axes.pitch.p", "300", "255"]),
         ("roll.i=20", 2, ["axes.roll.i", "20", "2.55"]),
-        ("rc_min_angle=-800deg", 2, ["-800deg", "-720 deg", "720 deg"]),
+        ("rc_min_angle=-800deg", 2, ["rc_min_angle", "-800 deg is below -720 deg"]),
         ("rc_min_angle=-30V", 2, ["'V'", "deg"]),
         ("follow_mode=FOLOW_MODE_FC", 2, ["did you mean 'FOLLOW_MODE_FC'"]),
         ("pitch.p", 2, ["NAME=VALUE"]),

@@ -100,7 +100,7 @@ def test_values(values: list[str], path: str, expected: int) -> None:
 
 def test_values_with_a_meaning_of_their_own_may_be_outside_of_the_range() -> None:
     assert fields_of("ReadParams3Request", "profile_id=255") == {"profile_id": 255}
-    assert "0 to 4" in refused("ReadParams3Request", "profile_id=254")
+    assert "254 is above 4" in refused("ReadParams3Request", "profile_id=254")
 
 
 def test_a_name_of_the_specification_counts_elements_as_it_does() -> None:

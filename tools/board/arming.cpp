@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/words.hpp>
+
 #include "command/background_output.hpp"
 #include "command/colors.hpp"
 #include "command/command_error.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -30,7 +31,7 @@ void arm(const Arming& arming, const std::string& what_will_happen) {
   background_stderr().wait();  // nothing moves yet
   std::string answer;
   std::getline(std::cin, answer);
-  if (!is_same_word(answer, "y") && !is_same_word(answer, "yes")) {
+  if (!detail::is_same_word(answer, "y") && !detail::is_same_word(answer, "yes")) {
     throw CommandError("not confirmed");
   }
 }

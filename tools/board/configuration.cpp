@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/atomic_file.hpp>
+#include <sbgc/detail/suggestions.hpp>
 
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
-#include "command/suggestions.hpp"
 
 namespace sbgc::tools {
 
@@ -77,7 +77,7 @@ void set(NamedGimbal& gimbal, const CLI::ConfigItem& item) {
   } else {
     const std::vector<std::string> known{"port", "timeout", "attempts", "attempt-time"};
     reject(fmt::format("unknown key '{}' of gimbal '{}'; the keys are {}", item.name, gimbal.name,
-                       alternatives(known, false, "and")));
+                       detail::alternatives(known, false, "and")));
   }
 }
 
@@ -151,10 +151,11 @@ NamedGimbal find_gimbal(const std::string& name) {
   std::vector<std::string> names;
   names.reserve(gimbals.size());
   for (const NamedGimbal& gimbal : gimbals) names.push_back(gimbal.name);
-  const std::string all = names.empty() ? "none" : alternatives(names, true, "and");
-  throw CommandError(fmt::format("no gimbal '{}' in {}{}", name, configuration_file().string(),
-                                 did_you_mean(nearest(name, names), "it names " + all)),
-                     wrong_usage);
+  const std::string all = names.empty() ? "none" : detail::alternatives(names, true, "and");
+  throw CommandError(
+      fmt::format("no gimbal '{}' in {}{}", name, configuration_file().string(),
+                  detail::did_you_mean(detail::nearest(name, names), "it names " + all)),
+      wrong_usage);
 }
 
 }  // namespace sbgc::tools

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/calibration.hpp>
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 
 #include "board/arming.hpp"
 #include "board/connection.hpp"
@@ -18,12 +20,10 @@
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
 #include "values/message_names.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -42,12 +42,12 @@ struct CalibrateOptions {
 const Calibration& calibration_named(const std::string& name) {
   std::vector<std::string> names;
   for (const Calibration& one : calibrations()) {
-    if (is_same_word(name, one.name)) return one;
+    if (detail::is_same_word(name, one.name)) return one;
     names.push_back(one.name);
   }
-  const auto near = nearest(lower_case(name), names);
+  const auto near = detail::nearest(detail::lower_case(name), names);
   throw CommandError(fmt::format("unknown calibration '{}'{}", clipped(name),
-                                 did_you_mean(near, "`sbgc calibrate --list` lists them")),
+                                 detail::did_you_mean(near, "`sbgc calibrate --list` lists them")),
                      wrong_usage);
 }
 

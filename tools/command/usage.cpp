@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
+
 #include "command/command_error.hpp"
 #include "command/remark.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
@@ -42,7 +43,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 /// Returns the names after `before`, unless they are too many to choose from in a message.
 std::string choice(const std::string& before, const std::vector<std::string>& names) {
   constexpr std::size_t most = 12;
-  return names.size() > most ? "" : before + alternatives(names, false);
+  return names.size() > most ? "" : before + detail::alternatives(names, false);
 }
 
 /// Returns the error message for an unexpected word that was passed to `command`.
@@ -51,15 +52,15 @@ std::string unknown_word(const CLI::App& command, const std::string& word) {
   if (word.starts_with('-')) {
     const std::string name = word.substr(0, word.find('='));
     return fmt::format("unknown option '{}'{}", shown,
-                       did_you_mean(nearest(name, option_names(command))));
+                       detail::did_you_mean(detail::nearest(name, option_names(command))));
   }
   const std::vector<std::string> commands = command_names(command);
   if (commands.empty()) return fmt::format("unexpected argument '{}'", shown);
   std::vector<std::string> known = commands;
   for (const std::string& option : option_names(command)) known.push_back(option);
-  const std::vector<std::string> near = nearest(word, known);
+  const std::vector<std::string> near = detail::nearest(word, known);
   return fmt::format("unknown command '{}'{}", shown,
-                     near.empty() ? choice("; use ", commands) : did_you_mean(near));
+                     near.empty() ? choice("; use ", commands) : detail::did_you_mean(near));
 }
 
 /// Returns what a user calls an option: its own name, or for an argument the type in the help.
@@ -112,7 +113,7 @@ std::string in_words(const CLI::App& command, const std::string& message) {
     std::istringstream list(found[3].str());
     for (std::string word; std::getline(list, word, ',');) words.push_back(word);
     return fmt::format("{} must be {}, not '{}'", shown_name(command, found[1]),
-                       alternatives(words, false), found[2].str());
+                       detail::alternatives(words, false), found[2].str());
   }
   if (std::regex_match(message, found, must)) {
     return fmt::format("{} {}", shown_name(command, found[1]), found[2].str());

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/text/values.hpp>
@@ -31,7 +32,6 @@
 #include "frames/rejected_candidates.hpp"
 #include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -78,8 +78,8 @@ std::optional<std::chrono::microseconds> parse_time(const std::string& text) {
 }
 
 std::optional<Direction> parse_side(const std::string& text) {
-  if (is_same_word(text, "board")) return Direction::from_board;
-  if (is_same_word(text, "host")) return Direction::to_board;
+  if (detail::is_same_word(text, "board")) return Direction::from_board;
+  if (detail::is_same_word(text, "host")) return Direction::to_board;
   return std::nullopt;
 }
 
@@ -450,7 +450,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->type_name("auto|board|host|TIME")
       ->allow_extra_args(false)
       ->check([](const std::string& text) -> std::string {
-        if (is_same_word(text, "auto") || parse_side(text) || parse_time(text)) return {};
+        if (detail::is_same_word(text, "auto") || parse_side(text) || parse_time(text)) return {};
         return fmt::format("'{}' is neither auto, board or host, nor a time", text);
       });
   command

@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "command/suggestions.hpp"
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
+
 #include "command/wording.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
 #include "values/value_text.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -53,9 +54,9 @@ FieldCondition::FieldCondition(const std::string& text) {
         "value",
         clipped(text)));
   }
-  name_ = trimmed(std::string_view(text).substr(0, place));
+  name_ = detail::trimmed(std::string_view(text).substr(0, place));
   operator_ = found->second;
-  value_ = trimmed(std::string_view(text).substr(place + found->first.size()));
+  value_ = detail::trimmed(std::string_view(text).substr(place + found->first.size()));
   // A mistake must not look like a capture without such frames.
   std::vector<FieldSource> sources;
   std::string problem;
@@ -67,7 +68,7 @@ FieldCondition::FieldCondition(const std::string& text) {
   if (!targets_.empty()) return;
   if (!problem.empty()) throw ValueError(problem);
   throw ValueError(fmt::format("no message has a field '{}'{}", clipped(name_),
-                               did_you_mean(similar_fields(sources, name_))));
+                               detail::did_you_mean(similar_fields(sources, name_))));
 }
 
 /// Adds the fields of a message that the name means. Returns why the condition cannot hold for one.

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
@@ -28,7 +29,6 @@
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
 #include "serving/service.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -147,7 +147,7 @@ constexpr std::uint32_t fastest_rate = 4'000'000;
 
 /// Returns 0 for "settings".
 std::uint32_t parse_rate(const std::string& text) {
-  if (is_same_word(text, "settings")) return 0;
+  if (detail::is_same_word(text, "settings")) return 0;
   std::uint32_t rate = 0;
   if (!CLI::detail::lexical_cast(text, rate) || rate < slowest_rate || rate > fastest_rate) {
     throw std::invalid_argument(

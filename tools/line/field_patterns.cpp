@@ -4,11 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
+
 #include "command/command_error.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "values/field_lookup.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -73,7 +74,7 @@ void apply(std::string_view pattern, const MessageType& message,
   }
   if (ends.size() > 1) {
     throw CommandError(fmt::format("the field '{}' is not unique: {}", clipped(pattern),
-                                   alternatives(ends, false)),
+                                   detail::alternatives(ends, false)),
                        wrong_usage);
   }
   if (ends.empty()) ends = paths_named(pattern, message);
@@ -82,11 +83,11 @@ void apply(std::string_view pattern, const MessageType& message,
         ends, [&](const std::string& end) { return path == end || is_inside(path, end); });
   };
   if (choose(paths, chosen, is_named)) return;
-  throw CommandError(
-      fmt::format("no field matches '{}'{}", clipped(pattern),
-                  did_you_mean(nearest(pattern, known_words(paths)),
-                               fmt::format("`sbgc describe {}` lists them", message.info->name))),
-      wrong_usage);
+  throw CommandError(fmt::format("no field matches '{}'{}", clipped(pattern),
+                                 detail::did_you_mean(detail::nearest(pattern, known_words(paths)),
+                                                      fmt::format("`sbgc describe {}` lists them",
+                                                                  message.info->name))),
+                     wrong_usage);
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ std::vector<bool> chosen_fields(std::string_view patterns, const MessageType& me
   std::vector<bool> chosen(paths.size(), patterns.empty());
   while (!patterns.empty()) {
     const std::size_t comma = std::min(patterns.find(','), patterns.size());
-    apply(trimmed(patterns.substr(0, comma)), message, paths, chosen);
+    apply(detail::trimmed(patterns.substr(0, comma)), message, paths, chosen);
     patterns.remove_prefix(std::min(comma + 1, patterns.size()));
   }
   return chosen;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/messages.hpp>
@@ -14,12 +16,10 @@
 
 #include "board/connection.hpp"
 #include "command/command_error.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "line/field_patterns.hpp"
 #include "values/assignments.hpp"
 #include "values/message_names.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -163,7 +163,7 @@ std::unique_ptr<StreamType> StreamType::find(std::string_view name) {
   roles::StreamMessages::for_each([&]<class M>(Type<M>) {
     const MessageInfo& info = Meta<M>::info;
     known.emplace_back(info.name);
-    if (!found && (is_same_word(name, info.name) || is_command_name(name, info.command))) {
+    if (!found && (detail::is_same_word(name, info.name) || is_command_name(name, info.command))) {
       found = std::make_unique<StreamOf<M>>();
     }
   });
@@ -172,8 +172,9 @@ std::unique_ptr<StreamType> StreamType::find(std::string_view name) {
   roles::StreamMessages::for_each(
       [&]<class M>(Type<M>) { all.emplace_back(Meta<M>::info.command); });
   throw CommandError(fmt::format("there is no data stream of '{}'{}", clipped(name),
-                                 did_you_mean(nearest(name, all), "there are streams of " +
-                                                                      alternatives(known, false))),
+                                 detail::did_you_mean(
+                                     detail::nearest(name, all),
+                                     "there are streams of " + detail::alternatives(known, false))),
                      wrong_usage);
 }
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
@@ -17,9 +19,7 @@
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -46,7 +46,7 @@ std::string_view common_prefix() {
 
 /// For example "profile1".
 std::string short_name(const ValueInfo& action) {
-  return lower_case(std::string_view(action.name).substr(common_prefix().size()));
+  return detail::lower_case(std::string_view(action.name).substr(common_prefix().size()));
 }
 
 std::string without_dashes(std::string word) {
@@ -58,12 +58,13 @@ const ValueInfo& action_of(const std::string& word) {
   std::vector<std::string> names;
   for (const ValueInfo& action : actions()) {
     const std::string name = short_name(action);
-    if (is_same_word(without_dashes(word), name) || is_same_word(word, action.name)) return action;
+    if (detail::is_same_word(without_dashes(word), name) || detail::is_same_word(word, action.name))
+      return action;
     names.push_back(name);
   }
-  const auto near = nearest(without_dashes(lower_case(word)), names);
+  const auto near = detail::nearest(without_dashes(detail::lower_case(word)), names);
   throw CommandError(fmt::format("unknown menu action '{}'{}", clipped(word),
-                                 did_you_mean(near, "`sbgc menu --list` lists them")),
+                                 detail::did_you_mean(near, "`sbgc menu --list` lists them")),
                      wrong_usage);
 }
 

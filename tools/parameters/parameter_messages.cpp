@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/text.hpp>
 
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "values/names.hpp"
 
@@ -61,9 +61,9 @@ FoundParameters find_parameters(std::string_view name) {
   const std::vector<FieldSource> sources = parameter_sources();
   const SourcedFields found = find_fields(sources, name);
   if (found.fields.empty()) {
-    throw ValueError(
-        fmt::format("there is no parameter '{}'{}", clipped(name),
-                    did_you_mean(similar_fields(sources, name), "`sbgc params show` lists them")));
+    throw ValueError(fmt::format(
+        "there is no parameter '{}'{}", clipped(name),
+        detail::did_you_mean(similar_fields(sources, name), "`sbgc params show` lists them")));
   }
   for (const FoundField& field : found.fields) {
     const FieldInfo* const info = field.type->info;

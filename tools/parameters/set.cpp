@@ -49,7 +49,7 @@ struct MessageValues {
 
 /// Returns the values by message. Reads each on a new message first, so that most mistakes are
 /// found without a board. Throws ValueError.
-std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments) {
+std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments, bool no_validate) {
   std::vector<MessageValues> result;
   for (const Assignment& assignment : assignments) {
     const FoundParameters found = find_parameters(assignment.name);
@@ -67,6 +67,7 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments)
   for (const MessageValues& one : result) {
     Json fields = initial_fields(one.message->type->fields());
     set_values(*one.message->type, one.values, fields);
+    if (!no_validate) check_ranges(*one.message->type, one.values, fields);
   }
   return result;
 }
@@ -135,7 +136,7 @@ std::string what_is_written(const WriteReport& plan, const std::vector<MessageVa
 int set(const SetOptions& options, const CommandContext& context) {
   std::vector<MessageValues> values;
   try {
-    values = values_of(parse_assignments(options.values));
+    values = values_of(parse_assignments(options.values), options.no_validate);
   } catch (const std::runtime_error& error) {
     throw CommandError(clipped(error.what()), wrong_usage);
   }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/profiles.hpp>
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
@@ -18,13 +20,11 @@
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"
 #include "parameters/profile_choice.hpp"
 #include "values/field_text.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -51,10 +51,10 @@ void print_json(const ChosenProfile& profile, const std::vector<ShownParameter>&
 }
 
 bool fits(const ShownParameter& parameter, const std::string& filter) {
-  const std::string wanted = lower_case(filter);
-  const std::string name = lower_case(parameter.message + '.' + parameter.path);
+  const std::string wanted = detail::lower_case(filter);
+  const std::string name = detail::lower_case(parameter.message + '.' + parameter.path);
   return name.find(wanted) != std::string::npos ||
-         lower_case(parameter.spec_name).find(wanted) != std::string::npos;
+         detail::lower_case(parameter.spec_name).find(wanted) != std::string::npos;
 }
 
 void print_table(const std::vector<ShownParameter>& parameters) {

@@ -9,6 +9,8 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/variables.hpp>
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -20,13 +22,11 @@
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/field_text.hpp"
 #include "values/names.hpp"
 #include "values/value_text.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -41,11 +41,11 @@ struct VarsOptions {
 
 const VariableInfo& variable_named(const std::string& name) {
   for (const VariableInfo& variable : variables) {
-    if (is_same_word(name, variable.name)) return variable;
+    if (detail::is_same_word(name, variable.name)) return variable;
   }
-  const auto near = nearest(upper_case(name), variable_names());
+  const auto near = detail::nearest(detail::upper_case(name), variable_names());
   throw CommandError(fmt::format("there is no adjustable variable '{}'{}", clipped(name),
-                                 did_you_mean(near, "`sbgc vars list` lists them")),
+                                 detail::did_you_mean(near, "`sbgc vars list` lists them")),
                      wrong_usage);
 }
 

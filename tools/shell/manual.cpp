@@ -10,10 +10,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/version.hpp>
 
 #include "command/commands.hpp"
-#include "command/suggestions.hpp"
 #include "command/usage.hpp"
 #include "command/wording.hpp"
 #include "shell/command_line_facts.hpp"
@@ -178,7 +178,7 @@ int print_manual(const CLI::App& app, const ManualOptions& options) {
     std::vector<std::string> names;
     for (const CLI::App* const one : subcommands_of(app)) names.push_back(one->get_name());
     throw CommandError(fmt::format("there is no command '{}'{}", clipped(options.command),
-                                   did_you_mean(nearest(options.command, names))),
+                                   detail::did_you_mean(detail::nearest(options.command, names))),
                        wrong_usage);
   }
   fmt::print("{}", page_of(*command));

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "command/suggestions.hpp"
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/text.hpp>
+
 #include "command/wording.hpp"
 #include "values/value_text.hpp"
 
@@ -217,9 +219,10 @@ std::vector<FieldValue> find_values(const MessageType& message,
     if (found.empty()) {
       const FieldSource source{message.info->name, &message.fields()};
       const std::string name(message.info->name);
-      throw ValueError(fmt::format("{} has no field '{}'{}", name, clipped(assignment.name),
-                                   did_you_mean(similar_fields({source}, assignment.name),
-                                                "`sbgc describe " + name + "` lists them")));
+      throw ValueError(
+          fmt::format("{} has no field '{}'{}", name, clipped(assignment.name),
+                      detail::did_you_mean(similar_fields({source}, assignment.name),
+                                           "`sbgc describe " + name + "` lists them")));
     }
     for (FieldValue& value : values_for(found, assignment.value)) {
       const std::string path = steps_text(value.field.steps);
@@ -262,6 +265,20 @@ void set_values(const MessageType& message, const std::vector<FieldValue>& value
   for (const FieldValue& value : values) {
     if (is_in_unit(*value.field.type)) set(value, unit_of(value.field, units));
   }
+}
+
+void check_ranges(const MessageType& message, const std::vector<FieldValue>& values,
+                  const Json& fields) {
+  std::string problem;
+  message_of(message, fields).validate(newest, [&](const Violation& violation) {
+    const bool is_range = violation.rule == Rule::minimum || violation.rule == Rule::maximum;
+    if (!is_range || violation.other != nullptr || !problem.empty()) return;
+    const std::string path = to_string(violation.path);
+    const bool is_one = std::ranges::any_of(
+        values, [&](const FieldValue& value) { return steps_text(value.field.steps) == path; });
+    if (is_one) problem = to_string(violation);
+  });
+  if (!problem.empty()) throw ValueError(problem);
 }
 
 void assign(const MessageType& message, const std::vector<Assignment>& assignments, Json& fields) {

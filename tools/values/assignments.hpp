@@ -40,8 +40,12 @@ std::vector<FieldValue> find_values(const MessageType& message,
 /// of the message select. Throws ValueError, which names the field.
 void set_values(const MessageType& message, const std::vector<FieldValue>& values, Json& fields);
 
-/// Both in one step.
+/// find_values() and set_values() in one step.
 void assign(const MessageType& message, const std::vector<Assignment>& assignments, Json& fields);
+
+/// Throws ValueError if one of the values is outside of its range, whatever the others are.
+void check_ranges(const MessageType& message, const std::vector<FieldValue>& values,
+                  const Json& fields);
 
 /// Replaces names of values and lists of flags in the JSON of a message by their numbers. Leaves
 /// everything else to the reader of the message. Throws ValueError, which names the field.

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/reference.hpp>
 #include <sbgc/text.hpp>
@@ -18,7 +20,6 @@
 #include "command/colors.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
-#include "command/suggestions.hpp"
 #include "command/wording.hpp"
 #include "values/effect_text.hpp"
 #include "values/field_lookup.hpp"
@@ -26,7 +27,6 @@
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
 #include "values/names.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -210,8 +210,8 @@ void print_fields(const Page& page, const std::vector<FieldType>& members) {
     if (is_first) page.gap();
     is_first = false;
     const FieldInfo* const info = field.type->info;
-    const bool has_other_name =
-        info != nullptr && *info->spec_name != '\0' && !is_same_word(info->spec_name, info->name);
+    const bool has_other_name = info != nullptr && *info->spec_name != '\0' &&
+                                !detail::is_same_word(info->spec_name, info->name);
     page.entry(has_other_name ? fmt::format("{} ({})", field.path, info->spec_name) : field.path,
                "", 4, 0);
     if (field.type->shape == FieldShape::group) {
@@ -382,25 +382,25 @@ std::vector<Occurrence> occurrences_of(std::string word) {
   const std::size_t dot = std::min(word.find('.'), word.size());
   const std::string first = word.substr(0, dot);
   const bool is_of_one = std::ranges::any_of(message_types(), [&](const MessageType* message) {
-    return is_same_word(first, message->info->name);
+    return detail::is_same_word(first, message->info->name);
   });
   if (is_of_one) word.erase(0, dot + 1);
   std::vector<Occurrence> found;
   for (const MessageType* const message : message_types()) {
-    if (is_of_one && !is_same_word(first, message->info->name)) continue;
+    if (is_of_one && !detail::is_same_word(first, message->info->name)) continue;
     std::vector<FoundField> fields;
     try {
       fields = find_fields(message->fields(), word);
     } catch (const ValueError&) {
       // Several fields of the message: each that ends with the name.
-      for_each_field(
-          message->fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
-            const FieldType* const last = way.back().member;
-            if (last != nullptr &&
-                (is_same_word(last->name, word) || is_same_word(last->info->spec_name, word))) {
-              found.push_back({message, way_text(way), &type});
-            }
-          });
+      for_each_field(message->fields(),
+                     [&](const std::vector<WayStep>& way, const FieldType& type) {
+                       const FieldType* const last = way.back().member;
+                       if (last != nullptr && (detail::is_same_word(last->name, word) ||
+                                               detail::is_same_word(last->info->spec_name, word))) {
+                         found.push_back({message, way_text(way), &type});
+                       }
+                     });
       continue;
     }
     if (fields.empty()) continue;
@@ -471,32 +471,32 @@ bool print_word(const Page& page, const std::string& word) {
   if (id) return is_known;
   if (!is_known) {
     for (const MessageType* const type : message_types()) {
-      if (!is_same_word(word, type->info->name)) continue;
+      if (!detail::is_same_word(word, type->info->name)) continue;
       separate();
       page.heading(type->info->command, fmt::format("  id {}", type->info->id));
       print_message(page, *type);
     }
   }
   for (const FamilyReference& family : family_references) {
-    if (is_known || !is_same_word(word, family.name)) continue;
+    if (is_known || !detail::is_same_word(word, family.name)) continue;
     separate();
     print_family(page, family);
   }
   for (const VariableInfo& variable : variables) {
-    if (!is_same_word(word, variable.name)) continue;
+    if (!detail::is_same_word(word, variable.name)) continue;
     separate();
     print_variable(page, variable);
   }
   if (is_known) return true;
   for (const NamedType& type : named_types()) {
-    if (is_same_word(word, type.name)) {
+    if (detail::is_same_word(word, type.name)) {
       separate();
       print_type(page, type);
       continue;
     }
     if (type.names == nullptr) continue;
     for (const ValueInfo& value : type.names->values) {
-      if (!is_same_word(word, value.name)) continue;
+      if (!detail::is_same_word(word, value.name)) continue;
       separate();
       page.heading(type.name, type.names->is_flags ? "  flags" : "  enum");
       print_value(page, *type.names, value);
@@ -535,15 +535,15 @@ std::vector<std::string> all_words() {
 std::vector<std::string> similar_words(const std::string& word) {
   std::multimap<std::string, std::string> words;
   for (const std::string& name : all_words()) {
-    words.emplace(lower_case(name), name);
-    if (name.starts_with("CMD_")) words.emplace(lower_case(name.substr(4)), name);
+    words.emplace(detail::lower_case(name), name);
+    if (name.starts_with("CMD_")) words.emplace(detail::lower_case(name.substr(4)), name);
   }
   std::vector<std::string> lower;
   for (const auto& [key, name] : words) {
     if (lower.empty() || lower.back() != key) lower.push_back(key);
   }
   std::vector<std::string> result;
-  for (const std::string& key : nearest(lower_case(word), lower)) {
+  for (const std::string& key : detail::nearest(detail::lower_case(word), lower)) {
     const auto [begin, end] = words.equal_range(key);
     for (auto at = begin; at != end; ++at) result.push_back(at->second);
   }
@@ -563,7 +563,7 @@ int describe(const DescribeOptions& options) {
   constexpr std::size_t most = 8;
   if (near.size() > most) near.resize(most);
   throw CommandError(fmt::format("nothing is named '{}'{}", clipped(word),
-                                 did_you_mean(near, "`sbgc describe` lists the commands")));
+                                 detail::did_you_mean(near, "`sbgc describe` lists the commands")));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "command/suggestions.hpp"
-#include "values/words.hpp"
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 
 namespace sbgc::tools {
 
@@ -82,7 +82,7 @@ using Choice = std::vector<std::optional<std::size_t>>;
 
 std::optional<std::size_t> axis_of(const FieldType& axes, std::string_view word) {
   for (std::size_t i = 0; i < axes.axes.size(); ++i) {
-    if (is_same_word(word, axes.axes[i])) return i;
+    if (detail::is_same_word(word, axes.axes[i])) return i;
   }
   return std::nullopt;
 }
@@ -97,7 +97,7 @@ bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, b
     const Token& token = tokens[left - 1];
     const WayStep& at = way[--step];
     if (at.member != nullptr) {
-      if (token.index || !is_same_word(token.word, at.member->name)) return false;
+      if (token.index || !detail::is_same_word(token.word, at.member->name)) return false;
       --left;
     } else if (at.elements->shape == FieldShape::list) {
       if (!token.index) {
@@ -138,14 +138,14 @@ bool matches_specification(std::string_view name, const Way& way, Choice& choice
   choice.assign(way.size(), std::nullopt);
   const std::size_t open = pattern.find('{');
   if (open == std::string_view::npos) {
-    return last + 1 == way.size() && is_same_word(name, pattern);
+    return last + 1 == way.size() && detail::is_same_word(name, pattern);
   }
   const std::string_view head = pattern.substr(0, open);
   const std::string_view tail = pattern.substr(pattern.find('}') + 1);
   if (name.size() <= head.size() + tail.size()) return false;
   const std::string_view middle = name.substr(head.size(), name.size() - head.size() - tail.size());
-  if (!is_same_word(name.substr(0, head.size()), head)) return false;
-  if (!is_same_word(name.substr(name.size() - tail.size()), tail)) return false;
+  if (!detail::is_same_word(name.substr(0, head.size()), head)) return false;
+  if (!detail::is_same_word(name.substr(name.size() - tail.size()), tail)) return false;
   for (std::size_t i = way.size(); i-- != 0;) {
     if (way[i].member != nullptr) continue;
     if (way[i].elements->shape == FieldShape::axes) {
@@ -289,7 +289,8 @@ SourcedFields find_fields(const std::vector<FieldSource>& sources, std::string_v
   // The name of a source may stand in front.
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const std::size_t dot = name.find('.');
-    if (dot == std::string_view::npos || !is_same_word(name.substr(0, dot), sources[i].name)) {
+    if (dot == std::string_view::npos ||
+        !detail::is_same_word(name.substr(0, dot), sources[i].name)) {
       continue;
     }
     const SourcedFields found = find_fields({sources[i]}, name.substr(dot + 1));
@@ -302,7 +303,7 @@ SourcedFields find_fields(const std::vector<FieldSource>& sources, std::string_v
   candidates.reserve(found.size());
   for (const Match& match : found) candidates.push_back(text_of(match, sources));
   throw ValueError(fmt::format("'{}' can mean {}; write more of the path", name,
-                               alternatives(candidates, false)));
+                               detail::alternatives(candidates, false)));
 }
 
 std::vector<FoundField> find_fields(const std::vector<FieldType>& members, std::string_view name) {
@@ -325,7 +326,7 @@ std::vector<std::string> similar_fields(const std::vector<FieldSource>& sources,
       }
     }
   }
-  return nearest(lower_case(name), known);
+  return detail::nearest(detail::lower_case(name), known);
 }
 
 std::vector<std::string> field_paths(const std::vector<FieldType>& members) {

@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "command/suggestions.hpp"
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
+
 #include "command/wording.hpp"
 #include "values/field_lookup.hpp"
-#include "values/words.hpp"
 
 namespace sbgc::tools {
 
@@ -22,8 +23,8 @@ bool travels_in(const MessageInfo& info, Direction direction) {
 
 bool is_command_name(std::string_view word, std::string_view command) {
   constexpr std::string_view prefix = "CMD_";
-  if (is_same_word(word, command)) return true;
-  return command.starts_with(prefix) && is_same_word(word, command.substr(prefix.size()));
+  if (detail::is_same_word(word, command)) return true;
+  return command.starts_with(prefix) && detail::is_same_word(word, command.substr(prefix.size()));
 }
 
 std::optional<std::uint8_t> parse_command_id(std::string_view word) {
@@ -46,7 +47,7 @@ std::vector<const MessageType*> messages_named(std::string_view name, Direction 
   if (!forms.empty()) return forms;
   const MessageType* other = nullptr;
   for (const MessageType* const type : message_types()) {
-    if (!is_same_word(name, type->info->name)) continue;
+    if (!detail::is_same_word(name, type->info->name)) continue;
     if (travels_in(*type->info, direction)) return {type};
     other = type;
   }
@@ -83,16 +84,17 @@ const MessageType& form_with(const std::vector<const MessageType*>& forms,
     if (std::ranges::any_of(forms, has_it)) continue;
     throw ValueError(
         fmt::format("{} has no field '{}'{}", command, clipped(field),
-                    did_you_mean(similar_fields(sources, field),
-                                 fmt::format("`sbgc describe {}` lists them", command))));
+                    detail::did_you_mean(similar_fields(sources, field),
+                                         fmt::format("`sbgc describe {}` lists them", command))));
   }
   throw ValueError(fmt::format("no form of {} has all these fields; its forms are {}", command,
-                               alternatives(names, false)));
+                               detail::alternatives(names, false)));
 }
 
 std::string similar_messages(std::string_view name) {
-  const std::vector<std::string> near = nearest(name, message_names());
-  return did_you_mean(near.empty() ? nearest("CMD_" + upper_case(name), message_names()) : near);
+  const std::vector<std::string> near = detail::nearest(name, message_names());
+  return detail::did_you_mean(
+      near.empty() ? detail::nearest("CMD_" + detail::upper_case(name), message_names()) : near);
 }
 
 std::vector<std::string> message_names() {

@@ -9,6 +9,7 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/validate.hpp>
 
+#include "field_setter.hpp"
 #include "field_types.hpp"
 
 namespace sbgc {
@@ -60,6 +61,8 @@ constexpr detail::AnyOperations operations_of = {
                      TextOutput& out) { sbgc::write_json(*static_cast<const T*>(message), out); },
     .read_json = [](std::string_view text,
                     void* message) { return sbgc::from_json(text, *static_cast<T*>(message)); },
+    .set = [](void* message,
+              detail::FieldSetter& setter) { setter.members(*static_cast<T*>(message)); },
 };
 
 template <class T>

@@ -28,6 +28,7 @@
 #include <sbgc/surplus.hpp>
 #include <sbgc/text/leaves.hpp>
 #include <sbgc/text_output.hpp>
+#include <sbgc/value_text.hpp>
 #include <sbgc/violation.hpp>
 
 namespace sbgc {
@@ -35,6 +36,8 @@ namespace sbgc {
 class AnyMessage;
 
 namespace detail {
+
+class FieldSetter;
 
 /// The operations on a message. `message` is a Received<M>.
 struct AnyOperations {
@@ -49,6 +52,7 @@ struct AnyOperations {
   bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
   void (*write_json)(const void* message, TextOutput& out);
   JsonResult (*read_json)(std::string_view text, void* message);
+  void (*set)(void* message, FieldSetter& setter);
 };
 
 template <class Report>
@@ -124,6 +128,25 @@ class AnyMessage {
         memory_.get(), versions, detail::call_report<std::remove_reference_t<Report>>, &report);
   }
 
+  /// Calls `use(const Leaf&)` for the value at a path, such as "params[3].param_id". Returns false
+  /// if the message has none.
+  template <class Use>
+  bool with_leaf(std::string_view path, Use&& use) const {
+    bool is_found = false;
+    for_each_leaf([&](const Leaf& leaf) {
+      if (is_found || sbgc::to_string(leaf.path) != path) return;
+      is_found = true;
+      use(leaf);
+    });
+    return is_found;
+  }
+  /// Sets the field at a path to a value as people write it: "-30deg", "MODE_ANGLE", "raw:-1365";
+  /// see <sbgc/value_text.hpp>. Axes and lists take elements with commas between them, axes also
+  /// one value for all. Adds the field, or the elements of a list, if they are missing. Returns why
+  /// that is not possible or not allowed by the specification, and leaves the message as it was; ""
+  /// if it is done.
+  std::string assign(std::string_view path, std::string_view text);
+
   void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }
   std::string to_json() const;
   /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
@@ -147,6 +170,9 @@ class AnyMessage {
   }
 
  private:
+  bool set(std::string_view path, const AnyValue* value);
+  std::string assign(const FieldType& type, const std::string& path, std::string_view text);
+
   const void* value() const noexcept { return memory_.get(); }
   void* value() noexcept { return memory_.get(); }
 

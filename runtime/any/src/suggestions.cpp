@@ -1,12 +1,10 @@
-#include "command/suggestions.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <sbgc/detail/suggestions.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::detail {
 
 namespace {
 
@@ -58,7 +56,7 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
 std::string alternatives(const std::vector<std::string>& words, bool quoted, const char* last) {
   std::string result;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i != 0) result += i + 1 == words.size() ? fmt::format(" {} ", last) : ", ";
+    if (i != 0) result += i + 1 == words.size() ? std::string(" ") + last + " " : ", ";
     result += quoted ? "'" + words[i] + "'" : words[i];
   }
   return result;
@@ -69,4 +67,4 @@ std::string did_you_mean(const std::vector<std::string>& words, const std::strin
   return otherwise.empty() ? "" : "; " + otherwise;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::detail

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sbgc::tools {
+namespace sbgc::detail {
 
 /// Returns the words of `known` that are nearest to `word`, if any is near: it begins with the
 /// word, or few letters differ. Ignores leading dashes.
@@ -19,4 +19,4 @@ std::string alternatives(const std::vector<std::string>& words, bool quoted,
 /// is empty too.
 std::string did_you_mean(const std::vector<std::string>& words, const std::string& otherwise = "");
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::detail

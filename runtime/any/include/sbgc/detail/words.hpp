@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace sbgc::tools {
+namespace sbgc::detail {
 
 /// Only letters of ASCII have another case.
 constexpr char lower_case(char c) noexcept {
@@ -42,4 +42,4 @@ constexpr bool is_same_word(std::string_view a, std::string_view b) noexcept {
   return true;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::detail

@@ -1,0 +1,52 @@
+/// Values of fields as people write them, for AnyMessage::assign().
+///
+///     20, 0x1F, -3             a number as the tool shows it: in the unit of the field, if it has
+///     one -30deg, 12.6V, 5 deg/s   the same with its unit, which must be that of the field
+///     raw:-1365                the number on the wire
+///     MODE_ANGLE, angle        the name of a value, also without what all names begin with
+///     FLAG_A|FLAG_B, 0x40      flags, also with commas; a packed value, part by part: mode:2
+///     00ff12                   bytes in hex, also with spaces
+///     600,700                  the elements of a list, or a value for each axis
+///
+/// A number without a unit means what to_string() and value_text() show for the field, since that
+/// is what people read and copy. Only JSON holds numbers of the wire.
+///
+/// A field whose steps are one unit or more takes only numbers that it has: 20.5 is an error for a
+/// counter, 50.5Hz for steps of 1 Hz. Finer steps are odd fractions, such as 360/16384 deg, so a
+/// number for them becomes the nearest step.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <sbgc/field_type.hpp>
+#include <sbgc/number.hpp>
+
+namespace sbgc {
+
+/// The value of a field: an integer of the wire, a real number, bytes, a text (any bytes), or a
+/// number with its type.
+using AnyValue = std::variant<std::int64_t, double, std::vector<std::uint8_t>, std::string, Number>;
+
+/// A value, or why the text is none: a sentence without a final period, or "".
+struct ParsedValue {
+  AnyValue value{};
+  std::string problem{};
+
+  explicit operator bool() const noexcept { return problem.empty(); }
+};
+
+/// Parses the value of a field that is not a group, axes or a list. `unit` is the one in effect,
+/// which a flag may select; null if the field has none. `present` has the bits that the field has:
+/// parts of a packed value that `text` does not name stay as they are. Whether the specification
+/// allows the value is checked by validate(), not here.
+ParsedValue parse_value(const FieldType& type, const UnitInfo* unit, std::string_view text,
+                        std::uint64_t present = 0);
+
+/// Returns the parts of a text with commas between them, without spaces; none for an empty text.
+std::vector<std::string_view> parse_elements(std::string_view text);
+
+}  // namespace sbgc

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <string>
+
+#include <sbgc/any.hpp>
+#include <sbgc/text.hpp>
+
+#include "field_setter.hpp"
+
+namespace sbgc {
+
+namespace {
+
+/// Returns the type of the field at a path; null if there is none. Indices may be any.
+const FieldType* type_at(const std::vector<FieldType>& fields, std::string_view path) {
+  const std::vector<FieldType>* members = &fields;
+  const FieldType* at = nullptr;
+  while (!path.empty()) {
+    if (path.front() == '[') {
+      const std::size_t close = path.find(']');
+      if (at == nullptr || at->shape != FieldShape::list || close == std::string_view::npos) {
+        return nullptr;
+      }
+      path.remove_prefix(close + 1);
+      at = &at->members.front();
+    } else {
+      if (at != nullptr && path.front() == '.') path.remove_prefix(1);
+      const auto name = path.substr(0, std::min(path.find_first_of(".["), path.size()));
+      path.remove_prefix(name.size());
+      if (at != nullptr && at->shape == FieldShape::axes) {
+        if (std::find(at->axes.begin(), at->axes.end(), name) == at->axes.end()) return nullptr;
+        at = &at->members.front();
+      } else {
+        const auto found =
+            std::find_if(members->begin(), members->end(),
+                         [&](const FieldType& member) { return name == member.name; });
+        if (found == members->end()) return nullptr;
+        at = &*found;
+      }
+    }
+    members = &at->members;
+  }
+  return at;
+}
+
+/// True if the path is that of a field or of a part of it.
+bool is_in(std::string_view path, std::string_view field) {
+  return path.starts_with(field) &&
+         (path.size() == field.size() || path[field.size()] == '.' || path[field.size()] == '[');
+}
+
+}  // namespace
+
+std::string AnyMessage::assign(std::string_view path, std::string_view text) {
+  const std::string name(path);
+  const FieldType* const type = type_at(type_->fields(), path);
+  if (type == nullptr) return std::string(type_->info->name) + " has no field '" + name + "'";
+  AnyMessage changed = *this;
+  std::string problem = changed.assign(*type, name, text);
+  if (!problem.empty()) return name + ": " + problem;
+  changed.validate(newest, [&](const Violation& violation) {
+    const std::string place = sbgc::to_string(violation.path);
+    if (!problem.empty() || !(is_in(place, name) || is_in(name, place))) return;
+    problem = sbgc::to_string(violation);
+  });
+  if (problem.empty()) *this = std::move(changed);
+  return problem;
+}
+
+std::string AnyMessage::assign(const FieldType& type, const std::string& path,
+                               std::string_view text) {
+  if (type.shape == FieldShape::group) return "it has fields of its own";
+  if (type.is_counter) return "it follows from the number of elements";
+  if (type.has_elements()) {
+    const bool is_list = type.shape == FieldShape::list;
+    std::vector<std::string_view> parts = parse_elements(text);
+    const std::size_t count = is_list ? type.count : type.axes.size();
+    if (!is_list && parts.size() == 1) parts.resize(count, parts.front());
+    const bool fits = type.has_count ? parts.size() == count : parts.size() <= count;
+    if (!fits) {
+      return std::string("it has ") + (type.has_count ? "" : "at most ") + std::to_string(count) +
+             " elements, not " + std::to_string(parts.size());
+    }
+    const AnyValue size = static_cast<std::int64_t>(parts.size());
+    if (is_list && !type.has_count && !set(path, &size)) return "it takes no elements";
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string element =
+          is_list ? path + '[' + std::to_string(i) + ']' : path + '.' + type.axes[i];
+      if (auto problem = assign(type.members.front(), element, parts[i]); !problem.empty()) {
+        return problem;
+      }
+    }
+    return {};
+  }
+  if (!set(path, nullptr)) return "there is no such element";
+  const UnitInfo* unit = type.unit;
+  std::uint64_t present = 0;
+  with_leaf(path, [&](const Leaf& leaf) {
+    unit = leaf.unit;
+    present = detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size);
+  });
+  const ParsedValue parsed = parse_value(type, unit, text, present);
+  if (!parsed) return parsed.problem;
+  return set(path, &parsed.value) ? "" : "it cannot have this value";
+}
+
+bool AnyMessage::set(std::string_view path, const AnyValue* value) {
+  detail::FieldSetter setter(path, value);
+  type_->operations->set(memory_.get(), setter);
+  return setter.is_done();
+}
+
+}  // namespace sbgc

@@ -1,0 +1,138 @@
+/// Sets one value of a message by its path.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <sbgc/detail/compiler.hpp>
+#include <sbgc/detail/walk.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/value_text.hpp>
+
+namespace sbgc::detail {
+
+/// Walks along a path, adds what is missing on the way, and sets the value at its end; the value of
+/// a list is its size. Instantiates functions per type of member, not per member of each message.
+class FieldSetter {
+ public:
+  using Place = FieldPlace;
+
+  /// Without a value, only what is missing is added.
+  FieldSetter(std::string_view path, const AnyValue* value) : rest_(path), value_(value) {}
+
+  /// True if the message has the field, and the field takes the value.
+  bool is_done() const { return is_done_; }
+
+  template <class T>
+  SBGC_NOINLINE void members(T& value) {
+    if (rest_.starts_with('.')) rest_.remove_prefix(1);
+    const std::string_view name =
+        rest_.substr(0, std::min(rest_.find_first_of(".["), rest_.size()));
+    rest_.remove_prefix(name.size());
+    Meta<T>::visit(value, Member{*this, name});
+  }
+
+  // The handlers of the walk.
+
+  template <class T>
+  SBGC_NOINLINE void scalar(T& out, const Place&) {
+    using Raw = RawOf<T>;
+    using Value = std::conditional_t<std::is_floating_point_v<Raw>, double, std::int64_t>;
+    if (const auto* const value = taken<Value>()) out = static_cast<T>(static_cast<Raw>(*value));
+  }
+  void counter(Counter&, const Place&) {}  // follows from the list
+  void number(Number& out, const Place&) {
+    if (const auto* const value = taken<Number>()) out = *value;
+  }
+  template <class T>
+  SBGC_NOINLINE void bytes(T& out, const Place&) {
+    const auto* const value = taken<std::vector<std::uint8_t>>();
+    if (value == nullptr) return;
+    if constexpr (is_bounded<T>) {
+      is_done_ = out.resize(value->size());
+    } else {
+      is_done_ = out.size() == value->size();
+    }
+    if (is_done_) std::copy(value->begin(), value->end(), out.begin());
+  }
+  template <class T>
+  SBGC_NOINLINE void text(T& out, const Place&) {
+    if (const auto* const value = taken<std::string>()) {
+      is_done_ = out.assign(std::string_view(*value));
+    }
+  }
+  template <class T>
+  SBGC_NOINLINE void list(T& out, const Place& place) {
+    if (rest_.empty()) {
+      if (const auto* const size = taken<std::int64_t>()) {
+        is_done_ = out.resize(static_cast<std::size_t>(*size));
+      }
+      return;
+    }
+    const std::size_t index = take_index();
+    if (index >= T::capacity() || (index >= out.size() && !out.resize(index + 1))) return;
+    walk(out[index], place, *this);
+  }
+  template <class T>
+  SBGC_NOINLINE void array(T& out, const Place& place) {
+    const std::size_t index = take_index();
+    if (index < out.size()) walk(out[index], place, *this);
+  }
+  template <class T>
+  void axes(T& out, const Place&) {
+    members(out);
+  }
+  template <class T>
+  void optional(T& out, const Place& place) {
+    if (!out) out.emplace();
+    walk(*out, place, *this);
+  }
+  template <class T>
+  void group(T& out, const Place&) {
+    members(out);
+  }
+
+ private:
+  struct Member {
+    FieldSetter& setter;
+    std::string_view name;
+
+    template <class T>
+    void operator()(const FieldInfo& field, T&& member) const {
+      if (name == field.name) walk(member, Place(field, {}), setter);
+    }
+  };
+
+  /// Returns the value if the path ends here, and it is a V.
+  template <class V>
+  const V* taken() {
+    if (!rest_.empty()) return nullptr;
+    is_done_ = value_ == nullptr || std::holds_alternative<V>(*value_);
+    return value_ != nullptr && is_done_ ? &std::get<V>(*value_) : nullptr;
+  }
+
+  /// Returns the index at the beginning of the rest; a huge one if there is none.
+  std::size_t take_index() {
+    const std::size_t close = rest_.find(']');
+    std::size_t index = 0;
+    if (!rest_.starts_with('[') || close == std::string_view::npos) return ~std::size_t{0};
+    const auto read = std::from_chars(rest_.data() + 1, rest_.data() + close, index);
+    if (read.ec != std::errc{} || read.ptr != rest_.data() + close) return ~std::size_t{0};
+    rest_.remove_prefix(close + 1);
+    return index;
+  }
+
+  std::string_view rest_;
+  const AnyValue* value_;
+  bool is_done_ = false;
+};
+
+}  // namespace sbgc::detail
