@@ -125,8 +125,8 @@ class HtmlPages:
         if element is None:
             return None
         text = _text_of(element, column)
-        # The row of a member shows only the last part of its path, below its group.
-        is_shown = place.hook.rpartition(".")[2] in text
+        # The row of a member shows only the last part of its path, below its group, without an index.
+        is_shown = place.hook.rpartition(".")[2].partition("[")[0] in text
         return f"{text} {place.hook}" if column == "field" and is_shown else text
 
     def page_name(self, place: Place) -> str:
