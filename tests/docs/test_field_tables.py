@@ -14,6 +14,11 @@ MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text(encoding="utf-8
 PAGES = {path.stem: path.read_text("utf-8") for path in (ROOT / "generated/fields").glob("*.md")}
 
 
+def name_of(thing: dict[str, Any]) -> str:
+    """Returns the id of a message or type in pytest."""
+    return str(thing["name"])
+
+
 def sections(page: str) -> dict[str, list[list[str]]]:
     """Returns the rows under each heading; without the marks of code."""
     parts = [part.partition("\n") for part in re.split(r"^## ", page, flags=re.M)[1:]]
@@ -30,7 +35,7 @@ def sections(page: str) -> dict[str, list[list[str]]]:
 TABLES = {title: rows for page in PAGES.values() for title, rows in sections(page).items()}
 
 
-@pytest.mark.parametrize("message", MODEL["messages"], ids=lambda message: message["name"])
+@pytest.mark.parametrize("message", MODEL["messages"], ids=name_of)
 def test_each_field_has_a_row(message: dict[str, Any]) -> None:
     way = message["direction"].replace("_", " the ")
     rows = TABLES[f"{message['name']} ({way})"]
@@ -47,13 +52,13 @@ def test_each_field_has_a_row(message: dict[str, Any]) -> None:
             assert limit is None or str(limit) in limits.split()
 
 
-@pytest.mark.parametrize("enum", MODEL["enums"], ids=lambda enum: enum["name"])
+@pytest.mark.parametrize("enum", MODEL["enums"], ids=name_of)
 def test_each_value_has_a_row(enum: dict[str, Any]) -> None:
     rows = [[str(value["value"]), value["name"]] for value in enum["values"]]
     assert TABLES[enum["name"]] == rows
 
 
-@pytest.mark.parametrize("packed", MODEL["packed"], ids=lambda packed: packed["name"])
+@pytest.mark.parametrize("packed", MODEL["packed"], ids=name_of)
 def test_each_part_has_a_row(packed: dict[str, Any]) -> None:
     assert [row[1] for row in TABLES[packed["name"]]] == [p["name"] for p in packed["parts"]]
 
