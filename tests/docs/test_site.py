@@ -34,7 +34,7 @@ def texts(files: dict[str, bytes]) -> dict[str, str]:
     return {name: data.decode() for name, data in files.items() if name.endswith(".html")}
 
 
-def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:
+def test_every_fact_is_where_it_belongs(files: dict[str, str]) -> None:
     counts = Counter(fact.kind for fact in FACTS)
     print(f"{len(FACTS)} facts:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())))
     absent = missing(FACTS, HtmlPages(files, FAMILIES))

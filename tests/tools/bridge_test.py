@@ -321,7 +321,7 @@ def test_what_is_no_web_socket_is_refused(web: Bridge) -> None:
 
 
 def test_a_web_socket_waits_for_the_response(web: Bridge) -> None:
-    """A frame behind the request would be read as bytes of the protocol."""
+    """A frame after the request would be read as bytes of the protocol."""
     page = WebSocket(web_address(web), f"?token={TOKEN}", behind=frame(GET_ANGLES))
     assert page.status == 400
     page.close()
