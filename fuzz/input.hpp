@@ -10,7 +10,7 @@
 
 namespace sbgc::fuzz {
 
-/// Bytes that are read one after the other; behind the end, all are 0.
+/// Bytes that are read one after the other; after the end, all are 0.
 class Input {
  public:
   explicit Input(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -1,5 +1,5 @@
 // Mends the checksums of what looks like a frame in an input of a fuzzer, so that mutations reach
-// the code behind the checks. Inputs contain frames among other bytes.
+// the code after the checks. Inputs contain frames among other bytes.
 #pragma once
 
 #include <cstddef>

@@ -121,7 +121,7 @@ TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
   EXPECT_NEAR(sample().angles.yaw, 17, 0.5);
 }
 
-TEST_F(MotionTest, ATargetBehindTheEndOfTheCountIsNear) {
+TEST_F(MotionTest, ATargetAfterTheEndOfTheCountIsNear) {
   place({.yaw = 719.8});
   const auto moved = move_to({.yaw = msg::Angle14(-32768)}, {.tolerance = 0.5});
   ASSERT_TRUE(moved) << moved.error().message;

@@ -220,7 +220,7 @@ TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 17);
 }
 
-TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
+TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasAfterIt) {
   fill();
   ParameterSet set = read();
   Parameters shorter = *set.find({"ReadParams3", 1});

@@ -114,7 +114,7 @@ TEST_F(DeadMansSwitchTest, AStopThatFailedIsRepeated) {
   EXPECT_EQ(at(10'000), Action::none);
 }
 
-TEST_F(DeadMansSwitchTest, StoppingWhatStandsDoesNothing) {
+TEST_F(DeadMansSwitchTest, StoppingWhatIsStillDoesNothing) {
   hold.stop();
   EXPECT_EQ(at(0), Action::none);
 }

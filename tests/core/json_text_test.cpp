@@ -424,7 +424,7 @@ TEST(JsonTextOutput, GoesAnywhere) {
     std::array<char, 300> small{};
     EXPECT_EQ(to_json(message, std::span(small).first(size)), expected.size());
     EXPECT_EQ(std::string_view(small.data(), size), expected.substr(0, size));
-    EXPECT_EQ(small[size], '\0') << "nothing is written behind the buffer";
+    EXPECT_EQ(small[size], '\0') << "nothing is written after the buffer";
   }
 }
 

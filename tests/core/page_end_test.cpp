@@ -1,4 +1,4 @@
-// Reading one byte past an input, or writing one past an output, ends the program here: behind each
+// Reading one byte past an input, or writing one past an output, ends the program here: after each
 // of them is a page without access. A sanitizer does not see such an access if it is inside a
 // larger object, such as a buffer of the caller.
 
@@ -52,7 +52,7 @@ class GuardedMemory {
     std::ranges::copy(content, place.begin());
     return place;
   }
-  /// Returns a copy directly behind the other page without access.
+  /// Returns a copy directly after the other page without access.
   std::span<const std::uint8_t> at_begin(std::span<const std::uint8_t> content) {
     const std::span<std::uint8_t> place = std::span(begin_, inside_).first(content.size());
     std::ranges::copy(content, place.begin());

@@ -77,7 +77,7 @@ TEST(ParseJson, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(problem_of("[1e999]"), "a number that is too large for JSON (line 1, column 2)");
 }
 
-TEST(ParseJson, NothingHidesBehindAZeroByte) {
+TEST(ParseJson, NothingHidesAfterAZeroByte) {
   EXPECT_EQ(problem_of(std::string_view("{}\0{}", 5)), "this is not JSON (line 1, column 3)");
   EXPECT_EQ(problem_of(std::string_view("[\0]", 3)), "this is not JSON (line 1, column 2)");
 }

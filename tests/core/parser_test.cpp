@@ -309,7 +309,7 @@ TEST(Parser, ViewsFramesInsideTheChunk) {
   EXPECT_EQ(seen, 3);
 }
 
-TEST(Parser, ViewsFramesInsideTheChunkBehindAFalseCandidateFromBefore) {
+TEST(Parser, ViewsFramesInsideTheChunkAfterAFalseCandidateFromBefore) {
   // The candidate in the first chunk announces 5 + 20 bytes and is false. Of the frames in these
   // bytes, all but the first are contained in the second chunk.
   const Bytes first = concat({{0x3E, 1, 20, 21}, {0x3E, 0x52}});
@@ -386,7 +386,7 @@ TYPED_TEST(ParserOfEachKind, CanBeCopiedInTheMiddleOfAFrame) {
   EXPECT_EQ(second.frames.size(), 1U);
 }
 
-TYPED_TEST(ParserOfEachKind, GoesOnBehindASinkThatThrows) {
+TYPED_TEST(ParserOfEachKind, GoesOnAfterASinkThatThrows) {
   const auto throwing = [](const Frame&) { throw std::runtime_error("sink"); };
   const Bytes line = concat({motors_on, {1, 2}, motors_on, {0x3E, 1}});
   // In a chunk, in a frame completed by a chunk, in a flush.

@@ -249,7 +249,7 @@ TEST(EncodeBody, RefusesANumberWithoutAType) {
   EXPECT_EQ(encode_body(message, out).status.code, Code::value_out_of_range);
 }
 
-/// A list behind its counter, which counts as in no message of the specification so far.
+/// A list after its counter, which counts as in no message of the specification so far.
 template <Counting counting>
 struct Counted {
   BoundedArray<std::uint16_t, 4> list{};

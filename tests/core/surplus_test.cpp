@@ -1,4 +1,4 @@
-// Tests of requests with surplus: bytes behind the largest form.
+// Tests of requests with surplus: bytes after the largest form.
 
 #include <array>
 #include <cstdint>
@@ -49,7 +49,7 @@ TEST(Surplus, IsAnErrorOfARequestAlone) {
   });
 }
 
-TEST(Surplus, BeginsBehindTheLargestFormOfTheFirmware) {
+TEST(Surplus, BeginsAfterTheLargestFormOfTheFirmware) {
   constexpr std::uint8_t motors_off = 109, field_offset = 27, control = 67, beep = 89, unknown = 1;
   EXPECT_EQ(largest_request(motors_off, {2686, 30}), 0U);
   EXPECT_EQ(largest_request(motors_off, {2687, 30}), 1U);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from html.parser import HTMLParser
 from typing import Any, Optional
 from urllib.parse import unquote, urljoin
@@ -86,6 +86,16 @@ class Page:
     root: Element
 
     @property
+    def main(self) -> Element:
+        """The part that is specific to this page."""
+        return self.root.all("main")[0]
+
+    @cached_property
+    def by_id(self) -> dict[str, Element]:
+        """Returns the first element of each id."""
+        return {e.get("id"): e for e in reversed(self.root.all()) if "id" in e.attributes}
+
+    @property
     def ids(self) -> list[str]:
         return [e.get("id") for e in self.root.all() if "id" in e.attributes]
 
@@ -100,6 +110,7 @@ class Page:
         return result
 
 
+@cache
 def read(path: str, text: str) -> Page:
     """Parses a page; fails if an element is not closed."""
     reader = _Reader()

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,11 @@ from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
+
+COMPARING = (
+    "generator/model generator/oracle generator/spec/test_fidelity.py generator/spec/test_later_facts.py",
+    "docs/test_field_tables.py emulator/device/families_test.py",
+)
 
 PROGRAM = """
 #include <sbgc/availability.hpp>
@@ -52,13 +58,12 @@ def guide_blocks(language: str) -> list[str]:
 
 
 def add_family(spec: Path, name: str, text: str) -> None:
-    """Writes a family, and adds it to the list of the main file."""
+    """Writes a family, and adds it to the list at the end of the main file."""
+    if (spec / f"{name}.yaml").is_file():  # someone does what the guide says
+        return
     (spec / f"{name}.yaml").write_text(text, encoding="utf-8")
-    main_file = spec / "simplebgc.yaml"
-    content = main_file.read_text(encoding="utf-8")
-    main_file.write_text(
-        content.replace("families:\n", f"families:\n  - {name}\n"), encoding="utf-8"
-    )
+    with (spec / "simplebgc.yaml").open("a", encoding="utf-8") as main_file:
+        main_file.write(f"  - {name}\n")
 
 
 def test_the_steps_of_the_guide(tmp_path: Path) -> None:
@@ -84,6 +89,26 @@ def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     assert result.stdout == "3ec705cc" + "00007e" + "f401" + "73"
     assert (tmp_path / "generated/vectors/lights.jsonl").is_file()
     assert list((tmp_path / "generated/fuzz/messages").glob("to_board_set_lights_*"))
+
+
+def test_no_test_refuses_the_command_of_the_guide(tmp_path: Path) -> None:
+    """Runs the tests that compare what is generated with other sources, in a copy of the project."""
+    unwanted = shutil.ignore_patterns("__pycache__", "node_modules")
+    for name in ("docs", "emulator", "generator", "spec", "tests", "runtime/core"):
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=unwanted)
+    add_family(tmp_path / "spec", "lights", guide_blocks("yaml")[0])
+    assert main(["generate", "--root", str(tmp_path)]) == 0
+    for files in COMPARING:
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *files.split()]
+        done = subprocess.run(
+            [*command, "-k", "not is_noticed"],
+            cwd=tmp_path / "tests",
+            env={**os.environ, "PYTHONPATH": str(tmp_path / "generator")},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stdout
 
 
 # The ids of commands that the spec does not have.

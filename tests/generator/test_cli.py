@@ -99,7 +99,7 @@ def test_help(capsys: Capture) -> None:
     assert "--depfile" in capsys.readouterr().out
 
 
-def test_output_that_can_not_be_written(root: Path, capsys: Capture) -> None:
+def test_output_that_cannot_be_written(root: Path, capsys: Capture) -> None:
     (root / "file").write_text("not a folder")
     assert run(root, "generate", "--output", root / "file") == 1
     message = capsys.readouterr().err

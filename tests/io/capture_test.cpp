@@ -181,7 +181,7 @@ TEST(Capture, NeitherAreThoseAfterADamagedHeader) {
                                       std::to_string(half)}));
 }
 
-TEST(Capture, BehindDamageARecordIsAtMostASecondEarlier) {
+TEST(Capture, AfterDamageARecordIsAtMostASecondEarlier) {
   for (const auto& [time, is_taken] : {std::pair(1s, true), std::pair(0s, false)}) {
     const TemporaryFile path;
     CaptureWriter writer;

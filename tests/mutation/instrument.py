@@ -44,7 +44,7 @@ def with_switches(source: bytes, numbered: list[tuple[int, Mutant]]) -> bytes:
 def _render(
     source: bytes, start: int, end: int, mutants: list[tuple[int, Mutant]]
 ) -> tuple[bytes, list[tuple[int, Mutant]]]:
-    """Returns the text of [start, end) with the first mutants, and the mutants behind the end."""
+    """Returns the text of [start, end) with the first mutants, and the mutants after the end."""
     result = b""
     while mutants and mutants[0][1].start < end:
         number, mutant = mutants[0]

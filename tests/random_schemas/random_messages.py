@@ -148,7 +148,7 @@ class RandomMessages:
             return body[: self.random.randint(0, len(body))], "cut off"
         if kind == 2:
             more = self.random.randint(0, min(9, MAX_BODY - len(body)))
-            return body + self.random.randbytes(more), "with more behind it"
+            return body + self.random.randbytes(more), "with more after it"
         if kind == 3:
             size = self.random.randint(0, MAX_BODY)
             return self.random.randbytes(size), "noise"

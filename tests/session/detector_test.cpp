@@ -214,7 +214,7 @@ TEST(Detector, WaitsForABoardThatIsSlow) {
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::found) << "in the second round";
 }
 
-TEST(Detector, FindsAnIntroductionBehindAFalseBeginning) {
+TEST(Detector, FindsAnIntroductionAfterAFalseBeginning) {
   Port port;
   port.hear = [](const LineSettings&, const Body&) {
     Body bytes = {'>', 9, 250, 3};  // a header that announces 250 bytes
@@ -227,7 +227,7 @@ TEST(Detector, FindsAnIntroductionBehindAFalseBeginning) {
   EXPECT_LT(port.taken, milliseconds(100));
 }
 
-TEST(Detector, LeavesOutWhatThePortCanNotDo) {
+TEST(Detector, LeavesOutWhatThePortCannotDo) {
   Port port;
   port.can_be_set = [](const LineSettings& line) { return line.baud_rate <= 115200; };
   Detector detector;

@@ -1,5 +1,5 @@
 // Tests of the lists of a session, alone: what has been removed from one has no effect, and nothing
-// behind its end is touched.
+// after its end is touched.
 
 #include <array>
 #include <cstdint>

@@ -130,7 +130,7 @@ TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   expect_stream_runs(line, again);
 }
 
-TEST(Reentrancy, AStreamBehindARequestThatRestartsTheBoardRuns) {
+TEST(Reentrancy, AStreamAfterARequestThatRestartsTheBoardRuns) {
   Simulation line;
   line.board = [&](const Written& frame) {
     if (frame.id == stream_interval) line.confirm(frame.id);

@@ -49,6 +49,12 @@ const std::set<int> confirmed = {'A', 'G', 'P', 'W', 'g', 22,  34,  63,  'M', 'm
                                  31,  39,  44,  47,  54,  55,  85,  90,  91,  93,
                                  94,  95,  105, 108, 112, 119, 123, 134, 142, 249};
 
+// Commands that may be confirmed, but neither document says so.
+const std::set<int> possibly_confirmed = {24,  26,  27,  29,  30,  32,  35,  36,  37,  38,  41,
+                                          52,  57,  59,  60,  66,  67,  69,  70,  74,  75,  79,
+                                          84,  89,  92,  97,  98,  99,  101, 107, 110, 113, 115,
+                                          117, 118, 120, 121, 122, 124, 125, 126, 150, 250, 251};
+
 // Hosts send these whenever they have new data, so no confirmation is expected.
 const std::set<int> hardly_confirmed = {72, 45, 129};
 
@@ -61,10 +67,15 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
     const ResponsePolicy policy = response_policy(message);
     const int id = static_cast<int>(M::command);
     seen.insert(id);
+    const auto answer = answers.find(id);
+    // What comes from elsewhere, such as release notes, is not compared.
+    if (answer == answers.end() && !confirmed.contains(id) && !possibly_confirmed.contains(id) &&
+        !hardly_confirmed.contains(id) && !silent.contains(id)) {
+      return;
+    }
     EXPECT_EQ(policy.responses.command, id);
     // What it is answered with cannot be told from samples of a stream.
     if (std::same_as<M, sbgc::msg::DebugVars3RequestSelected>) return;
-    const auto answer = answers.find(id);
     EXPECT_EQ(policy.response_required, answer != answers.end()) << id;
     EXPECT_EQ(policy.responses.form_count != 0, answer != answers.end()) << id;
     for (std::size_t i = 0; i < policy.responses.form_count; ++i) {
@@ -83,7 +94,9 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
     EXPECT_GT(policy.timeout_ms, 0U);
   });
   for (const auto& [id, answer] : answers) EXPECT_TRUE(seen.contains(id)) << id;
-  for (const int id : confirmed) EXPECT_TRUE(seen.contains(id)) << id;
+  for (const auto* const ids : {&confirmed, &possibly_confirmed, &hardly_confirmed, &silent}) {
+    for (const int id : *ids) EXPECT_TRUE(seen.contains(id)) << id;
+  }
 }
 
 TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
@@ -96,7 +109,9 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
     const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate>;
-    EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id) && !calibrates) << id;
+    EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id) && !calibrates)
+        << id
+        << ": `unsafe` above lists the commands of which a second one does more than the first";
   });
 }
 

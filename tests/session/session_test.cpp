@@ -165,7 +165,7 @@ TEST(Session, ACalibrationThatRestartsTheBoardIsConfirmedOnce) {
 
 // Overload
 
-TEST(Session, RefusesWhatItCanNotHold) {
+TEST(Session, RefusesWhatItCannotHold) {
   Simulation line;
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < sbgc::SessionCapacity{}.requests; ++i) {
@@ -227,7 +227,7 @@ TEST(Session, KeepsRoomForTheLateRepliesOfWhatIsInFlight) {
       << "until no response to the first request can come";
 }
 
-TEST(Session, RefusesWhatCanNotBeEncoded) {
+TEST(Session, RefusesWhatCannotBeEncoded) {
   Simulation line;
   sbgc::msg::DataStreamInterval request;
   request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;  // without its flags

@@ -180,7 +180,7 @@ test("rows stand where the model says, and cover every byte that is not 0", () =
   assert.ok(compared > 5000, `only ${compared}`);
 });
 
-test("bad hex has a place and a reason, and what stands before it is decoded", () => {
+test("bad hex has a place and a reason, and what is before it is decoded", () => {
   const good = "3e 56 00 56 00\n";
   const cases = {
     "3e 5g": [2, 5, "half a byte: a second digit is missing before 'g'"],

@@ -775,7 +775,7 @@ TEST_F(Bridge, AHostWithTheLineForItselfThatDoesNotReadMustLeave) {
   EXPECT_THAT(logged, Contains("host 0 must leave: it does not read what the board sends"));
   EXPECT_NE(ports.room(other), 0U);
   EXPECT_EQ(ports.room(host), 0U);
-  // It gets what came before the loss, and nothing behind it.
+  // It gets what came before the loss, and nothing after it.
   ports.raw_arrived(Bytes(1));
   send(msg::Reset{});
   EXPECT_EQ(read(host), Bytes(arrived - 1000, 0x55));
@@ -838,7 +838,7 @@ TEST_F(Bridge, NoiseIsNoRequest) {
   EXPECT_THAT(line.sent, SizeIs(1));
 }
 
-TEST_F(Bridge, ARequestBehindABrokenOneIsFoundWhenTheHostIsSilent) {
+TEST_F(Bridge, ARequestAfterABrokenOneIsFoundWhenTheHostIsSilent) {
   const std::size_t host = join();
   Bytes bytes = frame_of(msg::SetAdjVarsVal{});
   bytes.resize(4);  // its body is missing

@@ -11,108 +11,28 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from bridge import (
+    BOARD_INFO,
+    DATA_STREAM_INTERVAL,
+    GET_ANGLES,
+    REALTIME_DATA_3,
+    RESET,
+    TOKEN,
+    Bridge,
+    Host,
+    bridge_to,
+    host_of_bridge_in,
+    shared_gimbal,
+)
+from emulated_gimbal import emulated_gimbal
+from relay import relay_to
 from sbgc_command import PROGRAM, frame, run
 from screens import terminal
 from web_socket import WebSocket
-
-GET_ANGLES = 73
-BOARD_INFO = 86
-RESET = 114
-DATA_STREAM_INTERVAL = 85
-REALTIME_DATA_3 = 23
-
-
-PLACES = ("--tcp", "--udp", "--pty", "--ws")
-
-
-class Bridge:
-    """A running `sbgc bridge`."""
-
-    def __init__(self, address: str, *places: str) -> None:
-        self.process = subprocess.Popen(
-            [PROGRAM, "bridge", address, *places],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        assert self.process.stdout is not None
-        self.addresses = []
-        for _ in range(sum(place in PLACES for place in places)):
-            line = self.process.stdout.readline()
-            assert line.startswith("bridge: "), (line, self.process.stderr)
-            self.addresses.append(line.split(": ", 1)[1].split()[0])
-        self.address = self.addresses[0]
-
-    def lines_until(self, words: str) -> list[str]:
-        """Returns what it has reported up to a line with these words."""
-        assert self.process.stderr is not None
-        deadline = threading.Timer(30, self.process.kill)
-        deadline.start()
-        lines = [""]
-        try:
-            while words not in lines[-1]:
-                lines.append(self.process.stderr.readline())
-                assert lines[-1], words
-        finally:
-            deadline.cancel()
-        return lines[1:]
-
-    def wait_for(self, words: str) -> None:
-        self.lines_until(words)
-
-    def stop(self) -> None:
-        self.process.send_signal(signal.SIGINT)
-        self.process.communicate(timeout=20)
-        assert self.process.returncode == 0
-
-
-@contextmanager
-def bridge_to(address: str, *places: str) -> Iterator[Bridge]:
-    bridge = Bridge(address, *(places or ("--tcp", "0")))
-    try:
-        yield bridge
-    finally:
-        bridge.stop()
-
-
-class Host:
-    """A program at the bridge."""
-
-    def __init__(self, address: str) -> None:
-        _, host, port = address.split(":")
-        self.socket = socket.create_connection((host, int(port)), timeout=20)
-        self.stream = self.socket.makefile("rb")
-
-    def send(self, command: int, body: bytes = b"") -> None:
-        self.socket.sendall(frame(command, body))
-
-    def receive(self) -> tuple[int, bytes]:
-        header = self.stream.read(4)
-        assert header[0:1] == b">"
-        body = self.stream.read(header[2])
-        checksum = self.stream.read(1)
-        assert checksum == bytes([sum(body) % 256])
-        return header[1], body
-
-    def receive_samples(self, count: int) -> None:
-        while count:
-            count -= self.receive()[0] == REALTIME_DATA_3
-
-    def ask(self, command: int, body: bytes = b"") -> bytes:
-        self.send(command, body)
-        answer, data = self.receive()
-        assert answer == command
-        return data
-
-    def close(self) -> None:
-        self.stream.close()
-        self.socket.close()
 
 
 @pytest.fixture(scope="module", params=["tcp", "pty"])
@@ -192,12 +112,11 @@ def test_a_host_that_does_not_read_blocks_no_other(bridge: Bridge) -> None:
 
 
 def test_several_places() -> None:
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--tcp", "0", "--udp", "0", "--pty") as bridge:
-            assert len(bridge.addresses) == 3
-            for address in bridge.addresses:
-                result = run("info", "-p", address)
-                assert result.status == 0, result
+    with shared_gimbal("--tcp", "0", "--udp", "0", "--pty") as bridge:
+        assert len(bridge.addresses) == 3
+        for address in bridge.addresses:
+            result = run("info", "-p", address)
+            assert result.status == 0, result
 
 
 def test_hosts_stay_when_the_gimbal_is_started_again() -> None:
@@ -214,7 +133,7 @@ def test_hosts_stay_when_the_gimbal_is_started_again() -> None:
 
 
 def test_a_host_that_restarts_the_board_has_the_line_for_itself() -> None:
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--tcp", "0") as bridge:
+    with shared_gimbal() as bridge:
         assert run("reset", "-p", bridge.address, "--yes").status == 0
         assert run("info", "-p", bridge.address, "--timeout", "20").status == 0
         bridge.process.send_signal(signal.SIGINT)
@@ -226,12 +145,7 @@ def test_a_host_that_restarts_the_board_has_the_line_for_itself() -> None:
 
 def test_the_status_on_a_terminal(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path, width=160) as shell:
-        shell.run("bridge", gimbal.address, "--tcp", "0")
-        lines = shell.wait(r"^connected, 0 hosts$")
-        (address,) = [line.split()[1] for line in lines if line.startswith("bridge: ")]
-        host = Host(address)
-        assert host.ask(BOARD_INFO)
-        shell.wait(r"^connected, 1 host \| 0: 1 in, 1 out$")
+        host = host_of_bridge_in(shell, gimbal.address)
         host.send(RESET, bytes(3))
         shell.wait(r"^connected, 1 host \| host 0 has the line for itself \| 0: 2 in, [12] out$")
         host.close()
@@ -243,7 +157,7 @@ def test_it_stops_after_a_time() -> None:
 
 
 def test_it_shows_who_comes_and_goes() -> None:
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+    with shared_gimbal() as bridge:
         host = Host(bridge.address)
         bridge.wait_for("is host 0")
         host.close()
@@ -271,60 +185,31 @@ def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -
 
 
 def test_a_web_page_is_no_program() -> None:
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as bridge:
+    with shared_gimbal() as bridge:
         page = Host(bridge.address)
         page.socket.sendall(b"POST / HTTP/1.1\r\n\r\n" + frame(BOARD_INFO))
         bridge.wait_for("refused: it sent an HTTP request")
         page.close()
 
 
-class SilentLine:
-    """A TCP server between the bridge and a gimbal that can stop to pass bytes."""
-
-    def __init__(self, address: str) -> None:
-        self.gimbal = address.split(":")[1:]
-        self.server = socket.create_server(("127.0.0.1", 0))
-        self.address = f"tcp:127.0.0.1:{self.server.getsockname()[1]}"
-        self.is_silent = False
-        threading.Thread(target=self.serve, daemon=True).start()
-
-    def serve(self) -> None:
-        while True:
-            try:
-                client, _ = self.server.accept()
-            except OSError:
-                return
-            board = socket.create_connection((self.gimbal[0], int(self.gimbal[1])))
-            for pair in ((client, board), (board, client)):
-                threading.Thread(target=self.pass_on, args=pair, daemon=True).start()
-
-    def pass_on(self, source: socket.socket, target: socket.socket) -> None:
-        was_silent = False  # stays so for this connection
-        try:
-            while data := source.recv(4096):
-                was_silent = was_silent or self.is_silent
-                if not was_silent:
-                    target.sendall(data)
-        except OSError:
-            pass
-        target.close()
-
-
 def test_a_line_that_dies_silently_is_replaced() -> None:
-    with emulated_gimbal() as gimbal:
-        line = SilentLine(gimbal.address)
-        with bridge_to(line.address) as bridge:
+    is_silent = threading.Event()
+
+    def pass_on(data: bytes) -> bytes:
+        return b"" if is_silent.is_set() else data
+
+    with emulated_gimbal() as gimbal, relay_to(gimbal.address, pass_on, pass_on) as address:
+        with bridge_to(address) as bridge:
             host = Host(bridge.address)
             assert host.ask(BOARD_INFO)
-            line.is_silent = True
+            is_silent.set()
             for _ in range(3):
                 host.send(GET_ANGLES)
             bridge.wait_for("does not respond")
-            line.is_silent = False
+            is_silent.clear()
             bridge.wait_for("TCP connection")
             assert host.ask(BOARD_INFO)
             host.close()
-        line.server.close()
 
 
 @pytest.mark.parametrize(
@@ -361,15 +246,11 @@ def test_a_place_in_use() -> None:
         assert "cannot listen" in result.error
 
 
-TOKEN = "correct-horse"
-
-
 @pytest.fixture(scope="module")
 def web() -> Iterator[Bridge]:
     options = ("--token", TOKEN, "--origin", "http://localhost:8000")
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--tcp", "0", "--ws", "0", *options) as bridge:
-            yield bridge
+    with shared_gimbal("--tcp", "0", "--ws", "0", *options) as bridge:
+        yield bridge
 
 
 def web_address(bridge: Bridge) -> str:
@@ -440,7 +321,7 @@ def test_what_is_no_web_socket_is_refused(web: Bridge) -> None:
 
 
 def test_a_web_socket_waits_for_the_response(web: Bridge) -> None:
-    """A frame behind the request would be read as bytes of the protocol."""
+    """A frame after the request would be read as bytes of the protocol."""
     page = WebSocket(web_address(web), f"?token={TOKEN}", behind=frame(GET_ANGLES))
     assert page.status == 400
     page.close()
@@ -448,9 +329,7 @@ def test_a_web_socket_waits_for_the_response(web: Bridge) -> None:
 
 def test_a_bridge_without_free_descriptors_waits() -> None:
     """Accepting fails at once then, again and again. The kernel holds the connections."""
-    with emulated_gimbal() as gimbal, bridge_to(
-        gimbal.address, "--tcp", "0", "--ws", "0", "--token", TOKEN
-    ) as bridge:
+    with shared_gimbal("--tcp", "0", "--ws", "0", "--token", TOKEN) as bridge:
         host, port = web_address(bridge).removeprefix("ws://").split("/")[0].rsplit(":", 1)
         process = bridge.process.pid
         used = len(list(Path(f"/proc/{process}/fd").iterdir()))
@@ -482,57 +361,51 @@ def test_idle_connections_keep_no_web_socket_out(web: Bridge) -> None:
 
 
 def test_only_so_many_web_sockets() -> None:
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
-            pages = [WebSocket(bridge.address, f"?token={TOKEN}") for _ in range(17)]
-            assert [page.status for page in pages] == [101] * 16 + [503]
-            for page in pages:
-                page.close()
+    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
+        pages = [WebSocket(bridge.address, f"?token={TOKEN}") for _ in range(17)]
+        assert [page.status for page in pages] == [101] * 16 + [503]
+        for page in pages:
+            page.close()
 
 
 def test_a_web_socket_without_a_place_that_sends_a_text() -> None:
     """Both are reasons to close it."""
-    with emulated_gimbal() as gimbal:
-        with bridge_to(
-            gimbal.address, "--tcp", "0", "--udp", "0", "--ws", "0", "--token", TOKEN
-        ) as bridge:
-            hosts = [Host(bridge.address) for _ in range(16)]
-            assert all(host.ask(BOARD_INFO) for host in hosts)
-            _, address, port = bridge.addresses[1].split(":")
-            senders = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(16)]
-            for sender in senders:
-                sender.settimeout(20)
-                sender.connect((address, int(port)))
-                sender.send(frame(BOARD_INFO))
-                assert sender.recv(100)
-            for _ in range(50):  # the text arrives before or while the place is refused
-                page = WebSocket(bridge.addresses[2], f"?token={TOKEN}")
-                page.send(b"hello", 1)
-                assert page.receive()[0] == 8
-                page.close()
-            assert hosts[0].ask(BOARD_INFO)
-            for one in [*hosts, *senders]:
-                one.close()
+    with shared_gimbal("--tcp", "0", "--udp", "0", "--ws", "0", "--token", TOKEN) as bridge:
+        hosts = [Host(bridge.address) for _ in range(16)]
+        assert all(host.ask(BOARD_INFO) for host in hosts)
+        _, address, port = bridge.addresses[1].split(":")
+        senders = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(16)]
+        for sender in senders:
+            sender.settimeout(20)
+            sender.connect((address, int(port)))
+            sender.send(frame(BOARD_INFO))
+            assert sender.recv(100)
+        for _ in range(50):  # the text arrives before or while the place is refused
+            page = WebSocket(bridge.addresses[2], f"?token={TOKEN}")
+            page.send(b"hello", 1)
+            assert page.receive()[0] == 8
+            page.close()
+        assert hosts[0].ask(BOARD_INFO)
+        for one in [*hosts, *senders]:
+            one.close()
 
 
 def test_it_shows_which_web_sockets_come_and_go() -> None:
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
-            page = WebSocket(bridge.address, f"?token={TOKEN}")
-            bridge.wait_for("is host 0")
-            page.close()
-            bridge.wait_for("has left")
+    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
+        page = WebSocket(bridge.address, f"?token={TOKEN}")
+        bridge.wait_for("is host 0")
+        page.close()
+        bridge.wait_for("has left")
 
 
 def test_refusals_are_reported_a_few_at_a_time() -> None:
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
-            for _ in range(10):
-                page = WebSocket(bridge.address, "?token=wrong")
-                assert page.status == 401
-                page.close()
-            reports = bridge.lines_until("further refusals in this second")
-            assert sum("does not know the token" in line for line in reports) == 5
+    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
+        for _ in range(10):
+            page = WebSocket(bridge.address, "?token=wrong")
+            assert page.status == 401
+            page.close()
+        reports = bridge.lines_until("further refusals in this second")
+        assert sum("does not know the token" in line for line in reports) == 5
 
 
 @pytest.mark.parametrize(
@@ -540,18 +413,17 @@ def test_refusals_are_reported_a_few_at_a_time() -> None:
     [("http://~a.example", "http://~a.example"), ("http://b.\u00fc", "http://b.??")],
 )
 def test_the_origin_of_a_refused_page_is_reported_printably(origin: str, shown: str) -> None:
-    with emulated_gimbal() as gimbal:
-        with bridge_to(gimbal.address, "--ws", "0", "--token", TOKEN) as bridge:
-            page = WebSocket(bridge.address, f"?token={TOKEN}", origin)
-            assert page.status == 403
-            page.close()
-            line = bridge.lines_until("refused")[-1]
-            assert f"refused: pages of '{shown}' are not allowed; see --origin" in line
+    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
+        page = WebSocket(bridge.address, f"?token={TOKEN}", origin)
+        assert page.status == 403
+        page.close()
+        line = bridge.lines_until("refused")[-1]
+        assert f"refused: pages of '{shown}' are not allowed; see --origin" in line
 
 
 def test_the_token_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SBGC_TOKEN", TOKEN)
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--ws", "0") as bridge:
+    with shared_gimbal("--ws", "0") as bridge:
         assert TOKEN not in bridge.addresses[0]
         page = WebSocket(bridge.addresses[0], f"/?token={TOKEN}")
         assert page.status == 101
@@ -562,7 +434,7 @@ def test_the_token_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_token_is_made_and_printed() -> None:
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, "--ws", "0") as bridge:
+    with shared_gimbal("--ws", "0") as bridge:
         address = bridge.addresses[0]
         token = address.split("?token=")[1]
         assert len(token) == 32

@@ -238,7 +238,7 @@ def test_longest_times() -> None:
     assert len(decode(capture, "--from", "1000000000")) == 2
 
 
-def test_notes_can_not_talk_to_the_terminal() -> None:
+def test_notes_cannot_talk_to_the_terminal() -> None:
     text = run("decode", stdin=session() + record(NOTE, 0, b"\x1b[2J\x07")).out
     assert b"\x1b" not in text and b"\x07" not in text
 

@@ -22,7 +22,7 @@ def words_of(text: str) -> str:
 
 
 def entries(page: str, name: str) -> list[str]:
-    """What stands in the column behind the name of a fact of a message."""
+    """What is in the column after the name of a fact of a message."""
     return [
         line.split(maxsplit=1)[1] for line in page.splitlines() if line.startswith(f"  {name} ")
     ]
@@ -143,7 +143,7 @@ def test_a_long_list_of_uses_is_cut() -> None:
     assert re.fullmatch(r"  and \d+ more", uses[-1])
 
 
-def test_a_text_stands_below_a_name_that_is_too_long_or_in_a_narrow_terminal(
+def test_a_text_is_below_a_name_that_is_too_long_or_in_a_narrow_terminal(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     text = described("MenuCommand")

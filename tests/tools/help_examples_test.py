@@ -44,7 +44,7 @@ HELP = dict(help_of_commands())
 
 
 def examples() -> list[str]:
-    """Indented lines with a command, without what stands before it, such as the name of a shell."""
+    """Indented lines with a command, without what is before it, such as the name of a shell."""
     found = [
         re.sub(r"^(bash|zsh|fish): +", "", line.strip())
         for text in HELP.values()

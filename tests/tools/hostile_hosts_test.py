@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import pytest
 
-from bridge_test import Host, bridge_to
+from bridge import Host, bridge_to, shared_gimbal
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import frame
 from web_socket import WebSocket
@@ -101,7 +101,7 @@ def test_the_emulator_serves_others(seed: int) -> None:
 @pytest.mark.parametrize("seed", [1, 2])
 def test_the_bridge_serves_others(seed: int) -> None:
     places = ("--tcp", "0", "--udp", "0", "--ws", "0", "--token", TOKEN)
-    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, *places) as bridge:
+    with shared_gimbal(*places) as bridge:
         host = Host(bridge.address)
         attacks = [over_tcp, over_udp, over_web_socket]
         serve_meanwhile(host, list(zip(attacks, bridge.addresses)), seed)

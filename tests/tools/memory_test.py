@@ -164,7 +164,7 @@ def test_nothing_is_written_unarmed(
     assert sbgc(gimbal, "files", "list").text == files
 
 
-def test_files_that_can_not_be_read(tmp_path: Path) -> None:
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     (tmp_path / "empty").touch()
     for name, words in (("empty", "is empty"), ("missing", "missing")):
         result = run("files", "put", "1", str(tmp_path / name), "--yes", "-p", "tcp:127.0.0.1:1")

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from bridge_test import TOKEN, Host, bridge_to
+from bridge import TOKEN, Host, bridge_to
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import PROGRAM, frame
 from web_socket import WebSocket

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 import pytest
 
-from bridge_test import Host, bridge_to
+from bridge import Host, bridge_to
 from emulated_gimbal import emulated_gimbal
 from relay import relay_to
 from sbgc_command import frame, run

@@ -7,7 +7,7 @@ import subprocess
 from contextlib import suppress
 from pathlib import Path
 
-from bridge_test import BOARD_INFO, Host
+from bridge import host_of_bridge_in
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import PROGRAM
 from screens import terminal
@@ -15,12 +15,7 @@ from screens import terminal
 
 def test_a_bridge_that_loses_its_line(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path, width=160) as shell:
-        shell.run("bridge", gimbal.address, "--tcp", "0")
-        lines = shell.wait(r"^connected, 0 hosts$")
-        (address,) = [line.split()[1] for line in lines if line.startswith("bridge: ")]
-        host = Host(address)
-        assert host.ask(BOARD_INFO)
-        shell.wait(r"^connected, 1 host \| 0: 1 in, 1 out$")
+        host = host_of_bridge_in(shell, gimbal.address)
         gimbal.kill()
         shell.wait("^sbgc: connecting again")
         lines = [line for line in shell.wait(r"^(lost|searching), 1 host") if line]

@@ -1,4 +1,4 @@
-"""Tests of requests with surplus: bytes behind the largest form, which boards ignore."""
+"""Tests of requests with surplus: bytes after the largest form, which boards ignore."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FORMS = {
 
 
 def takes_surplus(form: dict[str, Any]) -> bool:
-    """A form that ends behind fields of known number is followed by surplus."""
+    """A form that ends after fields of known number is followed by surplus."""
     is_grown = "sizes" in form  # later firmware has appended fields
     return not form["keeps_tail"] and not any(
         leaf["count"] is None

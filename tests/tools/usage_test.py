@@ -159,7 +159,7 @@ def test_help_is_as_wide_as_the_terminal() -> None:
 
 
 @pytest.mark.parametrize("command", ["decode", "encode"])
-def test_input_that_can_not_be_read(command: str, tmp_path: Path) -> None:
+def test_input_that_cannot_be_read(command: str, tmp_path: Path) -> None:
     missing = run(command, str(tmp_path / "missing"))
     assert missing.status == 1 and str(tmp_path / "missing") in missing.error
     folder = run(command, str(tmp_path))
@@ -190,7 +190,7 @@ def test_text_that_is_not_hex(text: str, place: str) -> None:
     assert place in result.error
 
 
-def test_what_stands_before_a_bad_digit_is_decoded_once() -> None:
+def test_what_is_before_a_bad_digit_is_decoded_once() -> None:
     for text in ("3e49004900 3e49004900 3", "3e49004900 3e49004900 x"):
         result = run("decode", "--hex", "--format", "jsonl", stdin=text)
         assert result.status == 1
@@ -229,7 +229,7 @@ def assert_one_complaint(result: Result) -> None:
         (["emulate", "--seconds", "0"], b""),
     ],
 )
-def test_output_that_can_not_be_written(arguments: list[str], stdin: bytes) -> None:
+def test_output_that_cannot_be_written(arguments: list[str], stdin: bytes) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("no /dev/full")
     with open("/dev/full", "wb") as full:
@@ -259,7 +259,7 @@ def gimbal() -> Iterator[EmulatedGimbal]:
         *("record --for 0.2s -", "record --for 0.2s /dev/null"),
     ],
 )
-def test_output_of_a_gimbal_that_can_not_be_written(gimbal: EmulatedGimbal, command: str) -> None:
+def test_output_of_a_gimbal_that_cannot_be_written(gimbal: EmulatedGimbal, command: str) -> None:
     with open("/dev/full", "wb") as full:
         result = run(*command.split(), "-p", gimbal.address, stdout=full.fileno())
     assert_one_complaint(result)

@@ -89,7 +89,7 @@ std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& 
 }
 
 /// Throws CommandError if the board does not have the field.
-void check_presence(const Json& fields, const FieldValue& value, const CommandContext&) {
+void check_presence(const Json& fields, const FieldValue& value) {
   const auto& first = std::get<std::string>(value.field.steps.front());
   if (fields.contains(first)) return;
   const FieldInfo* const info = value.field.type->info;
@@ -155,7 +155,7 @@ int set(const SetOptions& options, const CommandContext& context) {
       is_present = true;
       Json fields = fields_of(message_in(block));
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
-      for (const FieldValue& value : here) check_presence(fields, value, context);
+      for (const FieldValue& value : here) check_presence(fields, value);
       try {
         set_values(*one.message->type, here, fields);
         value_of(wanted.put(block_of(block.id, fields)));

@@ -60,7 +60,7 @@ Streams::Change Streams::change(Device& device, std::size_t port,
 void Streams::emit(Device& device, const msg::Event& event, Instant /*now*/) {
   for (const Stream& stream : streams_) {
     if (!is_of_events(stream.request)) continue;
-    // Assumption: 0 stands for all events and all kinds of them.
+    // Assumption: 0 means all events and all kinds of them.
     const msg::StreamConfig& config = stream.request.config;
     const msg::EventId id = config.event_id ? *config.event_id : msg::EventId{};
     const msg::EventTypes types = config.event_type ? *config.event_type : msg::EventTypes{};

@@ -64,7 +64,7 @@ TEST(Eeprom, RefusesWhatIsNoPages) {
   EXPECT_EQ(memory, Memory());
 }
 
-TEST(Eeprom, RefusesEveryAddressBehindTheEnd) {
+TEST(Eeprom, RefusesEveryAddressAfterTheEnd) {
   Memory memory;
   Eeprom eeprom(memory);
   for (const std::uint32_t address :

@@ -17,22 +17,6 @@ def test_handlers_are_in_the_file_of_their_family() -> None:
         assert families <= {source.stem}, source
 
 
-def test_every_family_has_a_file() -> None:
-    """Except families of parameters, which are read and written without code of their own."""
-    stored = {message["stores"] for message in MODEL["messages"] if message["stores"]}
-
-    def accesses_parameters(message: dict) -> bool:
-        return bool(message["stores"] or set(message["response"]["messages"]) & stored)
-
-    needed = {
-        message["family"]
-        for message in MODEL["messages"]
-        if message["direction"] != "from_board" and not accesses_parameters(message)
-    }
-    handled = {path.stem for path in DEVICE.glob("*.cpp") if HANDLER.search(path.read_text())}
-    assert handled == needed
-
-
 def test_every_declared_handler_is_defined() -> None:
     declared = HANDLER.findall((DEVICE / "handlers.hpp").read_text())
     defined = [name for path in DEVICE.glob("*.cpp") for name in HANDLER.findall(path.read_text())]

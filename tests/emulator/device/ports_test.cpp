@@ -60,7 +60,7 @@ TEST(Ports, AFloodOfRequestsHasAnEnd) {
   EXPECT_GT(host.board.counters().lost, 100'000U);
 }
 
-TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
+TEST(Ports, AnswersWaitForRoomAndRequestsAfterThem) {
   emulator::BoardOptions options;
   options.output_buffer = answer_size + 5;
   Host host(options);

@@ -102,7 +102,7 @@ TEST(Saving, EachChangeWaitsForItsOwn) {
   EXPECT_FALSE(rig.host.board.memory().is_unsaved);
 }
 
-TEST(Saving, AChangeThatCanNotBeSavedIsRefused) {
+TEST(Saving, AChangeThatCannotBeSavedIsRefused) {
   Rig rig;
   rig.host.ask(data(1));
   rig.host.send(msg::BoardInfoRequest{});
@@ -141,7 +141,7 @@ TEST(Saving, AProfileThatIsSelectedWaits) {
   EXPECT_EQ(confirmations<msg::ExecuteMenu>(rig.heard()), 2);
 }
 
-TEST(Saving, SamplesOfAStreamComeBehindTheConfirmation) {
+TEST(Saving, SamplesOfAStreamComeAfterTheConfirmation) {
   Rig rig;
   msg::DataStreamInterval stream;
   stream.cmd_id = msg::CommandFromBoard::realtime_data_3;

@@ -86,7 +86,7 @@ TEST(Faults, ParityNoticesOneBadBit) {
   EXPECT_GT(line.counters().parity_errors, 700U);
 }
 
-TEST(Faults, DelayedBytesHoldUpThoseBehind) {
+TEST(Faults, DelayedBytesHoldUpLaterOnes) {
   Line line({.board = {10000}, .faults = {.delayed = 0.01, .delay = milliseconds(50)}},
             Way::to_board, start, start);
   const Bytes bytes = noise(20'000);
@@ -141,7 +141,7 @@ std::size_t frames_in(const Bytes& bytes, Parser& parser) {
   return result;
 }
 
-TEST(Faults, TextStandsBetweenFrames) {
+TEST(Faults, TextIsBetweenFrames) {
   Line line({.board = {115200}, .faults = {.text_every = milliseconds(30)}}, Way::to_host, start,
             start);
   line.send(frames(100), start);  // each takes 5.6 ms
@@ -185,7 +185,7 @@ TEST(Faults, TextThatIsLeftOut) {
   EXPECT_EQ(line.next(), Instant::never);
 }
 
-TEST(Faults, TextBehindAFrameThatIsBrokenOff) {
+TEST(Faults, TextAfterAFrameThatIsBrokenOff) {
   Line line({.faults = {.text_every = seconds(1)}}, Way::to_host, start, start);
   const Bytes frame = frames(1);
   line.send(std::span(frame).first(10), start);

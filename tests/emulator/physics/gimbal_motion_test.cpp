@@ -299,7 +299,7 @@ TEST(JointLimits, HoldAfterALongPauseToo) {
   EXPECT_EQ(gimbal.sample(ms(three_years)).target_speeds.yaw, 0);
 }
 
-TEST(Follow, TurnsWithTheFrameBehindItsDeadband) {
+TEST(Follow, TurnsWithTheFrameOutsideItsDeadband) {
   Tuning tuning;
   tuning.axes.yaw.follows = true;
   tuning.axes.yaw.follow_speed = 15;

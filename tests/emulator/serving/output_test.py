@@ -114,7 +114,7 @@ def test_a_reader_of_its_warnings_that_stalls() -> None:
             host.close()
 
 
-def test_warnings_that_can_not_be_written() -> None:
+def test_warnings_that_cannot_be_written() -> None:
     with open("/dev/full", "w", encoding="utf-8") as full:
         process = subprocess.Popen(
             [PROGRAM, "emulate", "--tcp", "0"], stdout=subprocess.PIPE, stderr=full

@@ -202,7 +202,7 @@ TEST(StateKeeper, TheEndWaitsForWhatIsBeingSaved) {
   EXPECT_FALSE(finished.get());
 }
 
-TEST(StateKeeper, AFileThatCanNotBeWrittenIsToldAtTheBeginning) {
+TEST(StateKeeper, AFileThatCannotBeWrittenIsToldAtTheBeginning) {
   KeeperRig rig;
   LiveBoard board(rig.context.get_executor(), options(), {});
   const auto make = [&] {

@@ -154,7 +154,7 @@ def test_a_state_keeps_its_mode(tmp_path: Path) -> None:
         assert state.stat().st_mode & 0o7777 == mode
 
 
-def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
+def test_a_state_that_cannot_be_used(tmp_path: Path) -> None:
     damaged = tmp_path / "damaged"
     damaged.write_text("{}")
     assert str(damaged) in refused("--state", str(damaged))
@@ -163,7 +163,7 @@ def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
     refused("--state", str(tmp_path / "missing" / "state"))
 
 
-def test_a_state_that_can_not_be_saved_any_more(tmp_path: Path) -> None:
+def test_a_state_that_cannot_be_saved_any_more(tmp_path: Path) -> None:
     folder = tmp_path / "folder"
     folder.mkdir()
     with Emulator("--tcp", "0", "--state", str(folder / "state")) as emulator:

@@ -108,7 +108,7 @@ def test_answers_that_nobody_takes() -> None:
     os.close(out)
 
 
-def test_a_request_behind_what_only_looked_like_the_beginning_of_one() -> None:
+def test_a_request_after_what_only_looked_like_the_beginning_of_one() -> None:
     begun = b">" + bytes([BOARD_INFO, 200, (BOARD_INFO + 200) % 256])
     done = subprocess.run(
         [PROGRAM, "emulate", "--stdio"],

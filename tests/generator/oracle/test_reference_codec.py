@@ -215,7 +215,7 @@ def frames_in(framing: Framing, stream: bytes) -> list[tuple[int, int, bytes]]:
     return [(f.offset, f.id, f.body) for f in read_frames([framing], stream)]
 
 
-def test_frames_are_found_behind_false_starts(layout: Layout) -> None:
+def test_frames_are_found_after_false_starts(layout: Layout) -> None:
     frame = write_frame(layout.framing, 67, b"\x01\x02")
     assert frame == bytes.fromhex("3e 43 02 45 01 02 03")
     stream = b"\x3e\x3e\x00\x00\x00" + frame + frame[:-1] + b"\x09" + frame

@@ -16,10 +16,12 @@ from typing import Any
 
 import yaml
 
+from sbgcgen.model.names import parse_lines
 from support import PROJECT
 
 Json = dict[str, Any]
 DATA = PROJECT / "tests" / "data"
+LATER = "Later firmware"  # the source of what the text of 2016 lacks
 
 
 def loaded(path: Path) -> Json:
@@ -27,6 +29,20 @@ def loaded(path: Path) -> Json:
     text = path.read_text(encoding="utf-8")
     found: Json = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
     return found
+
+
+def model_of_documents() -> Json:
+    """Returns the exported model without what has other sources than the two documents, such as release notes."""
+    model = loaded(PROJECT / "generated" / "simplebgc.json")
+    others = set()
+    for kind in ("messages", "enums", "packed"):
+        for thing in list(model[kind]):
+            if thing["source"] != LATER and not parse_lines(thing["source"]):
+                model[kind].remove(thing)
+                others.add(thing.get("command"))
+    others -= {message["command"] for message in model["messages"]}
+    model["commands"] = [command for command in model["commands"] if command["name"] not in others]
+    return model
 
 
 def named(things: list[Json], name: str, key: str = "name") -> Json:

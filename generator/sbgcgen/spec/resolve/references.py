@@ -74,7 +74,7 @@ class ReferenceResolver:
                 self.found.add(when.at(word), _RULE, message, "a condition needs bits to look at")
         if "is" in when and "is_not" in when:
             hint = "'is' already excludes all other values"
-            self.found.add(when.at("is_not"), _RULE, "'is_not' stands beside 'is'", hint)
+            self.found.add(when.at("is_not"), _RULE, "'is_not' is beside 'is'", hint)
         for flag in chosen["has_not"]:
             if flag in chosen["has"] or chosen["any"] == (flag,):
                 message = f"the condition on {flag.name} never holds"

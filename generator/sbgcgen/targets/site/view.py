@@ -76,7 +76,9 @@ def _guide(path: Path) -> Guide:
     # Guides link to each other as files, so that they can also be read in the repository.
     html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
     html = re.sub(
-        r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html
+        r'href="\.\./((?:spec|generated/fields)\b[^"]*)',
+        lambda m: f'href="../{_page_about(m[1])}',
+        html,
     )
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
@@ -84,11 +86,25 @@ def _guide(path: Path) -> Guide:
     return Guide(name, title[1].strip() if title else name, Markup(html))
 
 
-def _page_of_doc(link: str) -> str:
-    """The relative path from a guide to the page with the contents of a file of generated/docs/."""
-    name = link.partition("#")[0].removesuffix(".md")
-    name = {"README": "messages"}.get(name, name.replace("messages/", "families/"))
-    return f"../{name}.html"
+# The pages about files of the repository; the other files are those of families.
+_PAGES = {
+    "spec": "messages.html",
+    "spec/adjustable_variables.yaml": "variables.html",
+    "spec/errata.yaml": "errata.html",
+    "spec/simplebgc.yaml#directions": "units.html#directions",
+    "spec/simplebgc.yaml#framings": "framing.html",
+    "spec/simplebgc.yaml#revisions": "availability.html",
+    "spec/units.yaml": "units.html",
+    "generated/fields": "messages.html",
+}
+
+
+def _page_about(link: str) -> str:
+    """The page with the contents of a file, or a section of it, that a guide links."""
+    path, _, section = link.partition("#")
+    if path == "spec/errata.yaml" and section:
+        return f"errata.html#{section}"
+    return _PAGES.get(link, f"families/{Path(path).stem}.html")
 
 
 def _guide_name(stem: str) -> str:

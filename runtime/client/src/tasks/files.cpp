@@ -75,7 +75,7 @@ Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options) {
   Bytes content;
   std::optional<std::size_t> size;
   while (!size || content.size() < *size) {
-    // The first part reports the size. Until then, 1 stands for unfinished work.
+    // The first part reports the size. Until then, 1 means unfinished work.
     const Progress progress{content.size(), size.value_or(1), task};
     if (auto going = detail::go_on(task, options.progress, progress, deadline); !going) {
       co_return going.error();

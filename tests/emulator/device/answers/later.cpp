@@ -72,7 +72,6 @@ void Table::add_later_control() {
        .after = [](Host&, const Packets& packets) {
          EXPECT_EQ(only<msg::ControlQuatStatus>(packets).actual_attitude.has_value(), true);
        }});
-  add<msg::ControlQuatConfig>({});
   add<msg::SyncMotors>({.request = {.axis = msg::SyncMotorAxis::pitch,
                                     .power = 100,
                                     .time_ms = msg::Milliseconds(200)},
@@ -140,13 +139,11 @@ void Table::add_later_devices() {
     EXPECT_EQ(only<msg::ReadStateVars>(packets).startup_cnt, 1);
   }});
   add<msg::WriteStateVars>({.options = newest_board()});
-  add<msg::SignMessageRequest>({});
   for (const auto action : {msg::CalibAction::regular, msg::CalibAction::reset}) {
     add<msg::CalibMagExt>({.request = {.imu_idx = msg::CalibImu::main, .action = action},
                            .comes = Comes::confirmation});
   }
   add<msg::AutoPid2>({.request = {.action = msg::AutoPid2Action::read}});
-  add<msg::CalibOrientCorr>({});
   msg::CalibCogging cogging;
   cogging.action = msg::CoggingAction::calibrate;
   cogging.iterations_num = 2;
@@ -154,12 +151,10 @@ void Table::add_later_devices() {
     cogging.motors[axis].angle = msg::WideDegrees(90);
   }
   add<msg::CalibCogging>({.request = cogging});
-  add<msg::CalibAccExtRef>({});
   for (const auto action : {msg::CalibAction::regular, msg::CalibAction::reset}) {
     add<msg::SelectImu3Calibrate>({.request = {.imu_type = msg::CalibImu::main, .action = action},
                                    .comes = Comes::confirmation});
   }
-  add<msg::ExtImuDebugInfoRequest>({});
   msg::ExtImuCmd command;
   command.cmd_id = 7;
   add<msg::ExtImuCmd>(
@@ -190,7 +185,6 @@ void Table::add_later_devices() {
   msg::ApiVirtChHighRes channels;
   channels.val_ch.push_back(msg::FineRcSignal(100));
   add<msg::ApiVirtChHighRes>({.request = channels});
-  add<msg::ReadRcInputsRequest>({});
   // Two IMUs and seven drivers.
   add<msg::ModuleListRequest>({.after =
                                    [](Host&, const Packets& packets) {
@@ -203,7 +197,6 @@ void Table::add_later_devices() {
                                                     SizeIs(9));
                                       },
                                   .options = newest_board()});
-  add<msg::TransparentSapiRequest>({});
   add<msg::SetDebugPortRequest>({.request = {.action = msg::DebugPortAction::start}});
 }
 

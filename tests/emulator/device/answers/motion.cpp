@@ -125,7 +125,6 @@ void Table::add_control() {
        .after = [](Host& host, const Packets&) {
          EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).cur_profile, 2);
        }});
-  add<msg::HelperData>({});
   add<msg::HelperDataExt>({.request = {.coord_sys = msg::CoordinateSystem::ground_yaw_rotated}});
 }
 

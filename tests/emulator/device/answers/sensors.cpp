@@ -15,8 +15,6 @@ using ::testing::SizeIs;
 }  // namespace
 
 void Table::add_calibration() {
-  add<msg::CalibAcc>({});
-  add<msg::CalibGyro>({});
   for (const msg::CalibAction action :
        {msg::CalibAction::regular, msg::CalibAction::reset, msg::CalibAction::temperature,
         msg::CalibAction::enable_temperature, msg::CalibAction::disable_temperature,
@@ -25,8 +23,6 @@ void Table::add_calibration() {
     add<msg::CalibGyroExt>({.request = {.imu_idx = msg::CalibImu::frame, .action = action}});
   }
   add<msg::CalibMag>({.comes = Comes::confirmation});
-  add<msg::CalibExtGain>({});
-  add<msg::CalibPoles>({});
   add<msg::CalibOffset>({.comes = Comes::confirmation});
   add<msg::CalibBat>({.request = {.actual_voltage = msg::Voltage(1500)},
                       .comes = Comes::confirmation,

@@ -35,13 +35,11 @@ void Table::add_system() {
     EXPECT_EQ(details.mcu_id, host.board.options().mcu_id);
     EXPECT_EQ(details.eeprom_size.raw(), host.board.memory().eeprom.size());
   }});
-  add<msg::ResetRequest>({});
   msg::ResetRequestExt reset;
   reset.delay_ms = msg::Milliseconds(300);
   add<msg::ResetRequestExt>({.request = reset});
   reset.confirm = msg::ResetOption::notify;
   add<msg::ResetRequestExt>({.request = reset});
-  add<msg::BootMode3>({});
   msg::BootMode3Ext boot;
   boot.delay_ms = msg::Milliseconds(300);
   add<msg::BootMode3Ext>({.request = boot});

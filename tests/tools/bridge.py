@@ -1,0 +1,124 @@
+"""Bridges of emulated gimbals, and programs that use them, for the tests."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import subprocess
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import PROGRAM, frame
+from screens import Terminal
+
+GET_ANGLES = 73
+BOARD_INFO = 86
+RESET = 114
+DATA_STREAM_INTERVAL = 85
+REALTIME_DATA_3 = 23
+TOKEN = "correct-horse"
+PLACES = ("--tcp", "--udp", "--pty", "--ws")
+
+
+class Bridge:
+    """A running `sbgc bridge`."""
+
+    def __init__(self, address: str, *places: str) -> None:
+        self.process = subprocess.Popen(
+            [PROGRAM, "bridge", address, *places],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert self.process.stdout is not None
+        self.addresses = []
+        for _ in range(sum(place in PLACES for place in places)):
+            line = self.process.stdout.readline()
+            assert line.startswith("bridge: "), (line, self.process.stderr)
+            self.addresses.append(line.split(": ", 1)[1].split()[0])
+        self.address = self.addresses[0]
+
+    def lines_until(self, words: str) -> list[str]:
+        """Returns what it has reported up to a line with these words."""
+        assert self.process.stderr is not None
+        deadline = threading.Timer(30, self.process.kill)
+        deadline.start()
+        lines = [""]
+        try:
+            while words not in lines[-1]:
+                lines.append(self.process.stderr.readline())
+                assert lines[-1], words
+        finally:
+            deadline.cancel()
+        return lines[1:]
+
+    def wait_for(self, words: str) -> None:
+        self.lines_until(words)
+
+    def stop(self) -> None:
+        self.process.send_signal(signal.SIGINT)
+        self.process.communicate(timeout=20)
+        assert self.process.returncode == 0
+
+
+@contextmanager
+def bridge_to(address: str, *places: str) -> Iterator[Bridge]:
+    bridge = Bridge(address, *(places or ("--tcp", "0")))
+    try:
+        yield bridge
+    finally:
+        bridge.stop()
+
+
+@contextmanager
+def shared_gimbal(*places: str) -> Iterator[Bridge]:
+    """A bridge of an emulated gimbal."""
+    with emulated_gimbal() as gimbal, bridge_to(gimbal.address, *places) as bridge:
+        yield bridge
+
+
+class Host:
+    """A program at the bridge."""
+
+    def __init__(self, address: str) -> None:
+        _, host, port = address.split(":")
+        self.socket = socket.create_connection((host, int(port)), timeout=20)
+        self.stream = self.socket.makefile("rb")
+
+    def send(self, command: int, body: bytes = b"") -> None:
+        self.socket.sendall(frame(command, body))
+
+    def receive(self) -> tuple[int, bytes]:
+        header = self.stream.read(4)
+        assert header[0:1] == b">"
+        body = self.stream.read(header[2])
+        checksum = self.stream.read(1)
+        assert checksum == bytes([sum(body) % 256])
+        return header[1], body
+
+    def receive_samples(self, count: int) -> None:
+        while count:
+            count -= self.receive()[0] == REALTIME_DATA_3
+
+    def ask(self, command: int, body: bytes = b"") -> bytes:
+        self.send(command, body)
+        answer, data = self.receive()
+        assert answer == command
+        return data
+
+    def close(self) -> None:
+        self.stream.close()
+        self.socket.close()
+
+
+def host_of_bridge_in(shell: Terminal, gimbal: str) -> Host:
+    """Starts a bridge in a terminal, and returns its only host, which has asked once."""
+    shell.run("bridge", gimbal, "--tcp", "0")
+    lines = shell.wait(r"^connected, 0 hosts$")
+    (address,) = [line.split()[1] for line in lines if line.startswith("bridge: ")]
+    host = Host(address)
+    assert host.ask(BOARD_INFO)
+    shell.wait(r"^connected, 1 host \| 0: 1 in, 1 out$")
+    return host
