@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include <sbgc/detail/parse_real.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 #include <sbgc/json/hex.hpp>
@@ -56,7 +57,7 @@ std::optional<Measure> measure_of(std::string_view text) {
     return Measure{static_cast<double>(*number), {}};
   }
   double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] = parse_real(text.data(), text.data() + text.size(), number);
   if (error != std::errc{}) return std::nullopt;
   const auto size = static_cast<std::size_t>(end - text.data());
   return Measure{number, trimmed(text.substr(size))};

@@ -4,12 +4,10 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
-#include <string>
 #include <string_view>
-#include <version>
 
+#include <sbgc/detail/parse_real.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>
@@ -65,7 +63,7 @@ class JsonTextSource {
     Number number;
     if (!scan_number(number)) return false;
     const char* const end = number.text.data() + number.text.size();
-    if (!from_text(number.text, out)) {
+    if (parse_real(number.text.data(), end, out).ec == std::errc::result_out_of_range) {
       if (!is_tiny(number.text)) {
         return refuse("a number that is too large for JSON");
       }
@@ -230,17 +228,6 @@ class JsonTextSource {
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
     out = number > static_cast<T>(most) ? most : static_cast<std::int64_t>(number);
     return error;
-  }
-
-  /// Returns false if the number is out of range.
-  static bool from_text(std::string_view text, double& out) {
-#if defined(__cpp_lib_to_chars)
-    const auto error = std::from_chars(text.data(), text.data() + text.size(), out).ec;
-    return error != std::errc::result_out_of_range;
-#else
-    out = std::strtod(std::string(text).c_str(), nullptr);
-    return is_finite(out);
-#endif
   }
 
   /// True for a number that is out of range because it is too close to 0.
