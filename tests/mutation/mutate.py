@@ -43,12 +43,13 @@ AT_ONCE = 2 * (os.cpu_count() or 1)
 def areas() -> list[tuple[list[str], float]]:
     """Returns files that one translation unit can include, and the share of their mutants to try."""
     core = "runtime/core/include/sbgc/**/*.hpp"
-    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp", "leaves.cpp")
+    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp")
     parameters += ("tasks/*param*.cpp", "tasks/restore.cpp", "tasks/profiles.cpp")
     parameters += ("tasks/variables.cpp",)
     return [
         (_files(core), 0.075),
         (_files("runtime/session/include/sbgc/**/*.hpp"), 0.15),
+        (_files("runtime/any/src/*.cpp"), 0.15),
         (_files(*(f"runtime/client/src/{name}" for name in parameters)), 0.15),
         (_files("runtime/io/src/capture*.cpp"), 0.3),
         *((_files(f"tools/{folder}/*.cpp"), 0.045) for folder in TOOLS),

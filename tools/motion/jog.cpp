@@ -201,10 +201,10 @@ int jog(const Arming& arming, const CommandContext& context) {
       fmt::format("Up looks up, and down looks down: the reverse of sbgc 0.1.0. The camera turns "
                   "while a key is held, at up to {:g} deg/s.",
                   speeds.back()));
+  gimbal.begins_to_move(AfterStop::remove_timeout);
   remark(
       "arrows or w, a, s, d: up, left, down, right    z, c: roll    space: stop\n"
       "+, -: speed    q: quit\n");
-  gimbal.begins_to_move(AfterStop::remove_timeout);
   Result<void> ended;
   bool is_interrupted = false;
   {
