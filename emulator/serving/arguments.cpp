@@ -14,9 +14,9 @@
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
+#include "hosts/listen.hpp"
 #include "serving/argument_text.hpp"
 #include "serving/firmware_text.hpp"
-#include "serving/listen.hpp"
 #include "serving/motion_file.hpp"
 
 namespace sbgc::serving {
@@ -43,9 +43,9 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
 
 }  // namespace
 
-ListenAddress parse_listen(const std::string& text) {
+hosts::ListenAddress parse_listen(const std::string& text) {
   constexpr const char* wanted = "a port or HOST:PORT, such as 5000, 0.0.0.0:5000 or [::1]:5000";
-  ListenAddress result;
+  hosts::ListenAddress result;
   std::string_view port = text;
   if (const std::size_t colon = text.rfind(':'); colon != std::string::npos) {
     std::string_view host = std::string_view(text).substr(0, colon);
@@ -60,7 +60,7 @@ ListenAddress parse_listen(const std::string& text) {
   }
   if (!read(port, std::numeric_limits<std::uint16_t>::max(), result.port)) refuse(text, wanted);
   try {
-    address_of(result);
+    hosts::address_of(result);
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(error.what());
   }

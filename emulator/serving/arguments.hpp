@@ -8,13 +8,13 @@
 #include <sbgc/emulator/line.hpp>
 #include <sbgc/enums.hpp>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 
 namespace sbgc::serving {
 
 /// For example "5000", "0.0.0.0:5000", "[::1]:5000" or "localhost:0". Other host names are not
 /// supported.
-ListenAddress parse_listen(const std::string& text);
+hosts::ListenAddress parse_listen(const std::string& text);
 
 /// For example "0.01" or "1%".
 double parse_share(const std::string& text);

@@ -15,13 +15,13 @@
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/io/clock.hpp>
 
-#include "serving/host_ports.hpp"
+#include "hosts/host_ports.hpp"
 
 namespace sbgc::serving {
 
 /// Drives the emulator by the system clock, through a timer of the executor. All calls must come
 /// from the thread of the executor.
-class LiveBoard : public HostPorts {
+class LiveBoard : public hosts::HostPorts {
  public:
   /// The board's own time is 0 when it has finished starting; times in `options` count from there.
   LiveBoard(const asio::any_io_executor& executor, const emulator::EmulatorOptions& options,

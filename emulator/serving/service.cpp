@@ -35,7 +35,7 @@ std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
 Service::Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
                  std::function<void(std::error_code)> on_end)
     : context_(context), options_(options), logs_(std::move(logs)), on_end_(std::move(on_end)) {
-  for (Log* const log : {&logs_.endpoint, &logs_.event, &logs_.warning}) {
+  for (hosts::Log* const log : {&logs_.endpoint, &logs_.event, &logs_.warning}) {
     if (!*log) *log = [](const std::string&) {};
   }
   boards_.reserve(options.count);
@@ -97,12 +97,12 @@ void Service::add(unsigned number) {
 
 void Service::open_endpoints(Served& served, unsigned number) {
   const asio::any_io_executor executor = context_.get_executor();
-  const EndpointLogs logs{numbered(logs_.event, number), numbered(logs_.warning, number)};
-  const auto add = [&](std::unique_ptr<Endpoint> endpoint) {
+  const hosts::EndpointLogs logs{numbered(logs_.event, number), numbered(logs_.warning, number)};
+  const auto add = [&](std::unique_ptr<hosts::Endpoint> endpoint) {
     logs_.endpoint(fmt::format("emulated gimbal {}: {}", number + 1, endpoint->address()));
     served.endpoints.push_back(std::move(endpoint));
   };
-  const auto at = [&](ListenAddress address) {
+  const auto at = [&](hosts::ListenAddress address) {
     if (address.port != 0) address.port = static_cast<std::uint16_t>(address.port + number);
     return address;
   };
@@ -110,16 +110,18 @@ void Service::open_endpoints(Served& served, unsigned number) {
   const bool has_rate = emulator.rate_from_parameters || emulator.line.board.baud_rate != 0;
   if (options_.terminal) {
     const std::string link = numbered_name(options_.link, number);
-    add(open_terminal(executor, *served.board, link, has_rate, logs));
+    add(hosts::open_terminal(executor, *served.board, link, has_rate, logs));
   }
   // TCP and UDP share the remaining places, so that neither can take them all.
   const std::size_t others = (options_.terminal ? 1U : 0U) + (options_.stdio ? 1U : 0U);
   const std::size_t places = emulator::Board::max_ports - others;
   const std::size_t for_udp = options_.tcp ? places / 2 : places;
   const std::size_t for_tcp = options_.udp ? places - for_udp : places;
-  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), for_tcp, logs));
-  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), for_udp, logs));
-  if (options_.stdio) add(use_stdio(executor, *served.board, on_end_));
+  if (options_.tcp)
+    add(hosts::listen_tcp(executor, *served.board, at(*options_.tcp), for_tcp, logs));
+  if (options_.udp)
+    add(hosts::listen_udp(executor, *served.board, at(*options_.udp), for_udp, logs));
+  if (options_.stdio) add(hosts::use_stdio(executor, *served.board, on_end_));
 }
 
 asio::thread_pool& Service::savers() {
@@ -129,7 +131,7 @@ asio::thread_pool& Service::savers() {
   return *savers_;
 }
 
-Log Service::numbered(const Log& log, unsigned number) const {
+hosts::Log Service::numbered(const hosts::Log& log, unsigned number) const {
   if (options_.count == 1) return log;
   return [log, number](const std::string& text) { log(fmt::format("{}: {}", number + 1, text)); };
 }

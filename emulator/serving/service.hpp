@@ -9,7 +9,7 @@
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 #include "serving/frame_log.hpp"
 #include "serving/live_board.hpp"
 #include "serving/state_keeper.hpp"
@@ -25,16 +25,17 @@ struct ServiceOptions {
   unsigned count = 1;  ///< number of boards
   bool terminal = false;
   std::string link{};  ///< link to the terminal, "" for none; with several boards: link-1 ...
-  std::optional<ListenAddress> tcp{};  ///< with several boards: this port and the following ones
-  std::optional<ListenAddress> udp{};
+  std::optional<hosts::ListenAddress>
+      tcp{};  ///< with several boards: this port and the following ones
+  std::optional<hosts::ListenAddress> udp{};
   bool stdio = false;   ///< precondition: count is 1
   std::string state{};  ///< file, "" for none; with several boards: state-1 ...
 };
 
 struct ServiceLogs {
-  Log endpoint{};  ///< for example "emulated gimbal 1: /dev/pts/7"
-  Log event{};     ///< hosts connect and leave; also each frame, if `describe_frame` is set
-  Log warning{};
+  hosts::Log endpoint{};  ///< for example "emulated gimbal 1: /dev/pts/7"
+  hosts::Log event{};     ///< hosts connect and leave; also each frame, if `describe_frame` is set
+  hosts::Log warning{};
   DescribeFrame describe_frame{};
 };
 
@@ -53,7 +54,7 @@ class Service {
   bool finish();
 
   LiveBoard& board(std::size_t number) { return *boards_[number].board; }
-  const std::vector<std::unique_ptr<Endpoint>>& endpoints(std::size_t number) const {
+  const std::vector<std::unique_ptr<hosts::Endpoint>>& endpoints(std::size_t number) const {
     return boards_[number].endpoints;
   }
 
@@ -61,13 +62,13 @@ class Service {
   struct Served {
     std::unique_ptr<LiveBoard> board{};
     std::unique_ptr<StateKeeper> state{};
-    std::vector<std::unique_ptr<Endpoint>> endpoints{};  // destroyed before the board
+    std::vector<std::unique_ptr<hosts::Endpoint>> endpoints{};  // destroyed before the board
   };
 
   void add(unsigned number);
   void open_endpoints(Served& served, unsigned number);
   /// Prefixes each line with the number of the board if there are several boards.
-  Log numbered(const Log& log, unsigned number) const;
+  hosts::Log numbered(const hosts::Log& log, unsigned number) const;
   std::string numbered_name(const std::string& name, unsigned number) const;
 
   /// Created on first use.

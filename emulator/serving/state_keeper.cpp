@@ -9,7 +9,7 @@
 namespace sbgc::serving {
 
 StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board,
-                         Save save, Log warn)
+                         Save save, hosts::Log warn)
     : executor_(std::move(executor)),
       pool_(pool),
       board_(board),

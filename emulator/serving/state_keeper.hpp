@@ -9,7 +9,7 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 #include "serving/live_board.hpp"
 #include "serving/memory_file.hpp"
 
@@ -26,7 +26,7 @@ class StateKeeper {
   /// later failures. The pool must be destroyed before the executor and before anything that `save`
   /// uses.
   StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board, Save save,
-              Log warn);
+              hosts::Log warn);
   StateKeeper(const StateKeeper&) = delete;
   StateKeeper& operator=(const StateKeeper&) = delete;
   ~StateKeeper() = default;
@@ -47,7 +47,7 @@ class StateKeeper {
   asio::thread_pool& pool_;
   LiveBoard& board_;
   Save save_;
-  Log warn_;
+  hosts::Log warn_;
   std::uint32_t saving_{};              ///< revision being saved
   std::uint32_t saved_{};               ///< last saved revision
   std::future<Result<void>> result_{};  ///< valid while a save is running

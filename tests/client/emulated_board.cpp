@@ -11,7 +11,7 @@ namespace {
 /// The board executes a request in its next cycle, which is shorter than this.
 constexpr Duration one_cycle = sbgc::milliseconds(1);
 
-serving::EndpointLogs silent() {
+hosts::EndpointLogs silent() {
   return {[](const std::string&) {}, [](const std::string&) {}};
 }
 
@@ -68,10 +68,10 @@ void EmulatedBoard::start(emulator::Memory memory) {
   }
   const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_from_parameters;
   if (line_kind() == LineKind::terminal) {
-    running.endpoint = serving::open_terminal(executor, *running.board, "", has_rate, silent());
+    running.endpoint = hosts::open_terminal(executor, *running.board, "", has_rate, silent());
   } else if (line_kind() == LineKind::tcp) {
-    running.endpoint = serving::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
-                                           emulator::Board::max_ports, silent());
+    running.endpoint = hosts::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
+                                         emulator::Board::max_ports, silent());
   }
   running.thread = std::thread([&context = running.context] { context.run(); });
 }
@@ -99,7 +99,7 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
   on_thread([&] {
     Running& running = *running_;
     if (running.host) running.host->close();
-    running.host = serving::Host::connect(*running.board, std::move(transport));
+    running.host = hosts::Host::connect(*running.board, std::move(transport));
     running.host->start();
   });
 }
@@ -107,7 +107,7 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
 std::string EmulatedBoard::serve_terminal() {
   return on_thread([this] {
     running_->endpoint =
-        serving::open_terminal(running_->context.get_executor(), live(), "", false, silent());
+        hosts::open_terminal(running_->context.get_executor(), live(), "", false, silent());
     return running_->endpoint->address();
   });
 }

@@ -26,9 +26,9 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/type_list.hpp>
 
+#include "hosts/endpoint.hpp"
+#include "hosts/host.hpp"
 #include "line_kind.hpp"
-#include "serving/endpoint.hpp"
-#include "serving/host.hpp"
 #include "serving/live_board.hpp"
 #include "tap.hpp"
 
@@ -177,8 +177,8 @@ class EmulatedBoard {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
     std::unique_ptr<serving::LiveBoard> board{};
-    std::unique_ptr<serving::Endpoint> endpoint{};
-    std::shared_ptr<serving::Host> host{};  // of a line in memory
+    std::unique_ptr<hosts::Endpoint> endpoint{};
+    std::shared_ptr<hosts::Host> host{};  // of a line in memory
     std::size_t back_door{};
     std::thread thread{};
 

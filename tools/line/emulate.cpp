@@ -238,11 +238,11 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
       ->type_name("PATH")
       ->check(problem_of_path)
       ->group("Where hosts connect");
-  const auto add_listen = [&](const char* name, std::optional<serving::ListenAddress>& address,
+  const auto add_listen = [&](const char* name, std::optional<hosts::ListenAddress>& address,
                               const char* help) {
     add_parsed(
         command, name, serving::parse_listen,
-        [&address](const serving::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
+        [&address](const hosts::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
         ->group("Where hosts connect");
   };
   add_listen("--tcp", service.tcp,

@@ -22,7 +22,7 @@
 #include "command/duration.hpp"
 #include "command/remark.hpp"
 #include "command/wording.hpp"
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 #include "share/bridge_client.hpp"
 #include "share/bridge_ports.hpp"
 #include "share/line_gate.hpp"
@@ -42,7 +42,7 @@ constexpr const char* token_variable = "SBGC_TOKEN";
 struct BridgeOptions {
   std::string address{};
   Places places{};
-  std::vector<serving::ListenAddress> web_sockets{};
+  std::vector<hosts::ListenAddress> web_sockets{};
   WebSocketAccess access{};
   bool is_token_private = false;  ///< it is from the environment
   std::optional<std::chrono::milliseconds> time{};
@@ -70,7 +70,7 @@ class BridgeService {
       if (!error) context.stop();
     });
     endpoints_ = open_places(context.get_executor(), ports_, options.places, "bridge", {log, log});
-    for (const serving::ListenAddress& at : options.web_sockets) {
+    for (const hosts::ListenAddress& at : options.web_sockets) {
       endpoints_.push_back(
           listen_web_socket(context.get_executor(), ports_, at, options.access, {log, log}));
       const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
@@ -140,7 +140,7 @@ class BridgeService {
   BridgePorts ports_;
   ProgressBar status_;
   int ticks_ = 0;
-  std::vector<std::unique_ptr<serving::Endpoint>> endpoints_{};
+  std::vector<std::unique_ptr<hosts::Endpoint>> endpoints_{};
 };
 
 int run_bridge(const BridgeOptions& options, const CommandContext& context) {

@@ -19,7 +19,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
-#include "serving/host_ports.hpp"
+#include "hosts/host_ports.hpp"
 #include "share/askers.hpp"
 
 namespace sbgc::tools {
@@ -68,7 +68,7 @@ class BridgeLine {
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
 ///   left, the board introduces itself again, or nothing of that kind happens. The board does not
 ///   wait: a host that has the line for itself and does not read must leave.
-class BridgePorts final : public serving::HostPorts {
+class BridgePorts final : public hosts::HostPorts {
  public:
   static constexpr std::size_t max_hosts = 32;
   /// Requests of one host that have not ended.

@@ -18,7 +18,7 @@ constexpr std::size_t places_of_each = 16;
 }  // namespace
 
 void add_listen(CLI::App& command, const std::string& name,
-                std::vector<serving::ListenAddress>& addresses, const std::string& help) {
+                std::vector<hosts::ListenAddress>& addresses, const std::string& help) {
   command
       .add_option_function<std::vector<std::string>>(
           name,
@@ -53,25 +53,25 @@ void add_places(CLI::App& command, Places& places) {
       ->group(places_group);
 }
 
-std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_executor& executor,
-                                                            serving::HostPorts& ports,
-                                                            const Places& places,
-                                                            const std::string& name,
-                                                            const serving::EndpointLogs& logs) {
-  std::vector<std::unique_ptr<serving::Endpoint>> opened;
-  const auto add = [&](std::unique_ptr<serving::Endpoint> endpoint) {
+std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_executor& executor,
+                                                          hosts::HostPorts& ports,
+                                                          const Places& places,
+                                                          const std::string& name,
+                                                          const hosts::EndpointLogs& logs) {
+  std::vector<std::unique_ptr<hosts::Endpoint>> opened;
+  const auto add = [&](std::unique_ptr<hosts::Endpoint> endpoint) {
     background_stdout().write(printable(fmt::format("{}: {}\n", name, endpoint->address())));
     opened.push_back(std::move(endpoint));
   };
   for (const auto& at : places.tcp) {
-    add(serving::listen_tcp(executor, ports, at, places_of_each, logs));
+    add(hosts::listen_tcp(executor, ports, at, places_of_each, logs));
   }
   for (const auto& at : places.udp) {
-    add(serving::listen_udp(executor, ports, at, places_of_each, logs));
+    add(hosts::listen_udp(executor, ports, at, places_of_each, logs));
   }
-  if (places.terminal) add(serving::open_terminal(executor, ports, "", false, logs));
+  if (places.terminal) add(hosts::open_terminal(executor, ports, "", false, logs));
   for (const std::string& link : places.links) {
-    add(serving::open_terminal(executor, ports, link, false, logs));
+    add(hosts::open_terminal(executor, ports, link, false, logs));
   }
   return opened;
 }

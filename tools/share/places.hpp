@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <asio/any_io_executor.hpp>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 
 namespace sbgc::tools {
 
@@ -16,8 +16,8 @@ namespace sbgc::tools {
 inline constexpr const char* places_group = "Where programs connect";
 
 struct Places {
-  std::vector<serving::ListenAddress> tcp{};
-  std::vector<serving::ListenAddress> udp{};
+  std::vector<hosts::ListenAddress> tcp{};
+  std::vector<hosts::ListenAddress> udp{};
   bool terminal = false;
   std::vector<std::string> links{};  ///< each of a pseudo-terminal
 
@@ -29,14 +29,14 @@ void add_places(CLI::App& command, Places& places);
 
 /// Adds a repeatable option for addresses to listen on.
 void add_listen(CLI::App& command, const std::string& name,
-                std::vector<serving::ListenAddress>& addresses, const std::string& help);
+                std::vector<hosts::ListenAddress>& addresses, const std::string& help);
 
 /// Opens the places and writes "NAME: ADDRESS" for each to background_stdout(). Throws
 /// std::runtime_error.
-std::vector<std::unique_ptr<serving::Endpoint>> open_places(const asio::any_io_executor& executor,
-                                                            serving::HostPorts& ports,
-                                                            const Places& places,
-                                                            const std::string& name,
-                                                            const serving::EndpointLogs& logs);
+std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_executor& executor,
+                                                          hosts::HostPorts& ports,
+                                                          const Places& places,
+                                                          const std::string& name,
+                                                          const hosts::EndpointLogs& logs);
 
 }  // namespace sbgc::tools

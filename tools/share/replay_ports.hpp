@@ -15,13 +15,13 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "serving/host_ports.hpp"
+#include "hosts/host_ports.hpp"
 
 namespace sbgc::tools {
 
 /// Gives all hosts what a board sent, from the moment when the first one connects, and ignores what
 /// they send. The capture waits for slow hosts; one that does not read must leave.
-class ReplayPorts final : public serving::HostPorts {
+class ReplayPorts final : public hosts::HostPorts {
  public:
   /// `on_end` is called once all bytes have been given and all hosts have taken them or left. `log`
   /// receives sentences for the user.

@@ -11,7 +11,7 @@
 #include <asio/post.hpp>
 #include <fmt/format.h>
 
-#include "serving/listen.hpp"
+#include "hosts/listen.hpp"
 #include "share/web_socket_server.hpp"
 
 namespace sbgc::tools {
@@ -25,15 +25,15 @@ constexpr std::size_t most_per_write = 4096;
 
 /// Transfers bytes between sessions and ports. What the server reports on its own thread is handed
 /// over to the executor.
-class WebSocketEndpoint final : public serving::Endpoint {
+class WebSocketEndpoint final : public hosts::Endpoint {
  public:
-  WebSocketEndpoint(asio::any_io_executor executor, serving::HostPorts& ports,
-                    const serving::ListenAddress& address, const WebSocketAccess& access,
-                    serving::EndpointLogs logs)
+  WebSocketEndpoint(asio::any_io_executor executor, hosts::HostPorts& ports,
+                    const hosts::ListenAddress& address, const WebSocketAccess& access,
+                    hosts::EndpointLogs logs)
       : executor_(std::move(executor)),
         ports_(ports),
         logs_(std::move(logs)),
-        server_(serving::address_of(address).to_string(), address.port, access, events()) {
+        server_(hosts::address_of(address).to_string(), address.port, access, events()) {
     if (!server_.is_loopback()) logs_.warning(server_.address() + " is open to any other machine");
   }
   WebSocketEndpoint(const WebSocketEndpoint&) = delete;
@@ -129,19 +129,19 @@ class WebSocketEndpoint final : public serving::Endpoint {
   }
 
   asio::any_io_executor executor_;
-  serving::HostPorts& ports_;
-  serving::EndpointLogs logs_;
+  hosts::HostPorts& ports_;
+  hosts::EndpointLogs logs_;
   std::unordered_map<SessionId, Host> hosts_{};
   WebSocketServer server_;  // last: its thread ends first
 };
 
 }  // namespace
 
-std::unique_ptr<serving::Endpoint> listen_web_socket(const asio::any_io_executor& executor,
-                                                     serving::HostPorts& ports,
-                                                     const serving::ListenAddress& address,
-                                                     const WebSocketAccess& access,
-                                                     const serving::EndpointLogs& logs) {
+std::unique_ptr<hosts::Endpoint> listen_web_socket(const asio::any_io_executor& executor,
+                                                   hosts::HostPorts& ports,
+                                                   const hosts::ListenAddress& address,
+                                                   const WebSocketAccess& access,
+                                                   const hosts::EndpointLogs& logs) {
   return std::make_unique<WebSocketEndpoint>(executor, ports, address, access, logs);
 }
 

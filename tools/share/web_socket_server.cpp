@@ -16,7 +16,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "serving/fewer_reports.hpp"
+#include "hosts/fewer_reports.hpp"
 
 namespace sbgc::tools {
 
@@ -54,7 +54,7 @@ std::string printable(std::string_view text) {
 }
 
 WebSocketServer::Events with_fewer_refusals(WebSocketServer::Events events) {
-  events.refused = serving::with_fewer_reports(std::move(events.refused));
+  events.refused = hosts::with_fewer_reports(std::move(events.refused));
   return events;
 }
 

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST(Arguments, Listen) {
-  const ListenAddress port = parse_listen("5000");
+  const hosts::ListenAddress port = parse_listen("5000");
   EXPECT_EQ(port.host, "127.0.0.1");
   EXPECT_EQ(port.port, 5000);
   EXPECT_EQ(parse_listen("0").port, 0);

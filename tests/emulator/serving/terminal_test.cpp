@@ -17,7 +17,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/messages/system.hpp>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 
 namespace sbgc::serving {
 namespace {
@@ -55,9 +55,9 @@ TEST(Terminal, ThatFailsLeavesItsPortAlone) {
     return std::make_unique<Broken>(std::move(transport));
   };
   std::vector<std::string> warnings;
-  const EndpointLogs logs{[](const std::string&) {},
-                          [&](const std::string& text) { warnings.push_back(text); }};
-  const auto terminal = open_terminal(context.get_executor(), board, "", true, logs);
+  const hosts::EndpointLogs logs{[](const std::string&) {},
+                                 [&](const std::string& text) { warnings.push_back(text); }};
+  const auto terminal = hosts::open_terminal(context.get_executor(), board, "", true, logs);
   context.poll();
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find(terminal->address()), std::string::npos);

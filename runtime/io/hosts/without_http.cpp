@@ -1,4 +1,4 @@
-#include "serving/without_http.hpp"
+#include "hosts/without_http.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <asio/error.hpp>
 #include <asio/post.hpp>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool is_http_request(std::error_code error) {
   return error == std::make_error_code(std::errc::wrong_protocol_type);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

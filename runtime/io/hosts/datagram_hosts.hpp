@@ -12,7 +12,7 @@
 
 #include <sbgc/time.hpp>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// UDP does not report that a sender has left, and anyone can send from any number of addresses.
 /// Therefore the number of places is limited, and a new host replaces the one that has been silent
@@ -136,4 +136,4 @@ class DatagramHosts {
   Instant since_{};
 };
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -1,4 +1,4 @@
-#include "serving/host.hpp"
+#include "hosts/host.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include <asio/error.hpp>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -118,4 +118,4 @@ void Host::close() {
   board_.disconnect(port_);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

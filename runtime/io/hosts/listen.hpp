@@ -8,9 +8,9 @@
 #include <asio/ip/udp.hpp>
 #include <fmt/format.h>
 
-#include "serving/endpoint.hpp"
+#include "hosts/endpoint.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Returns the address of a numeric host or "localhost"; other names are not resolved.
 inline asio::ip::address address_of(const ListenAddress& listen) {
@@ -52,4 +52,4 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   }
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

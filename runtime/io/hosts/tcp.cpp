@@ -12,12 +12,12 @@
 
 #include <sbgc/io/detail/stream_transport.hpp>
 
-#include "serving/fewer_reports.hpp"
-#include "serving/host.hpp"
-#include "serving/listen.hpp"
-#include "serving/without_http.hpp"
+#include "hosts/fewer_reports.hpp"
+#include "hosts/host.hpp"
+#include "hosts/listen.hpp"
+#include "hosts/without_http.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, Host
   return std::make_unique<TcpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -11,7 +11,7 @@
 #include <sbgc/io/transport.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Ports that exchange bytes with one host each. All calls must come from the thread of the
 /// executor.
@@ -52,4 +52,4 @@ class HostPorts {
   std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
 };
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -26,24 +26,24 @@
 
 #include <sbgc/io/memory.hpp>
 
+#include "hosts/datagram_hosts.hpp"
+#include "hosts/host.hpp"
+#include "hosts/without_http.hpp"
 #include "input.hpp"
-#include "serving/datagram_hosts.hpp"
-#include "serving/host.hpp"
-#include "serving/without_http.hpp"
 
 namespace {
 
 using sbgc::Instant;
 using sbgc::fuzz::Input;
 using sbgc::fuzz::require;
-using sbgc::serving::DatagramHosts;
+using sbgc::hosts::DatagramHosts;
 
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t places = 3;
 
 /// Ports that record what they get.
-class Ports final : public sbgc::serving::HostPorts {
+class Ports final : public sbgc::hosts::HostPorts {
  public:
   struct Port {
     std::function<void()> wake{};
@@ -119,7 +119,7 @@ class Player {
  private:
   /// A program at the other end of a line.
   struct Peer {
-    std::shared_ptr<sbgc::serving::Host> host{};
+    std::shared_ptr<sbgc::hosts::Host> host{};
     std::unique_ptr<sbgc::io::Transport> line{};
     std::size_t port{};
     Bytes sent{};
@@ -178,7 +178,7 @@ class Player {
     auto pair = sbgc::io::make_memory_pair(context_.get_executor(), {.capacity = 300});
     const std::size_t number = ++last_;
     const auto host =
-        sbgc::serving::Host::connect(ports_, sbgc::serving::without_http(std::move(pair.second)));
+        sbgc::hosts::Host::connect(ports_, sbgc::hosts::without_http(std::move(pair.second)));
     require((host == nullptr) == (ports_.ports.size() == places && open() == places));
     if (host == nullptr) return;
     Peer& peer = peers_[number];
@@ -229,7 +229,7 @@ class Player {
       return part.size() <= all.size() && std::equal(part.begin(), part.end(), all.begin());
     };
     require(begins_with(peer.written, peer.got));
-    require(!sbgc::serving::is_http_request(peer.end) || is_request(peer.sent));
+    require(!sbgc::hosts::is_http_request(peer.end) || is_request(peer.sent));
     if (peer.has_ended) return;
     const Ports::Port& port = ports_.ports.at(peer.port);
     require(begins_with(peer.sent, port.received));

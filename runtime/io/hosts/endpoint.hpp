@@ -9,9 +9,9 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include "serving/host_ports.hpp"
+#include "hosts/host_ports.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Its destructor closes the endpoint; it must not run while the executor runs. The functions that
 /// open endpoints throw std::runtime_error with a sentence for the user.
@@ -62,4 +62,4 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Host
 std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, HostPorts& board,
                                     std::function<void(std::error_code)> on_end);
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

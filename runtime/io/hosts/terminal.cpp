@@ -12,11 +12,11 @@
 
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "serving/endpoint.hpp"
-#include "serving/host.hpp"
-#include "serving/terminal_link.hpp"
+#include "hosts/endpoint.hpp"
+#include "hosts/host.hpp"
+#include "hosts/terminal_link.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, H
   return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -13,9 +13,9 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "serving/host_ports.hpp"
+#include "hosts/host_ports.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Transfers bytes between a transport and a port. Reads no faster than the board's line and
 /// buffers a few KiB for a slow host. After the end of its input, a host still receives its
@@ -60,4 +60,4 @@ class Host : public std::enable_shared_from_this<Host> {
   bool is_closed_ = true;
 };
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Returns a function that passes on at most five texts in a second. Not thread-safe; copies of it
 /// count on their own.
@@ -26,4 +26,4 @@ inline std::function<void(const std::string&)> with_fewer_reports(
   };
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -1,6 +1,6 @@
 // Tests of the hosts that keep a place for datagrams.
 
-#include "serving/datagram_hosts.hpp"
+#include "hosts/datagram_hosts.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 namespace {
 
 using Port = std::optional<std::size_t>;
@@ -202,4 +202,4 @@ TEST(DatagramHosts, SilentOnesAreForgotten) {
 }
 
 }  // namespace
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -6,7 +6,7 @@
 
 #include <sbgc/io/transport.hpp>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// Returns a transport whose read fails with is_http_request() if its first bytes are those of an
 /// HTTP or HTTPS request. Any web page can let a browser send one to this machine, with frames in
@@ -15,4 +15,4 @@ std::unique_ptr<io::Transport> without_http(std::unique_ptr<io::Transport> trans
 
 bool is_http_request(std::error_code error);
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -1,4 +1,4 @@
-#include "serving/terminal_link.hpp"
+#include "hosts/terminal_link.hpp"
 
 #include <cerrno>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -65,4 +65,4 @@ TerminalLink::~TerminalLink() {
   if (fs::read_symlink(path_, error).string() == terminal_ && !error) fs::remove(path_, error);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -12,10 +12,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "serving/endpoint.hpp"
-#include "serving/host.hpp"
+#include "hosts/endpoint.hpp"
+#include "hosts/host.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, HostP
   return std::make_unique<StdioEndpoint>(host);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

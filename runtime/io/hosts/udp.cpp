@@ -9,10 +9,10 @@
 #include <asio/buffer.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "serving/datagram_hosts.hpp"
-#include "serving/listen.hpp"
+#include "hosts/datagram_hosts.hpp"
+#include "hosts/listen.hpp"
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Host
   return std::make_unique<UdpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace sbgc::serving {
+namespace sbgc::hosts {
 
 /// A symbolic link to a pseudo-terminal that exists as long as this object. Replaces only links
 /// that an emulator left behind: those to a pseudo-terminal that is gone, or to this one.
@@ -23,4 +23,4 @@ class TerminalLink {
   std::string terminal_;
 };
 
-}  // namespace sbgc::serving
+}  // namespace sbgc::hosts
