@@ -71,6 +71,10 @@ class FieldResolver:
                 first = self._nodes[name][2]
                 message = f"'{name}' is defined twice (first at {first})"
                 self.found.add(node.at("struct"), "SBGC028", message, "refer to it with 'type'")
+            if name in (*types.types.quantities, *types.types.enums, *types.types.packed):
+                hint = "all types share one namespace"
+                message = f"'{name}' is the name of another type"
+                self.found.add(node.at("struct"), "SBGC028", message, hint)
             self._nodes.setdefault(name, (family, node, node.at("struct")))
         self._open: list[str] = []
         self._broken: list[tuple[FieldName, Position]] = []  # fields of unknown types
