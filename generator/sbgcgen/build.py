@@ -11,6 +11,7 @@ from sbgcgen.spec.lint.bodies import lint_bodies
 from sbgcgen.spec.lint.effects import lint_effects
 from sbgcgen.spec.lint.main import lint_main
 from sbgcgen.spec.lint.protocol import lint
+from sbgcgen.spec.lint.slips import lint_slips
 from sbgcgen.spec.lint.spelling import lint_spelling
 from sbgcgen.spec.lint.usage import lint_names, lint_unused
 from sbgcgen.spec.load import Spec, load
@@ -63,6 +64,7 @@ def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     lint_bodies(layout, found)
     lint_names(spec, found)
     lint_spelling(spec, found)
+    lint_slips(layout, found)
     lint_main(spec, found)
     for target in targets():
         target.lint(spec, layout, found)

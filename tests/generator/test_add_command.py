@@ -94,7 +94,7 @@ def test_the_steps_of_the_guide(tmp_path: Path) -> None:
 def test_no_test_refuses_the_command_of_the_guide(tmp_path: Path) -> None:
     """Runs the tests that compare what is generated with other sources, in a copy of the project."""
     unwanted = shutil.ignore_patterns("__pycache__", "node_modules")
-    for name in ("docs", "emulator", "generator", "spec", "tests", "runtime/core"):
+    for name in ("docs", "emulator", "examples", "generator", "spec", "tests", "runtime/core"):
         shutil.copytree(ROOT / name, tmp_path / name, ignore=unwanted)
     add_family(tmp_path / "spec", "lights", guide_blocks("yaml")[0])
     assert main(["generate", "--root", str(tmp_path)]) == 0

@@ -298,8 +298,7 @@ def _compare_field(
     owner: str, old: Field, new: Field, pairs: list[tuple[Field, Field]], changes: Changes
 ) -> None:
     pair = changes.pair(f"{owner}.{new.spec_name}", old, new)
-    is_alias = old.name in {alias.name for alias in new.aliases}
-    pair.compare(COMPATIBLE if is_alias else SOURCE, "C++ name", "name")
+    pair.compare(SOURCE, "C++ name and key in JSON", "name")
     pair.compare(COMPATIBLE, "name", "spec_name")
     _compare_types(pair)
     names = {before.name: now.name for before, now in pairs}

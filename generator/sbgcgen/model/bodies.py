@@ -331,7 +331,8 @@ class Leaf:
 
     `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
     before an `optional` leaf. `when` is the condition of the field or of a group that it is in. If the
-    field counts in a direction, it is `direction`, or None if that is not known.
+    field counts in a direction, it is `direction`, or None if that is not known. In a list of
+    structs, `count` is None and `each` is the count in one element.
     """
 
     path: str
@@ -344,6 +345,7 @@ class Leaf:
     optional: bool = False
     when: Condition | None = None
     direction: AxisDirection | None = None
+    each: int | None = None
 
     @property
     def size(self) -> int | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+import unicodedata
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -23,6 +24,14 @@ def _printable(text: str) -> str:
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def _look_alikes(message: str) -> str:
+    """Names the letters of quoted words that only look like those of the Latin alphabet."""
+    letters = "".join(re.findall(r"'(\S+)'", message))
+    names = {c: unicodedata.name(c, "") for c in letters if c.isalpha() and not c.isascii()}
+    others = [f"'{c}' is {name}" for c, name in names.items() if not name.startswith("LATIN")]
+    return ", ".join(others)
 
 
 @dataclass(frozen=True, order=True)
@@ -67,6 +76,7 @@ class Diagnostics:
 
     def add(self, position: Position, code: str, message: str, hint: str = "") -> None:
         """Record a finding unless the same one has been recorded before."""
+        hint = "; ".join(filter(None, (hint, _look_alikes(message))))
         diagnostic = Diagnostic(position, code, _printable(message), _printable(hint))
         if diagnostic not in self._known:
             self._known.add(diagnostic)

@@ -7,6 +7,7 @@ word, and `010` is not octal. A repeated key is an error.
 from __future__ import annotations
 
 import re
+import unicodedata
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -28,6 +29,9 @@ SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "va
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
 _WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
+# Marks of direction and other characters that editors do not show.
+_INVISIBLE = re.compile("[\u00ad\u061c\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]")
+_QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'")
 _HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
 
 
@@ -166,6 +170,11 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         at = _position_of(name, content[: error.start])
         found.add(at, "SBGC001", "the file is not UTF-8", "save it as UTF-8 in your editor")
         return _empty(at)
+    for match in _INVISIBLE.finditer(text):
+        at = _position_of(name, text[: match.start()].encode())
+        what = f"U+{ord(match[0]):04X} {unicodedata.name(match[0], '')}".rstrip()
+        found.add(at, "SBGC001", f"an invisible character: {what}", "delete it")
+    at = Position(name)
     try:
         root = yaml.compose(text, Loader=_SafeLoader)  # type: ignore[no-untyped-call]
     except yaml.reader.ReaderError as error:
@@ -177,7 +186,8 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         if mark is not None:
             at = Position(name, mark.line + 1, mark.column + 1)
         problem = getattr(error, "problem", None) or str(error)
-        found.add(at, "SBGC001", f"not valid YAML: {problem}", "check indentation and quotes")
+        hint = _advice(text, mark, getattr(error, "context_mark", None))
+        found.add(at, "SBGC001", f"not valid YAML: {problem}", hint)
         return _empty(at)
     if not isinstance(root, yaml.MappingNode) or not root.value:
         found.add(at, "SBGC001", "a spec file is a mapping", "start with 'family:' or 'protocol:'")
@@ -189,6 +199,20 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         return _empty(at)
     assert isinstance(built, Map)
     return built
+
+
+def _advice(text: str, mark: Any, context: Any) -> str:
+    """How to repair a text with a syntax error: the character that usually causes such an error."""
+    if mark is not None:
+        first = context.line if context is not None else mark.line
+        for line in text.split("\n")[max(first, mark.line - 1) : mark.line + 1]:
+            plain = _QUOTED.sub("", line)
+            before, hash_, _ = plain.partition(" #")
+            if hash_ and before.count("{") > before.count("}"):
+                return "'#' after a blank starts a comment: put quotes around the text"
+            if re.search(r":\s+[^\s,{}][^,{}]*[{]|:\s+[{]\w*[}]\s*[^\s,}]", plain):
+                return "put quotes around a text or name that contains braces"
+    return "check indentation and quotes"
 
 
 def _position_of(name: str, before: bytes) -> Position:

@@ -207,7 +207,7 @@ commands:
     from_board:
       source: L1
       fields:
-        - {name: A, type: Angle, range: -100..100, special: {-32768: {as: lost, summary: undefined}}, summary: An angle.}
+        - {name: A, type: Angle, range: -4096..4096, special: {-32768: {as: lost, summary: undefined}}, summary: An angle.}
         - {name: B, type: f32, range: -1.5..1, summary: A fraction.}
         - {name: C, type: Mode, summary: A mode.}
         - {name: "N[2]", type: "text[8]", summary: Two names.}
@@ -224,7 +224,7 @@ def test_leaf_by_leaf(tmp_path: Path) -> None:
     assert special["special"] == {"-32768": "undefined"}
     assert special["special_names"] == {"-32768": "lost"}
     assert rows == [
-        ("a", "A", 0, "i16", 1, "deg", 360 / 16384, -100, 100, None, False),
+        ("a", "A", 0, "i16", 1, "deg", 360 / 16384, -4096, 4096, None, False),
         ("b", "B", 2, "f32", 1, None, None, -1.5, 1, None, False),
         ("c", "C", 6, "u8", 1, None, None, None, None, "Mode", False),
         ("n[0]", "N", 7, "text", 8, None, None, None, None, None, False),

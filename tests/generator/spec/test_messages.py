@@ -284,6 +284,31 @@ SAME_AS_A_FORM = """\
 """
 
 
+def test_max_size_of_a_list_whose_elements_vary_in_size(tmp_path: Path) -> None:
+    text = """\
+        - {name: NUM, type: u8, range: 0..20, summary: How many.}
+        - name: ITEMS[NUM]
+          summary: The items.
+          struct: Item
+          fields:
+            - {name: KIND, type: u8, summary: A number.}
+            - {name: NAME, type: "string[5]", summary: A name.}
+"""
+    message = message_of(layout_of(tmp_path, text), "Probe")
+    assert (message.min_size, message.max_size) == (1, 1 + 20 * (1 + 6))
+
+
+@pytest.mark.parametrize("key, most", [("counted_in: bytes", 8), ("counted_from: 1", 18)])
+def test_max_size_of_a_list_depends_on_how_it_is_counted(
+    tmp_path: Path, key: str, most: int
+) -> None:
+    text = f"""\
+        - {{name: NUM, type: u8, range: 0..8, summary: How many.}}
+        - {{name: "ITEMS[NUM]", type: u16, {key}, summary: The items.}}
+"""
+    assert message_of(layout_of(tmp_path, text), "Probe").max_size == 1 + most
+
+
 def test_body_of_a_form_grows_as_that_does(tmp_path: Path) -> None:
     """The codec is the same, so all messages with the body of the form keep its properties."""
     layout = layout_of(tmp_path, SAME_AS_A_FORM)

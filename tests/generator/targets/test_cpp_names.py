@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sbgcgen.targets.cpp.lint import WORDS, can_be_a_name
+from declared import declared, used
+from sbgcgen.targets.cpp.lint import TYPES, WORDS, can_be_a_name
+from support import project_layout
 
 
 def test_names_of_cpp() -> None:
@@ -18,3 +20,9 @@ def test_words_of_cpp20_are_complete() -> None:
     for word in ("and_eq", "not_eq", "or_eq", "xor_eq", "const_cast"):
         assert word in WORDS
     assert "final" not in WORDS, "it is a keyword only in some contexts"
+
+
+def test_types_that_messages_use_are_complete() -> None:
+    """A message of the same name would hide them."""
+    own = {message.name for message in project_layout().messages}
+    assert (declared() & used()) - own == TYPES

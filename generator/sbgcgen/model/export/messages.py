@@ -11,6 +11,7 @@ from sbgcgen.model import (
     Announced,
     Answer,
     AnswerCase,
+    Blob,
     Condition,
     Context,
     Effect,
@@ -72,6 +73,10 @@ def _alternative(other: Alternative | None) -> dict[str, Any] | None:
     }
 
 
+def _counted_in(field: Field) -> str | None:
+    return field.counting if field.counting != "elements" else None
+
+
 def _leaf(leaf: Leaf) -> dict[str, Any]:
     field, type_ = leaf.field, leaf.field.type
     quantity = type_ if isinstance(type_, Quantity) else None
@@ -99,6 +104,9 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         packed=type_.name if isinstance(type_, Packed) else None,
         special={str(s.value): s.meaning for s in field.special} or None,
         special_names={str(s.value): s.name for s in field.special if s.name} or None,
+        element_count=leaf.each,
+        max_length=type_.size if isinstance(type_, Blob) and type_.kind == "string" else None,
+        is_list=True if field.scalar and field.count == 1 and field.dim == "fixed" else None,
         min_count=None if field.index else field.min_count or None,
         may_be_missing=leaf.optional or None,
         max_count=None if field.index else field.max_count,
@@ -106,7 +114,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         role=field.role or None,
         value_of_variable=field.variable or None,
         counted_by=field.counter or None,
-        counted_in=field.counting if field.counting != "elements" else None,
+        counted_in=_counted_in(field),
         when=_condition(leaf.when),
         alternative=_alternative(field.alternative),
         since=version(field.since),
@@ -219,10 +227,12 @@ def _context(context: Context) -> dict[str, Any]:
 def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
     """The groups of fields about which there is something to say, with their paths."""
     for field in fields:
+        name = path + field.name
+        is_list = isinstance(field.type, Struct) and field.dim in ("counted", "rest")
+        says = field.may_be_absent or field.since or field.unconfirmed or field.aliases
+        if (isinstance(field.type, Struct) or field.index) and (says or is_list):
+            yield name, field
         if isinstance(field.type, Struct):
-            name = path + field.name
-            if field.may_be_absent or field.since or field.unconfirmed or field.aliases:
-                yield name, field
             yield from _groups(field.type.fields, f"{name}.")
 
 
@@ -232,17 +242,26 @@ def _group(path: str, field: Field) -> dict[str, Any]:
         path=path,
         when=_condition(field.when),
         may_be_missing=field.appended or None,
+        counted_by=field.counter or None,
+        counted_in=_counted_in(field),
+        min_count=None if field.index else field.min_count or None,
+        max_count=None if field.index else field.max_count,
         since=version(field.since),
         unconfirmed=field.unconfirmed or None,
         formerly=former_names(field.aliases),
     )
 
 
-def _leaf_in(leaf: Leaf, absent: tuple[str, ...]) -> dict[str, Any]:
-    """A leaf of a message; leaves of groups that may be absent, with these prefixes, as well."""
+def _leaf_in(leaf: Leaf, groups: list[tuple[str, Field]]) -> dict[str, Any]:
+    """A leaf of a message, with what the groups say that it is in."""
     result = _leaf(leaf)
-    if absent and re.sub(r"\[\d*\]", "", leaf.path).startswith(absent):
-        result["may_be_missing"] = True
+    path = re.sub(r"\[\d*\]", "", leaf.path)
+    for group in (field for name, field in groups if path.startswith(f"{name}.")):
+        if isinstance(group.type, Struct) and group.may_be_absent:
+            result["may_be_missing"] = True
+        if group.counter and leaf.field.dim not in ("counted", "rest"):
+            result["counted_by"] = group.counter
+            result.update(given(counted_in=_counted_in(group)))
     return result
 
 
@@ -254,7 +273,6 @@ def _form(name: str | None) -> str | None:
 def message_json(message: Message) -> dict[str, Any]:
     """A message as plain data."""
     groups = list(_groups(message.fields))
-    absent = tuple(f"{path}." for path, field in groups if field.may_be_absent)
     result = {
         "name": message.name,
         "command": message.command,
@@ -280,7 +298,7 @@ def message_json(message: Message) -> dict[str, Any]:
         "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
-        "layout": [_leaf_in(leaf, absent) for leaf in message.leaves],
+        "layout": [_leaf_in(leaf, groups) for leaf in message.leaves],
     }
     sizes = [{"since": version(since), "size": size} for since, size in message.lengths]
     return result | given(

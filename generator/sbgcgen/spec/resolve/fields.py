@@ -30,7 +30,13 @@ from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directi
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import ReferenceResolver
-from sbgcgen.spec.resolve.sizes import min_size, min_size_of, size_of, total_size
+from sbgcgen.spec.resolve.sizes import (
+    min_size,
+    min_size_of,
+    offsets_in_union,
+    size_of,
+    total_size,
+)
 from sbgcgen.spec.resolve.types import TypeResolver, parse_bits
 
 _BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
@@ -65,6 +71,10 @@ class FieldResolver:
                 first = self._nodes[name][2]
                 message = f"'{name}' is defined twice (first at {first})"
                 self.found.add(node.at("struct"), "SBGC028", message, "refer to it with 'type'")
+            if name in (*types.types.quantities, *types.types.enums, *types.types.packed):
+                hint = "all types share one namespace"
+                message = f"'{name}' is the name of another type"
+                self.found.add(node.at("struct"), "SBGC028", message, hint)
             self._nodes.setdefault(name, (family, node, node.at("struct")))
         self._open: list[str] = []
         self._broken: list[tuple[FieldName, Position]] = []  # fields of unknown types
@@ -81,7 +91,7 @@ class FieldResolver:
             fields = self.fields(node["fields"], name, (), in_struct=True, around=outer)
             self._open.pop()
             if is_region:
-                fields = (*fields, self._region_rest(node, fields))
+                fields = (*offsets_in_union(fields), self._region_rest(node, fields))
             size = node["size"] if is_region else total_size(fields)
             self.structs[name] = Struct(
                 name=self.types.identifier(name, at),

@@ -33,8 +33,7 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
 
     def one(path: str, offset: int | None, word: str, count: int | None) -> Iterator[Leaf]:
         if isinstance(field.type, Struct) and field.type.is_region:
-            cases = tuple(leaves(field.type.fields[:-1], f"{path}.", None, word))
-            cases = tuple(replace(case, offset=offset) for case in cases)
+            cases = tuple(leaves(field.type.fields[:-1], f"{path}.", offset, word))
             yield Leaf(path, field, field.spec_name, "bytes", field.type.size, offset, cases)
             return
         if isinstance(field.type, Struct):
@@ -57,8 +56,9 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
 
     if field.dim in ("counted", "rest") and not field.index:
         suffix = "[]" if isinstance(field.type, Struct) else ""
-        for leaf in one(path + suffix, offset, word, None):
-            yield replace(leaf, count=None)
+        for leaf in one(path + suffix, offset, word, 1 if suffix else None):
+            each = leaf.each if "[]." in leaf.path[len(path) + 2 :] else leaf.count
+            yield replace(leaf, count=None, each=each if suffix else None)
     elif field.dim in ("fixed", "rest"):
         if not field.index and not isinstance(field.type, (Struct, Blob)):
             yield from one(path, offset, word, field.count)

@@ -340,6 +340,7 @@ class MessageResolver:
                 draft.node.get("fields", []), draft.name, contexts, include=self._included
             )
             fields = self._appended(draft, fields, since)
+            self._check_earlier(draft.node.get("fields", []), draft.name, since)
         size = total_size(fields)
         return Struct(
             name=draft.name,
@@ -380,6 +381,15 @@ class MessageResolver:
                 text = f"older firmware of {draft.name} has no bytes for '{field.name}'"
                 hint = "move it to the end, or give the message a 'size' if they were reserved"
                 self.found.add(field.at, "SBGC071", text, hint)
+
+    def _check_earlier(self, nodes: list[Any], owner: str, since: Availability) -> None:
+        """Report fields that are said to be older than their message."""
+        for node in nodes:
+            firmware = self.types.availability(node).firmware
+            if firmware and firmware < since.firmware:
+                text = f"{node.get('name', 'a field')} is older than {owner}, which it is in"
+                self.found.add(node.at("since"), "SBGC071", text, "leave its 'since' out")
+            self._check_earlier(node.get("fields", []), owner, since)
 
     def _check_size(self, draft: _Draft, fields: tuple[Field, ...]) -> None:
         size = total_size(fields)

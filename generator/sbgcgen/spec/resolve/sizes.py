@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 from sbgcgen.model import Announced, Blob, Field, Struct, Type, scalar_of
 
 
@@ -56,12 +59,43 @@ def max_size(fields: tuple[Field, ...], limit: int) -> int:
             if field.has_hidden_counter and by_name[field.counter].maximum is not None:
                 maximum = by_name[field.counter].maximum
                 assert maximum is not None
-                count = int(maximum)
+                count = int(maximum) + (field.counting == "minus_1")
+                if field.counting == "bytes":
+                    total += int(maximum)
+                    continue
             if count is None:
                 return limit
-            total += count * (size_of(field.type) or 1)
-        elif field.size is None:
-            return limit
+            total += count * max_size_of(field.type, limit)
         else:
-            total += field.size
+            total += field.count * max_size_of(field.type, limit)
     return min(total, limit)
+
+
+def max_size_of(type_: Type, limit: int) -> int:
+    """Largest size of a type, at most `limit`."""
+    if isinstance(type_, Blob):
+        return (type_.size or 0) + 1 if type_.kind == "string" else type_.size or 1
+    size = size_of(type_)
+    if size is None:
+        return max_size(type_.fields, limit) if isinstance(type_, Struct) else limit
+    return size
+
+
+def offsets_in_union(members: tuple[Field, ...]) -> Iterator[Field]:
+    """The fields of a tagged union, with their offsets if these are the same in all its cases."""
+    for index, member in enumerate(members):
+        shared = [_is_beside(other, member) for other in members[:index]]
+        sizes = [other.size or 0 for other, is_beside in zip(members, shared) if is_beside]
+        yield replace(member, offset=None if None in shared else sum(sizes))
+
+
+def _is_beside(other: Field, member: Field) -> bool | None:
+    """True if every case with `member` has `other`, False if none has, None if some have."""
+    if other.when == member.when:
+        return True
+    if other.when is None or member.when is None or other.when.source != member.when.source:
+        return None
+    if member.when.is_on_flags or member.when.negated:
+        return None
+    found = {other.when.holds(number) for number in member.when.numbers}
+    return found.pop() if len(found) == 1 else None

@@ -221,7 +221,11 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
         for part in type_.parts:
             held = part_of(part, value)
             start = f"{path}: {part.name} "
-            if part.enum is None:
+            if part.quantity:
+                unit = f" {part.quantity.unit}" if part.quantity.unit else ""
+                shown = f"{start}{float(real(held, part.quantity)):g}{unit}"
+                yield look("quantity", shown, text=start, part=part)
+            elif part.enum is None:
                 yield look("part", f"{start}{held}", text=start, part=part)
             elif part.enum.kind == "enum" and (found := value_named(part.enum, held)):
                 yield look("part value", f"{start}is {found.name}", part=part, value=found)

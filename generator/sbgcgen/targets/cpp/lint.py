@@ -5,7 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sbgcgen.model import Enum, Field, Layout, Message, Packed, Position, Quantity
+from sbgcgen.model import (
+    BODY,
+    ID,
+    SIZE,
+    Enum,
+    Field,
+    Framing,
+    Layout,
+    Message,
+    Packed,
+    Position,
+    Quantity,
+)
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.targets.cpp.filters import unit_name
@@ -20,6 +32,12 @@ WORDS = frozenset(
     reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
     switch template this thread_local throw true try typedef typeid typename union unsigned
     using virtual void volatile wchar_t while xor xor_eq""".split()
+)
+# Types of the library that a type of the spec would hide where messages use them.
+TYPES = frozenset(
+    """Availability Axes BoundedArray BoundedBytes BoundedText Bytes Confirmed Direction Flags
+    Form Members Number NumberType NumberTypes Optional Physical ResponsePolicy StreamChange
+    Text U24 Xyz""".split()
 )
 # Members that every generated message, struct, packed integer and quantity has of its own.
 _MEMBERS = ("varying_members", "tagged_unions")
@@ -49,6 +67,9 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
             found.add(at, "SBGC022", text, "it becomes an enumerator in C++")
     types = _types(layout)
     for name, at in (*types.items(), *((m.name, m.at) for m in layout.messages)):
+        if name in TYPES:
+            text = f"'{name}' is a type of the library"
+            found.add(at, "SBGC022", text, "choose another name, for a message with 'as'")
         if name in _INNER_TYPES:
             text = f"'{name}' is a type that every message has inside"
             found.add(at, "SBGC022", text, "choose another name")
@@ -69,6 +90,8 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
             text = f"'{part.name}' is a member that every packed integer has"
             found.add(part.at, "SBGC022", text, "give the part another name")
     _check_flags(layout.enums, types, found)
+    for framing in () if found.any_of(("SBGC069",)) else layout.framings:
+        _check_framing(framing, spec.main["framings"], found)
 
 
 def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]]:
@@ -163,3 +186,33 @@ def _check_flags(enums: Iterable[Enum], types: dict[str, Position], found: Diagn
             text = f"the single flag of {enum.name} is called {enum.member} in C++"
             hint = f"that name is taken; give {enum.name} another one"
             found.add(enum.at, "SBGC028", text, hint)
+
+
+def _check_framing(framing: Framing, nodes: Map, found: Diagnostics) -> None:
+    """The runtime implements one header, and one checksum behind the body (<sbgc/framing.hpp>)."""
+    node = nodes[framing.name]
+    hint = "the C++ code has no other: extend <sbgc/framing.hpp> first"
+    names = [(framing.name, nodes.at(framing.name))]
+    names += [(name, node["checksums"].at(name)) for name in node["checksums"]]
+    for name, at in names:
+        if not can_be_a_name(name):
+            found.add(at, "SBGC022", f"'{name}' cannot be a name in C++", "choose another one")
+    header = framing.checksum("header_checksum")
+    if sorted(framing.header[1:]) != ["header_checksum", ID, SIZE] or header is None:
+        text = f"the header of '{framing.name}' is not start, id, size and header_checksum"
+        found.add(node.at("header"), "SBGC069", text, hint)
+    elif (header.kind, header.covers) != ("sum8", (ID, SIZE)):
+        text = f"the header checksum of '{framing.name}' is not the sum of id and size"
+        found.add(node["checksums"].at("header_checksum"), "SBGC069", text, hint)
+    if len(framing.trailer) != 1:
+        text = f"the trailer of '{framing.name}' is not a single checksum"
+        found.add(node.at("trailer"), "SBGC069", text, hint)
+        return
+    trailer = framing.checksum(framing.trailer[0])
+    covered = {"sum8": (BODY,), "crc16": (ID, SIZE, "header_checksum", BODY)}
+    if trailer and trailer.covers != covered[trailer.kind]:
+        text = f"'{trailer.name}' does not cover {', '.join(covered[trailer.kind])}, in this order"
+        found.add(node["checksums"].at(trailer.name), "SBGC069", text, hint)
+    elif trailer and trailer.crc and framing.header[1:3] != (ID, SIZE):
+        text = f"'{trailer.name}' covers the header in another order than that on the line"
+        found.add(node.at("header"), "SBGC069", text, hint)

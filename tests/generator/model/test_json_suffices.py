@@ -1,0 +1,94 @@
+"""simplebgc.json alone says how to decode every body: examples/python/decode.py reads nothing else."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from support import GENERATOR, PROJECT
+
+EXAMPLE = PROJECT / "examples/python/decode.py"
+MODEL: dict[str, Any] = json.loads((PROJECT / "generated/simplebgc.json").read_text("utf-8"))
+VECTORS = sorted((PROJECT / "generated/vectors").iterdir())
+
+
+def example() -> Any:
+    spec = importlib.util.spec_from_file_location("decode", EXAMPLE)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("path", VECTORS, ids=[path.stem for path in VECTORS])
+def test_the_example_decodes_every_vector(path: Path) -> None:
+    module = example()
+    decoder = module.Decoder(MODEL)
+    by_name = {(m["name"], m["direction"]): m for m in MODEL["messages"]}
+    for vector in map(json.loads, path.read_text("utf-8").splitlines()):
+        if "hex" not in vector:
+            continue  # fields that cannot be encoded
+        body, direction = bytes.fromhex(vector["hex"]), vector["direction"]
+        context = vector.get("context", {})
+        message = by_name.get((vector.get("message"), direction))
+        if "fields" in vector:
+            assert message is not None
+            assert decoder.decode(message, body, context) == vector["fields"], vector
+        else:
+            with pytest.raises(module.Malformed):
+                found = message or decoder.choose(direction, vector["id"], len(body))
+                decoder.decode(found, body, context)
+        wanted = vector.get("chosen", vector.get("message"))
+        if wanted is not None:
+            assert decoder.choose(direction, vector["id"], len(body))["name"] == wanted, vector
+
+
+def test_the_model_has_a_schema() -> None:
+    schema = json.loads((GENERATOR / "schema/simplebgc.schema.json").read_text("utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    errors = list(jsonschema.Draft202012Validator(schema).iter_errors(MODEL))
+    assert not errors, errors[0]
+
+
+def test_it_says_what_counts_a_list_and_how_large_an_element_is() -> None:
+    messages = {(m["name"], m["direction"]): m for m in MODEL["messages"]}
+    for name, way, path, counter in (
+        ("SetAdjVarsVal", "to_board", "params[].param_id", "num_vars"),
+        ("SetAdjVarsValF", "to_board", "params[].id", "num_params"),
+        ("DebugVarsInfo3", "from_board", "vars[].var_name", "debug_vars_num"),
+        ("ModuleList", "from_board", "modules[].reserved", "device_num"),
+        ("ExtMotorsControl", "to_board", "setpoint32_param16[].param1", "for_motors"),
+    ):
+        (leaf,) = [x for x in messages[name, way]["layout"] if x["path"] == path]
+        assert leaf["counted_by"] == counter
+        assert leaf.get("counted_in") == ("bits" if name == "ExtMotorsControl" else None)
+        assert leaf.get("element_count") == {"modules[].reserved": 6, "vars[].var_name": None}.get(
+            path, 1
+        )
+
+
+def test_it_tells_the_forms_of_a_command_apart() -> None:
+    forms = [m for m in MODEL["messages"] if m["command"] == "CMD_CONTROL_QUAT"]
+    assert len({m["form_name"] for m in forms if m["direction"] == "to_board"}) == 6
+    assert {m["form"] for m in forms} <= {"simple", "extended", "success", "error", None}
+
+
+def test_fields_of_a_tagged_union_have_their_own_offsets() -> None:
+    (message,) = [m for m in MODEL["messages"] if m["name"] == "DataStreamInterval"]
+    (union,) = [leaf for leaf in message["layout"] if "cases" in leaf]
+    offsets = {case["path"].partition(".")[2]: case["offset"] for case in union["cases"]}
+    assert offsets == {
+        "flags": 3,
+        "imu_type": 3,
+        "event_id": 3,
+        "event_type": 4,
+        "telemetry_flags": 3,
+        "drv_id": 7,
+        "motor": 3,
+        "data_set": 4,
+    }
