@@ -157,11 +157,10 @@ def test_a_change_shows(path: str, facts: Facts) -> None:
 def test_the_start_is_in_the_code_and_in_the_vectors(facts: Facts) -> None:
     place = facts.places["main.framings.*.start"][0]
     with changed(place.parent, place.key, 0x25):
-        made = facts.made()
-    before = facts.before
-    assert made.model != before.model and not made.is_refused
-    assert made.code["include/sbgc/protocol.hpp"] != before.code["include/sbgc/protocol.hpp"]
-    assert made.vectors["frames.jsonl"] != before.vectors["frames.jsonl"]
+        made, before = facts.made(), facts.before
+        assert made.model != before.model and not made.is_refused
+        assert made.code["include/sbgc/protocol.hpp"] != before.code["include/sbgc/protocol.hpp"]
+        assert made.vectors["frames.jsonl"] != before.vectors["frames.jsonl"]
 
 
 @pytest.mark.parametrize(
