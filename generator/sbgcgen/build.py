@@ -30,8 +30,8 @@ class Protocol:
     layout: Layout
 
 
-def load_protocol(spec_dir: Path) -> Protocol:
-    """Load, check and resolve a spec folder.
+def load_protocol(spec_dir: Path, allow_slips: bool = False) -> Protocol:
+    """Load, check and resolve a spec folder; with `allow_slips`, also one with unlikely values.
 
     Raises SpecError with every finding. Unused entries are reported only if there is no other
     finding, because another mistake may be the reason that an entry is unused.
@@ -48,6 +48,8 @@ def load_protocol(spec_dir: Path) -> Protocol:
     found.raise_if_any()
     lint_unused(spec, found)
     lint_effects(layout, found)
+    if not allow_slips:
+        lint_slips(layout, found)
     found.raise_if_any()
     return Protocol(spec, layout)
 
@@ -64,7 +66,6 @@ def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     lint_bodies(layout, found)
     lint_names(spec, found)
     lint_spelling(spec, found)
-    lint_slips(layout, found)
     lint_main(spec, found)
     for target in targets():
         target.lint(spec, layout, found)
