@@ -19,7 +19,7 @@ RESET = 114
 DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_3 = 23
 TOKEN = "correct-horse"
-PLACES = ("--tcp", "--udp", "--pty", "--ws")
+PLACES = ("--tcp", "--udp", "--pty", "--ws", "--link")
 
 
 class Bridge:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <sbgc/detail/parse_real.hpp>
 #include <sbgc/detail/suggestions.hpp>
@@ -244,8 +245,10 @@ class ValueParser {
     for (const Special& special : specials()) {
       if (special.value != result || unit.real(raw) == measure->number) continue;
       const std::string number = std::to_string(result);
-      fail(shown(text) + " is sent as " + number + ", which means: " + special.meaning +
-           "; write raw:" + number + " for that");
+      std::string problem = shown(text) + " is sent as " + number;
+      problem += std::string(", which means: ") + special.meaning;
+      problem += "; write raw:" + number + " for that";
+      fail(std::move(problem));
     }
     return result;
   }
