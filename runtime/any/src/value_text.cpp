@@ -284,6 +284,7 @@ class ValueParser {
   std::uint64_t flags(const EnumInfo& info, std::string_view text) {
     std::uint64_t bits = 0;
     for (const std::string_view word : split(text, "|,+")) {
+      if (!problem_.empty()) break;
       if (const auto number = integer_of(word)) {
         bits |= static_cast<std::uint64_t>(*number);
       } else if (const auto flag = value_named(info, word)) {
@@ -306,6 +307,7 @@ class ValueParser {
     std::uint64_t raw = present_;
     bool are_flags_cleared = false;
     for (const std::string_view word : split(text, "|,")) {
+      if (!problem_.empty()) break;
       for (const PartInfo& part : info.parts) {
         // A list of flags replaces all of them.
         const bool is_flag =
