@@ -69,7 +69,7 @@ struct Readings {
 /// so that it may be waiting when that one ends.
 Task<Readings> read_registers(Bytes choices, std::chrono::milliseconds timeout, unsigned retries) {
   struct Reading {
-    std::uint32_t call{};
+    sbgc::CallId call{};
     std::uint8_t value{};
   };
   sbgc::TaskMachine& task = co_await tasks::this_task();

@@ -152,7 +152,7 @@ Result<Reply> ReconnectingClient::Impl::use(
   }
 }
 
-void ReconnectingClient::Impl::start_raw(const RawRequest& request, const CallOptions& options,
+void ReconnectingClient::Impl::start_raw(RawRequest request, const CallOptions& options,
                                          std::function<void(const Result<Reply>&)> handler) {
   ClientPointer client;
   Result<Reply> refusal = ClientError{};
@@ -162,7 +162,7 @@ void ReconnectingClient::Impl::start_raw(const RawRequest& request, const CallOp
     if (!client) refusal = no_connection();
   }
   if (!client) return handler(refusal);
-  client->start_raw(request, options, std::move(handler));
+  client->start_raw(std::move(request), options, std::move(handler));
 }
 
 // Handlers.

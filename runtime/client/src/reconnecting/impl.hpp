@@ -40,7 +40,7 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   Result<ClientPointer> current(const CallOptions& options);
   Result<Reply> use(const CallOptions& options,
                     const std::function<Result<Reply>(Client&, const CallOptions&)>& call);
-  void start_raw(const RawRequest& request, const CallOptions& options,
+  void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler);
 
   Subscription keep(Begin begin, MessageHandler handler);

@@ -1,32 +1,37 @@
 #include "pending_calls.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
-#include <sbgc/io/clock.hpp>
-
 namespace sbgc::detail {
+
+CallId next_call_id() noexcept {
+  static std::atomic<CallId> last = 0;
+  return ++last;
+}
 
 std::string milliseconds_text(Duration duration) {
   return std::to_string((duration.us + 999) / 1000) + " ms";
 }
 
-CallPointer make_call(Request request, const CallOptions& options, const ConnectOptions& defaults,
-                      Instant now, Conversation::ReplyHandler handler) {
+CallPointer make_call(CallId id, Request request, const CallOptions& options,
+                      const ConnectOptions& defaults, Instant now, ReplyHandler handler) {
   const ResponsePolicy& policy = request.policy;
   const unsigned retries = options.retries.value_or(defaults.retries);
   const unsigned attempts = policy.retry_is_safe ? std::min(retries, 99U) + 1 : 1;
   Duration attempt =
-      std::max(milliseconds(policy.timeout_ms), io::from_chrono(defaults.attempt_timeout));
+      std::max(milliseconds(policy.timeout_ms), milliseconds(defaults.attempt_timeout.count()));
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
-    allowed = io::from_chrono(*options.timeout);
+    allowed = milliseconds(options.timeout->count());
     attempt = Duration{allowed.us / attempts};
   } else {
-    allowed =
-        std::max(allowed, milliseconds(policy.finish_ms)) + io::from_chrono(defaults.queue_timeout);
+    allowed = std::max(allowed, milliseconds(policy.finish_ms)) +
+              milliseconds(defaults.queue_timeout.count());
   }
   auto call = std::make_shared<Call>();
+  call->id = id;
   call->request = std::move(request);
   call->send = {.host = call->request.host,
                 .expect_confirmation = options.expect_confirmation,
@@ -53,36 +58,32 @@ ClientError overdue_error(const Call& call) {
 
 std::optional<ClientError> PendingCalls::add(const CallPointer& call,
                                              std::vector<CallPointer>& superseded) {
-  ++begun_;
-  const std::lock_guard lock(mutex_);
   if (refusal_) return refusal_;
   const ResponsePolicy& policy = call->request.policy;
   const std::size_t waiting = waiting_effects_.size() + waiting_reads_.size();
   if (waiting >= most_waiting_ && !policy.stops) {
     return ClientError{ErrorCode::overload, std::to_string(waiting) + " calls are already waiting"};
   }
-  call->ticket = ++last_ticket_;
   take_superseded(*call, superseded);
-  calls_.emplace(call->ticket, call);
-  deadlines_.emplace(call->deadline, call->ticket);
+  calls_.emplace(call->id, call);
+  deadlines_.emplace(call->deadline, call->id);
   std::deque<CallPointer>& queue = policy.has_effect ? waiting_effects_ : waiting_reads_;
   const auto is_stop = [](const CallPointer& one) { return one->request.policy.stops; };
-  queue.insert(policy.stops ? std::ranges::find_if_not(queue, is_stop) : queue.end(), call);
+  queue.insert(policy.stops ? std::find_if_not(queue.begin(), queue.end(), is_stop) : queue.end(),
+               call);
   return std::nullopt;
 }
 
-CallPointer PendingCalls::take(Ticket ticket) {
-  const std::lock_guard lock(mutex_);
-  const auto place = calls_.find(ticket);
+CallPointer PendingCalls::take(CallId id) {
+  const auto place = calls_.find(id);
   if (place == calls_.end()) return nullptr;
   CallPointer call = std::move(place->second);
   calls_.erase(place);
-  deadlines_.erase({call->deadline, ticket});
+  deadlines_.erase({call->deadline, id});
   return call;
 }
 
 CallPointer PendingCalls::take_overdue(Instant at) {
-  const std::lock_guard lock(mutex_);
   if (deadlines_.empty() || at < deadlines_.begin()->first) return nullptr;
   const auto place = calls_.find(deadlines_.begin()->second);
   CallPointer call = std::move(place->second);
@@ -92,10 +93,9 @@ CallPointer PendingCalls::take_overdue(Instant at) {
 }
 
 std::vector<CallPointer> PendingCalls::take_all(ClientError refusal) {
-  const std::lock_guard lock(mutex_);
   refusal_ = std::move(refusal);
   std::vector<CallPointer> all;
-  for (auto& [ticket, call] : calls_) all.push_back(std::move(call));
+  for (auto& [id, call] : calls_) all.push_back(std::move(call));
   calls_.clear();
   waiting_effects_.clear();
   waiting_reads_.clear();
@@ -106,22 +106,21 @@ std::vector<CallPointer> PendingCalls::take_all(ClientError refusal) {
 void PendingCalls::take_superseded(const Call& later, std::vector<CallPointer>& superseded) {
   for (const CallPointer& call : waiting_effects_) {
     const Request& request = call->request;
-    const bool is_it = request.host == later.request.host && call->ticket < later.ticket &&
-                       request.policy.is_superseded_by(later.request.policy);
-    if (!is_it || calls_.erase(call->ticket) == 0) continue;
-    deadlines_.erase({call->deadline, call->ticket});
+    const bool is_it =
+        request.host == later.request.host && request.policy.is_superseded_by(later.request.policy);
+    if (!is_it || calls_.erase(call->id) == 0) continue;
+    deadlines_.erase({call->deadline, call->id});
     superseded.push_back(call);
   }
 }
 
 CallPointer PendingCalls::next_waiting(const std::function<bool(const Call&)>& has_room) {
-  const std::lock_guard lock(mutex_);
   std::deque<CallPointer>* next = nullptr;
   for (std::deque<CallPointer>* const queue : {&waiting_effects_, &waiting_reads_}) {
-    while (!queue->empty() && !calls_.contains(queue->front()->ticket)) queue->pop_front();
+    while (!queue->empty() && !calls_.contains(queue->front()->id)) queue->pop_front();
     if (queue->empty() || !has_room(*queue->front())) continue;
     const bool is_before = next == nullptr || (!next->front()->request.policy.stops &&
-                                               queue->front()->ticket < next->front()->ticket);
+                                               queue->front()->id < next->front()->id);
     if (is_before) next = queue;
   }
   if (next == nullptr) return nullptr;
@@ -131,18 +130,7 @@ CallPointer PendingCalls::next_waiting(const std::function<bool(const Call&)>& h
 }
 
 Instant PendingCalls::deadline() const {
-  const std::lock_guard lock(mutex_);
   return deadlines_.empty() ? Instant::never : deadlines_.begin()->first;
-}
-
-void PendingCalls::complete(const Call& call, Result<Reply> result) {
-  if (!result) ++failed_;
-  call.handler(std::move(result));
-}
-
-void PendingCalls::count_failure() {
-  ++begun_;
-  ++failed_;
 }
 
 }  // namespace sbgc::detail

@@ -3,20 +3,17 @@
 namespace sbgc::detail {
 
 void StreamListeners::join(const Key& key, Request end) {
-  const std::lock_guard lock(mutex_);
   Stream& stream = streams_[key];
   ++stream.listeners;
   stream.end = std::move(end);
 }
 
 void StreamListeners::set_running(const Key& key) {
-  const std::lock_guard lock(mutex_);
   const auto place = streams_.find(key);
   if (place != streams_.end()) place->second.is_running = true;
 }
 
 std::optional<Request> StreamListeners::leave(const Key& key) {
-  const std::lock_guard lock(mutex_);
   const auto place = streams_.find(key);
   if (place == streams_.end() || --place->second.listeners != 0) return std::nullopt;
   if (place->second.is_running) return place->second.end;
@@ -25,13 +22,11 @@ std::optional<Request> StreamListeners::leave(const Key& key) {
 }
 
 void StreamListeners::end_sent(const Key& key) {
-  const std::lock_guard lock(mutex_);
   const auto place = streams_.find(key);
   if (place != streams_.end() && place->second.listeners == 0) streams_.erase(place);
 }
 
 std::vector<Request> StreamListeners::take_running() {
-  const std::lock_guard lock(mutex_);
   std::vector<Request> ends;
   for (auto& [key, stream] : streams_) {
     if (stream.is_running) ends.push_back(std::move(stream.end));

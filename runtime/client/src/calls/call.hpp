@@ -1,4 +1,4 @@
-/// A call of a conversation.
+/// A call and its deadline.
 #pragma once
 
 #include <atomic>
@@ -6,19 +6,23 @@
 #include <memory>
 #include <string>
 
-#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/request.hpp>
 #include <sbgc/session.hpp>
 
 namespace sbgc::detail {
 
+using ReplyHandler = std::function<void(Result<Reply>)>;
+
 struct Call {
-  Conversation::Ticket ticket{};
+  CallId id{};
   Request request{};
   SendOptions send{};
   Instant deadline = Instant::never;
   Duration allowed{};  ///< from its start to the deadline
   std::function<void(unsigned)> on_confirmation{};
-  Conversation::ReplyHandler handler{};
+  ReplyHandler handler{};
   Handle handle{};  ///< in the session, once sent; only Dialogue uses it
   std::atomic<bool> was_sent = false;
 };
@@ -26,8 +30,8 @@ struct Call {
 using CallPointer = std::shared_ptr<Call>;
 
 /// Creates a call that starts at `now`. `options` override `defaults`.
-CallPointer make_call(Request request, const CallOptions& options, const ConnectOptions& defaults,
-                      Instant now, Conversation::ReplyHandler handler);
+CallPointer make_call(CallId id, Request request, const CallOptions& options,
+                      const ConnectOptions& defaults, Instant now, ReplyHandler handler);
 /// Returns whole milliseconds, rounded up: "150 ms".
 std::string milliseconds_text(Duration duration);
 /// The error of a call that a stop has superseded.

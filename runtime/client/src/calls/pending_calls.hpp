@@ -1,10 +1,8 @@
 /// The calls of a conversation that have not ended.
 #pragma once
 
-#include <atomic>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -15,21 +13,19 @@
 
 namespace sbgc::detail {
 
-/// Whoever ends a call takes it out first, so each call ends exactly once. Thread-safe; handlers
-/// run without the lock.
+/// Whoever ends a call takes it out first, so each call ends exactly once. Not thread-safe: the
+/// owner locks it, but not while a handler runs.
 class PendingCalls {
  public:
-  using Ticket = Conversation::Ticket;
-
   /// At most `most_waiting` calls wait for room in the session, besides stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
-  /// Adds the call and assigns its ticket, or returns the reason for rejecting it. In the same
+  /// Adds the call, or returns the reason for rejecting it. In the same
   /// step, takes out the calls that wait for the session and must not follow it: the thread that
   /// sends takes a stop first, and must not find older motion behind it.
   std::optional<ClientError> add(const CallPointer& call, std::vector<CallPointer>& superseded);
   /// Takes a call out; null if it has already ended.
-  CallPointer take(Ticket ticket);
+  CallPointer take(CallId id);
   /// Takes out a call whose deadline has passed; null if there is none.
   CallPointer take_overdue(Instant at);
   /// Takes all calls out and rejects later ones with this error.
@@ -41,10 +37,9 @@ class PendingCalls {
   /// The earliest deadline of all calls.
   Instant deadline() const;
 
-  /// Passes its result to the handler of a call that was taken out, or was never added.
-  void complete(const Call& call, Result<Reply> result);
-  /// Counts a call that failed before it started.
-  void count_failure();
+  void count_begun() noexcept { ++begun_; }
+  void count_failed() noexcept { ++failed_; }
+  std::size_t size() const noexcept { return calls_.size(); }
   std::uint64_t begun() const noexcept { return begun_; }
   std::uint64_t failed() const noexcept { return failed_; }
 
@@ -52,17 +47,14 @@ class PendingCalls {
   void take_superseded(const Call& later, std::vector<CallPointer>& superseded);
 
   const std::size_t most_waiting_;
-  std::atomic<std::uint64_t> begun_{};
-  std::atomic<std::uint64_t> failed_{};
-
-  mutable std::mutex mutex_;
+  std::uint64_t begun_{};
+  std::uint64_t failed_{};
   std::optional<ClientError> refusal_;
-  Ticket last_ticket_{};
-  std::unordered_map<Ticket, CallPointer> calls_;
+  std::unordered_map<CallId, CallPointer> calls_;
   // These may hold calls that have ended.
   std::deque<CallPointer> waiting_effects_;
   std::deque<CallPointer> waiting_reads_;
-  std::set<std::pair<Instant, Ticket>> deadlines_;
+  std::set<std::pair<Instant, CallId>> deadlines_;
 };
 
 }  // namespace sbgc::detail

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,7 +13,7 @@
 
 namespace sbgc::detail {
 
-/// Counts the listeners of each data stream and tracks which streams the board sends. Thread-safe.
+/// Counts the listeners of each data stream and tracks which streams the board sends.
 class StreamListeners {
  public:
   /// Identifies a stream by the id of its messages and its configuration.
@@ -43,7 +42,6 @@ class StreamListeners {
     Request end{};
   };
 
-  std::mutex mutex_;
   std::map<Key, Stream> streams_;
 };
 
