@@ -26,6 +26,7 @@
 #include <sbgc/client/async_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
 
 #include "collector.hpp"
 #include "scripted_board.hpp"
@@ -212,7 +213,7 @@ TEST_F(Async, CallsAMessageOfATypeKnownAtRunTime) {
   AsyncClient client(running.executor());
   connect(client);
   msg::GetAngles angles;
-  angles.axes.yaw.imu_angle = msg::Angle(1234);
+  angles.axes.yaw.imu_angle = msg::Angle14(1234);
   board.answer<msg::GetAnglesRequest>(angles);
   const AnyMessage request = find_message("GetAnglesRequest")->make();
   const auto answer = client.async_call(request, {}, asio::use_future).get();
