@@ -36,6 +36,8 @@ namespace {
 
 struct SendOptions {
   std::string name{};
+  std::optional<unsigned> id{};  ///< instead of a name
+  std::string body{};            ///< in hex, with `id`
   std::vector<std::string> values{};
   std::string format = "text";
   bool dry_run = false;
@@ -149,6 +151,17 @@ class FramePrinting {
   /// `more` is appended to the members of a JSON object. Throws CommandError, after printing, if
   /// the frame cannot be decoded.
   void print(const Frame& frame, Direction direction, const std::string& more = {}) {
+    const DecodedFrame decoded = show(frame, direction, more);
+    if (decoded.status) return;
+    throw CommandError(
+        fmt::format("{} cannot be decoded: {}", decoded.command, decoded.explanation));
+  }
+
+  /// Prints a frame that need not be of a known message.
+  void print_raw(const Frame& frame, Direction direction) { show(frame, direction, {}); }
+
+ private:
+  DecodedFrame show(const Frame& frame, Direction direction, const std::string& more) {
     const DecodedFrame decoded = decoder_.decode(frame, direction);
     if (is_json_) {
       put_json(out_, decoded, nullptr, more);
@@ -157,12 +170,9 @@ class FramePrinting {
       put_text(out_, decoded, Colors(stdout));
     }
     out_.flush();
-    if (decoded.status) return;
-    throw CommandError(
-        fmt::format("{} cannot be decoded: {}", decoded.command, decoded.explanation));
+    return decoded;
   }
 
- private:
   bool is_json_;
   FrameDecoder decoder_{{.json = true, .rows = true}};
   StandardOutput out_{};
@@ -192,7 +202,37 @@ int dry_run(const SendOptions& options, const Outgoing& out) {
   return success;
 }
 
+RawRequest raw_request_of(const SendOptions& options) {
+  const auto body = detail::from_hex(options.body);
+  if (!body) throw CommandError("--body wants pairs of hex digits, such as 0e45", wrong_usage);
+  Result<RawRequest> request = raw_request(static_cast<std::uint8_t>(*options.id), *body);
+  if (!request) throw CommandError(request.error().message, wrong_usage);
+  return *std::move(request);
+}
+
+/// Sends a body under any id, also of a command that this version does not know.
+int send_raw(const SendOptions& options, const CommandContext& context) {
+  const RawRequest request = raw_request_of(options);
+  const Frame frame{.id = request.id, .body = request.body, .framing = basic_framing};
+  FramePrinting printing(options.format == "jsonl");
+  if (options.dry_run) return printing.print_raw(frame, Direction::to_board), success;
+  Client client = connect(context.gimbal);
+  arm(options.arming,
+      fmt::format("Sends command {} with {}. Its effect is not checked: it may "
+                  "move the camera or change what is stored.",
+                  request.id, options.body.empty() ? "no body" : "the body " + options.body));
+  printing.learn(frame, Direction::to_board);
+  CallOptions call = call_options(context.gimbal);
+  call.expect_confirmation = true;
+  const Reply reply = value_of(client.call_raw(request, call));
+  if (reply.id == 0) return remark("command {} is sent\n", request.id), success;
+  printing.print_raw({.id = reply.id, .body = reply.body, .framing = reply.framing},
+                     Direction::from_board);
+  return success;
+}
+
 int send(const SendOptions& options, const CommandContext& context) {
+  if (options.id) return send_raw(options, context);
   const Outgoing out = outgoing_of(options);
   if (options.dry_run) return dry_run(options, out);
   const MessageInfo& info = *out.message.type().info;
@@ -240,10 +280,16 @@ void add_send(CLI::App& app, CommandContext& context) {
       ->add_option("name", options->name,
                    "The message: our name (GetAnglesRequest) or that of the command "
                    "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
-      ->type_name("MESSAGE")
-      ->required();
+      ->type_name("MESSAGE");
   command->add_option("values", options->values, "Values of fields; others are 0 or empty")
       ->type_name("FIELD=VALUE");
+  auto* const id = command->add_option("--id", options->id,
+                                       "Send the bytes of --body as this command, also one that "
+                                       "is not known here, instead of a message");
+  id->type_name("NUMBER")->check(CLI::Range(1, 255));
+  command->add_option("--body", options->body, "The body of --id; without it, the body is empty")
+      ->type_name("HEX")
+      ->needs(id);
   add_format(*command, options->format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
   command->add_flag("--dry-run", options->dry_run,
                     "Print the frame and what it does; send nothing and open no line");
@@ -263,10 +309,16 @@ void add_send(CLI::App& app, CommandContext& context) {
       "  sbgc send CMD_CONTROL control_mode=MODE_ANGLE pitch.angle=-30deg --dry-run\n"
       "  sbgc send CMD_SET_ADJ_VARS_VAL params[0].param_id=LPF_FREQ_ROLL "
       "params[0].param_value=30Hz\n"
+      "  sbgc send --id 200 --body 0e45\n"
       "\n"
       "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
       "confirmed, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = send(*options, context); });
+  command->callback([options, &context] {
+    if (options->name.empty() != options->id.has_value()) {
+      throw CommandError("give either a message or --id", wrong_usage);
+    }
+    context.status = send(*options, context);
+  });
 }
 
 }  // namespace sbgc::tools

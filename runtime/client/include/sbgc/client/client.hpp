@@ -93,6 +93,10 @@ class Client : public TaskCalls<Client> {
     return conversation_.on_notice(std::move(handler));
   }
 
+  /// Like transact(), for a request that is encoded already; see raw_request().
+  Result<Reply> call_raw(RawRequest request, const CallOptions& options = {}) {
+    return conversation_.call(conversation_.prepare(std::move(request)), options);
+  }
   /// Sends a request that is encoded already, without waiting. `handler` is called exactly once: on
   /// the client's thread, or, if the request cannot be sent, at once.
   void start_raw(RawRequest request, const CallOptions& options,
