@@ -309,7 +309,7 @@ void add_send(CLI::App& app, CommandContext& context) {
       "  sbgc send CMD_CONTROL control_mode=MODE_ANGLE pitch.angle=-30deg --dry-run\n"
       "  sbgc send CMD_SET_ADJ_VARS_VAL params[0].param_id=LPF_FREQ_ROLL "
       "params[0].param_value=30Hz\n"
-      "  sbgc send --id 200 --body 0e45\n"
+      "  sbgc send --id 200 --body 0e45 --dry-run\n"
       "\n"
       "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
       "confirmed, 2 for wrong usage.");
