@@ -12,7 +12,7 @@
 #include "device/default_response.hpp"
 #include "device/device.hpp"
 #include "device/handlers.hpp"
-#include "device/parameter_access.hpp"
+#include "device/parameters/access.hpp"
 
 namespace sbgc::emulator {
 namespace {

@@ -1,6 +1,6 @@
 /// Handlers of the requests that need code of their own, grouped by the family in spec/:
-/// device/<family>.cpp implements them. All other requests are answered from the model alone:
-/// parameter_access.hpp reads and writes parameters, default_response.hpp handles the rest.
+/// device/<family>/handlers.cpp implements them. All other requests are answered from the model
+/// alone: parameters/access.hpp reads and writes parameters, default_response.hpp handles the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>
@@ -16,7 +16,7 @@ inline constexpr bool checks_values = false;
 template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 
-// adjustable_variables.cpp
+// adjustable_variables
 Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request);
 Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request);
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
@@ -26,7 +26,7 @@ Outcome handle(RequestContext& context, const msg::AdjVarsInfoRequestAll& reques
 Outcome handle(RequestContext& context, const msg::SetAdjVarsValF& request);
 Outcome handle(RequestContext& context, const msg::GetAdjVarsValF& request);
 
-// calibration.cpp
+// calibration
 Outcome handle(RequestContext& context, const msg::CalibAcc& request);
 Outcome handle(RequestContext& context, const msg::CalibAccExt& request);
 Outcome handle(RequestContext& context, const msg::CalibGyro& request);
@@ -46,7 +46,7 @@ Outcome handle(RequestContext& context, const msg::CalibCogging& request);
 Outcome handle(RequestContext& context, const msg::CalibAccExtRef& request);
 Outcome handle(RequestContext& context, const msg::AutoPid2& request);
 
-// control.cpp
+// control
 Outcome handle(RequestContext& context, const msg::Control& request);
 Outcome handle(RequestContext& context, const msg::ControlExt& request);
 Outcome handle(RequestContext& context, const msg::GetAnglesRequest& request);
@@ -70,19 +70,19 @@ Outcome handle(RequestContext& context, const msg::ControlQuatStatusRequest& req
 Outcome handle(RequestContext& context, const msg::ControlQuatConfig& request);
 Outcome handle(RequestContext& context, const msg::SyncMotors& request);
 
-// debug.cpp
+// debug
 Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
 Outcome handle(RequestContext& context, const msg::DebugVars3Request& request);
 Outcome handle(RequestContext& context, const msg::DebugVars3RequestSelected& request);
 Outcome handle(RequestContext& context, const msg::SetDebugPortRequest& request);
 
-// external_motors.cpp
+// external_motors
 Outcome handle(RequestContext& context, const msg::ExtMotorsAction& request);
 Outcome handle(RequestContext& context, const msg::ExtMotorsControl& request);
 Outcome handle(RequestContext& context, const msg::ExtMotorsControlConfig& request);
 Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& request);
 
-// imu.cpp
+// imu
 Outcome handle(RequestContext& context, const msg::SelectImu3& request);
 Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request);
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request);
@@ -95,18 +95,18 @@ Outcome handle(RequestContext& context, const msg::ExtImuDebugInfoRequest& reque
 Outcome handle(RequestContext& context, const msg::ExtImuCmd& request);
 Outcome handle(RequestContext& context, const msg::ExtSensCmdRequest& request);
 
-// modules.cpp
+// modules
 Outcome handle(RequestContext& context, const msg::ModuleListRequest& request);
 Outcome handle(RequestContext& context, const msg::CanDeviceScanRequest& request);
 Outcome handle(RequestContext& context, const msg::TransparentSapiRequest& request);
 
-// parameters.cpp
+// parameters
 Outcome handle(RequestContext& context, const msg::SaveParams3& request);
 Outcome handle(RequestContext& context, const msg::UseDefaults& request);
 Outcome handle(RequestContext& context, const msg::WriteParamsSet& request);
 Outcome handle(RequestContext& context, const msg::ProfileSet& request);
 
-// peripherals.cpp
+// peripherals
 Outcome handle(RequestContext& context, const msg::TriggerPin& request);
 Outcome handle(RequestContext& context, const msg::ServoOut& request);
 Outcome handle(RequestContext& context, const msg::BeepSound& request);
@@ -119,24 +119,24 @@ Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegis
 Outcome handle(RequestContext& context, const msg::ApiVirtChHighRes& request);
 Outcome handle(RequestContext& context, const msg::ReadRcInputsRequest& request);
 
-// realtime.cpp
+// realtime
 Outcome handle(RequestContext& context, const msg::RealtimeData& request);
 Outcome handle(RequestContext& context, const msg::RealtimeData3Request& request);
 Outcome handle(RequestContext& context, const msg::RealtimeData4Request& request);
 Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
 Outcome handle(RequestContext& context, const msg::DataStreamInterval& request);
 
-// scripting.cpp
+// scripting
 Outcome handle(RequestContext& context, const msg::RunScript& request);
 
-// storage.cpp
+// storage
 Outcome handle(RequestContext& context, const msg::EepromReadRequest& request);
 Outcome handle(RequestContext& context, const msg::EepromWrite& request);
 Outcome handle(RequestContext& context, const msg::ReadFileRequest& request);
 Outcome handle(RequestContext& context, const msg::WriteFile& request);
 Outcome handle(RequestContext& context, const msg::FsClearAll& request);
 
-// system.cpp
+// system
 Outcome handle(RequestContext& context, const msg::BoardInfoRequest& request);
 Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
 Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& request);

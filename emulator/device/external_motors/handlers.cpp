@@ -1,0 +1,91 @@
+// spec/external_motors.yaml: motors that are not axes of the camera.
+
+#include "device/handlers.hpp"
+
+#include "device/device.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+bool names(std::uint8_t motors, std::size_t motor) { return ((motors >> motor) & 1U) != 0; }
+
+/// The setpoint of the `index`-th selected motor, from the list that the request has.
+ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::size_t index) {
+  if (request.setpoint16) return {.value = (*request.setpoint16)[index], .wraps = true};
+  if (request.setpoint32) return {.value = (*request.setpoint32)[index]};
+  if (request.setpoint16_param16) {
+    const auto& one = (*request.setpoint16_param16)[index];
+    return {one.setpoint, true, one.param1, true};
+  }
+  if (request.setpoint16_param32) {
+    const auto& one = (*request.setpoint16_param32)[index];
+    return {one.setpoint, true, one.param1, true};
+  }
+  if (request.setpoint32_param16) {
+    const auto& one = (*request.setpoint32_param16)[index];
+    return {one.setpoint, false, one.param1, true};
+  }
+  if (!request.setpoint32_param32) return {};
+  const auto& one = (*request.setpoint32_param32)[index];
+  return {one.setpoint, false, one.param1, true};
+}
+
+}  // namespace
+
+Outcome handle(RequestContext& context, const msg::ExtMotorsAction& request) {
+  Device& device = context.device;
+  if (!ExternalMotors::are_supported(device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
+    if (!names(request.for_motors.raw(), motor)) continue;
+    if (!device.external_motors.act(motor, request.action, context.now)) {
+      return context.refuse(msg::BoardErrorCode::wrong_params,
+                            static_cast<std::uint32_t>(request.action));
+    }
+  }
+  return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::ExtMotorsControl& request) {
+  Device& device = context.device;
+  if (!ExternalMotors::are_supported(device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  std::size_t index = 0;
+  for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
+    if (!names(request.for_motors.raw(), motor)) continue;
+    device.external_motors.control(motor, setpoint_of(request, index++), context.now);
+  }
+  return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::ExtMotorsControlConfig& request) {
+  Device& device = context.device;
+  if (!ExternalMotors::are_supported(device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
+    if (!names(request.for_motors.raw(), motor)) continue;
+    if (!device.external_motors.configure(motor, request, context.now)) {
+      return context.refuse(msg::BoardErrorCode::wrong_params);
+    }
+  }
+  return context.confirm();
+}
+
+/// Answers once for each motor.
+Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& request) {
+  Device& device = context.device;
+  if (!ExternalMotors::are_supported(device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
+    if (!names(request.for_motors.raw(), motor)) continue;
+    static_cast<void>(
+        context.answer(device.external_motors.state(device, motor, request.data_set, context.now)));
+  }
+  return Outcome::executed;
+}
+
+}  // namespace sbgc::emulator

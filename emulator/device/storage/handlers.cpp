@@ -1,0 +1,66 @@
+// spec/storage.yaml: EEPROM pages and files. parameters/access.hpp handles CMD_READ_EXTERNAL_DATA
+// and CMD_WRITE_EXTERNAL_DATA.
+
+#include "device/handlers.hpp"
+
+#include "device/device.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+Outcome confirm_result(RequestContext& context, msg::FileError error) {
+  static_cast<void>(context.confirm({.err_code = error}));
+  return error == msg::FileError::no_error ? Outcome::executed : Outcome::refused;
+}
+
+}  // namespace
+
+Outcome handle(RequestContext& context, const msg::EepromReadRequest& request) {
+  msg::EepromRead answer;
+  const std::size_t size = request.size.raw();
+  if (size > answer.data.capacity())
+    return context.refuse(msg::BoardErrorCode::wrong_params, request.size.raw());
+  const auto bytes = context.device.eeprom.read_pages(request.addr, size);
+  if (!bytes) return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
+  answer.addr = request.addr;
+  for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
+  return context.answer(answer);
+}
+
+Outcome handle(RequestContext& context, const msg::EepromWrite& request) {
+  const auto data = std::span(request.data.data(), request.data.size());
+  if (!context.device.eeprom.write_pages(request.addr, data)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
+  }
+  return context.confirm({.addr = request.addr});
+}
+
+Outcome handle(RequestContext& context, const msg::ReadFileRequest& request) {
+  msg::ReadFile answer;
+  const std::size_t size = request.max_data_size.raw();
+  const FileSystem::Part part =
+      context.device.files.read(request.file_id, request.page_offset.raw(), size);
+  const msg::FileError error =
+      size > answer.data.capacity() ? msg::FileError::wrong_params : part.error;
+  if (error != msg::FileError::no_error) {
+    static_cast<void>(context.answer(msg::ReadFileError{error}));
+    return Outcome::refused;
+  }
+  answer.file_size = msg::ByteCount(part.file_size);
+  answer.page_offset = request.page_offset;
+  for (const std::uint8_t byte : part.data) answer.data.push_back(byte);
+  return context.answer(answer);
+}
+
+Outcome handle(RequestContext& context, const msg::WriteFile& request) {
+  const msg::FileError error = context.device.files.write(
+      request.file_id, request.file_size.raw(), request.page_offset.raw(),
+      std::span(request.data.data(), request.data.size()));
+  return confirm_result(context, error);
+}
+
+Outcome handle(RequestContext& context, const msg::FsClearAll& /*request*/) {
+  return confirm_result(context, context.device.files.clear());
+}
+
+}  // namespace sbgc::emulator
