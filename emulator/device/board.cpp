@@ -18,7 +18,7 @@ namespace sbgc::emulator {
 namespace {
 
 template <Message M>
-Outcome carry_out(RequestContext& context, const M& request) {
+Verdict carry_out(RequestContext& context, const M& request) {
   if constexpr (requires { handle(context, request); }) {
     return handle(context, request);
   } else if constexpr (accesses_parameters<M>) {
@@ -170,11 +170,11 @@ class Board::Core {
   void carry_out_next(std::size_t port, Instant now) {
     const QueuedRequest request = device.ports.take(port);
     device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
-    const Outcome outcome = carry_out_frame(port, request, now);
+    const Verdict verdict = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
-    if (outcome == Outcome::refused) ++counters.refused;
-    if (outcome == Outcome::unknown || outcome == Outcome::malformed) ++counters.unknown;
-    device.ports.report(port, {request.id, request.body}, outcome);
+    if (verdict == Verdict::refused) ++counters.refused;
+    if (verdict == Verdict::unknown || verdict == Verdict::malformed) ++counters.unknown;
+    device.ports.report(port, {request.id, request.body}, verdict);
   }
 
   /// True if this board supports any request with this id.
@@ -191,20 +191,20 @@ class Board::Core {
 
   /// Answers an unknown request with CMD_ERROR if the board supports it. Does not answer errors,
   /// because two boards on one line would answer each other endlessly.
-  Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    const Outcome outcome = try_frame(port, request, now);
-    const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
+  Verdict carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    const Verdict verdict = try_frame(port, request, now);
+    const bool is_strange = verdict == Verdict::unknown || verdict == Verdict::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
       RequestContext context(device, port, request.id, Confirmed::never, now);
       context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
                                        : msg::BoardErrorCode::unknown_command);
     }
-    return outcome;
+    return verdict;
   }
 
   /// Ignores bytes that the firmware does not know, as real boards do.
-  Outcome try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    Outcome outcome = Outcome::unknown;
+  Verdict try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    Verdict verdict = Verdict::unknown;
     const std::size_t largest = largest_request(request.id, device.versions());
     const bool has_surplus = request.body.size() > largest;
     const auto body =
@@ -217,23 +217,23 @@ class Board::Core {
         // Flags may say that even the largest form ends earlier.
         const bool is_whole = status || (has_surplus && status.code == Code::too_long);
         if (!is_whole || (has_surplus && device.options.is_strict)) {
-          outcome = Outcome::malformed;
+          verdict = Verdict::malformed;
           return;
         }
         if constexpr (!accesses_parameters<M>) {
           const bool has_unknown_values = limit_to(device.versions(), message);
           if (has_unknown_values && !checks_values<M>) {
             RequestContext context(device, port, request.id, Confirmed::never, now);
-            outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+            verdict = context.refuse(msg::BoardErrorCode::wrong_params);
             return;
           }
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
         RequestContext context(device, port, request.id, confirmed, now);
-        outcome = carry_out(context, message);
+        verdict = carry_out(context, message);
       }
     });
-    return code == Code::unknown_form ? Outcome::malformed : outcome;
+    return code == Code::unknown_form ? Verdict::malformed : verdict;
   }
 
   Instant clock_;

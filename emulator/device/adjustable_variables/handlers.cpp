@@ -24,7 +24,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Outcome report(RequestContext& context, std::uint8_t trigger, std::uint8_t analog) {
+Verdict report(RequestContext& context, std::uint8_t trigger, std::uint8_t analog) {
   if (trigger >= Slots::triggers || analog >= Slots::analogs) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
@@ -43,7 +43,7 @@ std::optional<double> signal_of(const Device& device, std::uint16_t source) {
 }
 
 /// Describes as many variables as fit into one body, from this one on.
-Outcome describe(RequestContext& context, msg::VariableId first) {
+Verdict describe(RequestContext& context, msg::VariableId first) {
   const Device& device = context.device;
   msg::AdjVarsInfo answer;
   answer.total_number = device.parameters.variable_count();
@@ -67,7 +67,7 @@ Outcome describe(RequestContext& context, msg::VariableId first) {
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
+Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsVal answer;
   for (const msg::VariableId id : request.param_id) {
@@ -80,7 +80,7 @@ Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
 }
 
 /// Sets all variables or none.
-Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
+Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto refused =
@@ -91,11 +91,11 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
   return report(context, request.trigger_slot, request.analog_slot);
 }
 /// The bytes of the analog value are a floating-point number here (E208).
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
   const Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto analog = device.parameters.variable(request.analog_var_id);
@@ -112,15 +112,15 @@ Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& reque
   return context.answer(state);
 }
 
-Outcome handle(RequestContext& context, const msg::AdjVarsInfoRequest& request) {
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request) {
   return describe(context, request.start_id);
 }
-Outcome handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&) {
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&) {
   return describe(context, msg::VariableId{});
 }
 
 /// Sets all variables or none.
-Outcome handle(RequestContext& context, const msg::SetAdjVarsValF& request) {
+Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request) {
   Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   std::vector<msg::AdjVarValue> values;
@@ -141,7 +141,7 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsValF& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::GetAdjVarsValF& request) {
+Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsValF answer;
   for (const msg::VariableId id : request.id) {

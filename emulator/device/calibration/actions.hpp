@@ -9,7 +9,7 @@
 namespace sbgc::emulator {
 
 /// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
-Outcome calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
+Verdict calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
                        Duration length);
 
 }  // namespace sbgc::emulator

@@ -32,7 +32,7 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
-Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end,
+Verdict begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end,
               Duration length = {}) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
@@ -44,12 +44,12 @@ Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms
 }
 
 /// Starts a calibration that is confirmed only at its end.
-Outcome begin_silently(RequestContext& context, Kind kind) {
+Verdict begin_silently(RequestContext& context, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
   if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
-  return Outcome::executed;
+  return Verdict::executed;
 }
 
 /// The duration that a host requests; 0 is the usual one.
@@ -66,11 +66,11 @@ bool is_known(E value) {
   });
 }
 
-Outcome restart(RequestContext& context) {
+Verdict restart(RequestContext& context) {
   ++context.device.memory.revision;
-  const Outcome outcome = context.confirm();
+  const Verdict verdict = context.confirm();
   context.device.restarts.announce(context.device, context.now);
-  return outcome;
+  return verdict;
 }
 
 /// The actions of CMD_CALIB_ACC and CMD_CALIB_GYRO on one sensor of an IMU.
@@ -138,7 +138,7 @@ constexpr Sensor acc{Kind::acc,
                        imu.acc_temperature_enabled = used && exists;
                      }};
 
-Outcome carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu which,
+Verdict carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu which,
                   msg::CalibAction action, Duration length = {}) {
   Device& device = context.device;
   const auto imu = index_of(device, which);
@@ -168,24 +168,24 @@ Outcome carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu w
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::CalibAcc&) {
+Verdict handle(RequestContext& context, const msg::CalibAcc&) {
   return carry_out(context, acc, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Outcome handle(RequestContext& context, const msg::CalibAccExt& request) {
+Verdict handle(RequestContext& context, const msg::CalibAccExt& request) {
   return carry_out(context, acc, request.imu_idx, request.action);
 }
-Outcome handle(RequestContext& context, const msg::CalibGyro&) {
+Verdict handle(RequestContext& context, const msg::CalibGyro&) {
   return carry_out(context, gyro, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Outcome handle(RequestContext& context, const msg::CalibGyroExt& request) {
+Verdict handle(RequestContext& context, const msg::CalibGyroExt& request) {
   return carry_out(context, gyro, request.imu_idx, request.action, length_of(request));
 }
 
-Outcome handle(RequestContext& context, const msg::CalibMag&) {
+Verdict handle(RequestContext& context, const msg::CalibMag&) {
   return begin(context, Kind::mag, 0, false);
 }
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
-Outcome handle(RequestContext& context, const msg::CalibMagExt& request) {
+Verdict handle(RequestContext& context, const msg::CalibMagExt& request) {
   const auto imu = index_of(context.device, request.imu_idx);
   if (!imu) return RequestContext::ignore();
   switch (request.action) {
@@ -204,17 +204,17 @@ Outcome handle(RequestContext& context, const msg::CalibMagExt& request) {
   }
   return RequestContext::ignore();
 }
-Outcome handle(RequestContext& context, const msg::CalibExtGain&) {
+Verdict handle(RequestContext& context, const msg::CalibExtGain&) {
   return begin_silently(context, Kind::ext_gain);
 }
-Outcome handle(RequestContext& context, const msg::CalibPoles&) {
+Verdict handle(RequestContext& context, const msg::CalibPoles&) {
   return begin_silently(context, Kind::poles);
 }
 
-Outcome handle(RequestContext& context, const msg::CalibOrientCorr&) {
+Verdict handle(RequestContext& context, const msg::CalibOrientCorr&) {
   return begin_silently(context, Kind::orientation);
 }
-Outcome handle(RequestContext& context, const msg::CalibCogging& request) {
+Verdict handle(RequestContext& context, const msg::CalibCogging& request) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   switch (request.action) {
     case msg::CoggingAction::calibrate: return begin_silently(context, Kind::cogging);
@@ -222,18 +222,18 @@ Outcome handle(RequestContext& context, const msg::CalibCogging& request) {
   }
   return context.refuse(msg::BoardErrorCode::wrong_params);
 }
-Outcome handle(RequestContext& context, const msg::CalibAccExtRef&) {
+Verdict handle(RequestContext& context, const msg::CalibAccExtRef&) {
   return begin_silently(context, Kind::acc_reference);
 }
 
-Outcome handle(RequestContext& context, const msg::CalibOffset&) {
+Verdict handle(RequestContext& context, const msg::CalibOffset&) {
   if (!Calibrations::store_follow_offsets(context.device, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::CalibBat& request) {
+Verdict handle(RequestContext& context, const msg::CalibBat& request) {
   if (!context.device.has_battery_meter())
     return context.refuse(msg::BoardErrorCode::not_supported);
   const double measured = context.device.gimbal.sample(context.now).battery;
@@ -249,18 +249,18 @@ Outcome handle(RequestContext& context, const msg::CalibBat& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4& request) {
+Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request) {
   if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
   const bool is_motor = !request.for_motor || is_known(*request.for_motor);
   if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
   return begin(context, Kind::encoder_offset, 0, false);
 }
-Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4&) {
+Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4&) {
   if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
   return begin(context, Kind::encoder_field, 0, false);
 }
 
-Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request) {
+Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request) {
   Device& device = context.device;
   const bool is_frame = request.imu_type == msg::SelectedImu::frame;
   if (!is_frame && request.imu_type != msg::SelectedImu::main) {
@@ -271,7 +271,7 @@ Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request) {
   return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
 }
 
-Outcome handle(RequestContext& context, const msg::AutoPidRequest& request) {
+Verdict handle(RequestContext& context, const msg::AutoPidRequest& request) {
   Device& device = context.device;
   if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
     device.auto_tuning.stop();
@@ -290,7 +290,7 @@ Outcome handle(RequestContext& context, const msg::AutoPidRequest& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::AutoPid2& request) {
+Verdict handle(RequestContext& context, const msg::AutoPid2& request) {
   Device& device = context.device;
   switch (request.action) {
     case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
@@ -310,7 +310,7 @@ Outcome handle(RequestContext& context, const msg::AutoPid2& request) {
   return context.confirm();
 }
 
-Outcome calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
+Verdict calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
                        Duration length) {
   return carry_out(context, gyro, which, action, length);
 }

@@ -21,7 +21,7 @@ namespace sbgc::emulator {
 namespace {
 
 /// Moves the axes that have a target.
-Outcome control(RequestContext& context, const AxisTargets& targets) {
+Verdict control(RequestContext& context, const AxisTargets& targets) {
   Device& device = context.device;
   if (!device.control_link.admits(context.port)) return RequestContext::ignore();
   Axes<std::optional<AxisCommand>> commands;
@@ -44,12 +44,12 @@ Outcome control(RequestContext& context, const AxisTargets& targets) {
   if (has_task) {
     device.tasks.confirm_end(context.port, context.command, Tasks::Kind::motion, context.now);
   }
-  return device.control_link.confirms() ? context.confirm() : Outcome::executed;
+  return device.control_link.confirms() ? context.confirm() : Verdict::executed;
 }
 
 /// Both forms of CMD_CONTROL have data for each axis.
 template <class Request>
-Outcome control(RequestContext& context, const Request& request,
+Verdict control(RequestContext& context, const Request& request,
                 const Axes<msg::ControlMode>& modes) {
   AxisTargets targets;
   for (std::size_t axis = 0; axis < targets.size(); ++axis) {
@@ -59,7 +59,7 @@ Outcome control(RequestContext& context, const Request& request,
   return control(context, targets);
 }
 
-Outcome turn_motors(RequestContext& context, bool on) {
+Verdict turn_motors(RequestContext& context, bool on) {
   context.device.set_motors(on, context.now);
   // An empty battery keeps the motors off.
   if (on && context.device.gimbal.stopped_by_battery())
@@ -67,7 +67,7 @@ Outcome turn_motors(RequestContext& context, bool on) {
   return context.confirm();
 }
 
-Outcome execute(RequestContext& context, msg::MenuCommand action) {
+Verdict execute(RequestContext& context, msg::MenuCommand action) {
   if (execute_menu(context.device, action, context.now)) return context.confirm();
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
@@ -94,7 +94,7 @@ Quaternion quaternion(msg::PackedQuaternion wire) { return unpacked(wire); }
 
 /// Executes a form of CMD_CONTROL_QUAT if its mode is one of that form.
 template <class Request>
-Outcome control_attitude(RequestContext& context, const Request& request,
+Verdict control_attitude(RequestContext& context, const Request& request,
                          std::initializer_list<msg::ControlQuatMode> modes) {
   Device& device = context.device;
   if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
@@ -118,7 +118,7 @@ Outcome control_attitude(RequestContext& context, const Request& request,
   if (is_attitude && request.flags.has(Flag::auto_task)) {
     device.tasks.confirm_end(context.port, context.command, Tasks::Kind::attitude, context.now);
   }
-  return request.flags.has(Flag::confirm) ? context.confirm() : Outcome::executed;
+  return request.flags.has(Flag::confirm) ? context.confirm() : Verdict::executed;
 }
 
 /// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
@@ -137,85 +137,85 @@ bool is_help(const Data& data) {
 
 /// Assumption: an unknown COORD_SYS counts as the default one.
 template <class Data>
-Outcome help(RequestContext& context, const Data& data) {
+Verdict help(RequestContext& context, const Data& data) {
   if (is_help(data)) context.device.gimbal.help(context.now);
   return context.confirm();
 }
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::Control& request) {
+Verdict handle(RequestContext& context, const msg::Control& request) {
   const msg::ControlMode mode = request.control_mode;
   return control(context, request, {mode, mode, mode});
 }
 
-Outcome handle(RequestContext& context, const msg::ControlExt& request) {
+Verdict handle(RequestContext& context, const msg::ControlExt& request) {
   return control(context, request, request.control_mode);
 }
 
-Outcome handle(RequestContext& context, const msg::ControlExtCommand& request) {
+Verdict handle(RequestContext& context, const msg::ControlExtCommand& request) {
   return control(context, targets_of(request));
 }
 
-Outcome handle(RequestContext& context, const msg::ControlConfig& request) {
+Verdict handle(RequestContext& context, const msg::ControlConfig& request) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   context.device.control_link.configure(context.device, request, context.port, context.now);
   // Confirms the configuration itself unless the host wants no confirmations.
-  return context.device.control_link.confirms() ? context.confirm() : Outcome::executed;
+  return context.device.control_link.confirms() ? context.confirm() : Verdict::executed;
 }
 
-Outcome handle(RequestContext& context, const msg::ControlQuatDisabled& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatDisabled& request) {
   return control_attitude(context, request, {msg::ControlQuatMode::disabled});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeed& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeed& request) {
   return control_attitude(context, request,
                           {msg::ControlQuatMode::speed, msg::ControlQuatMode::speed_limited});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatAttitude& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatAttitude& request) {
   return control_attitude(context, request, {msg::ControlQuatMode::attitude});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request) {
   return control_attitude(context, request, {msg::ControlQuatMode::attitude});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request) {
   return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request) {
   return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatStatusRequest& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatStatusRequest& request) {
   if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
   return context.answer(
       context.device.quaternions.status(context.device, request.data_set, context.now));
 }
-Outcome handle(RequestContext& context, const msg::ControlQuatConfig& request) {
+Verdict handle(RequestContext& context, const msg::ControlQuatConfig& request) {
   if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
   context.device.quaternions.configure(request);
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
   msg::GetAngles data;
   measure(context.device, context.now, data);
   return context.answer(data);
 }
 
-Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
   msg::GetAnglesExt data;
   measure(context.device, context.now, data);
   return context.answer(data);
 }
 
-Outcome handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
+Verdict handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
   return turn_motors(context, true);
 }
 
-Outcome handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
+Verdict handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
   return turn_motors(context, false);
 }
 
 // Assumption: brakes are as strong as the friction of a motor without current.
-Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
+Verdict handle(RequestContext& context, const msg::MotorsOffExt& request) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
     case msg::MotorsOffMode::brake: return turn_motors(context, false);
@@ -227,11 +227,11 @@ Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
                         static_cast<std::uint32_t>(request.mode));
 }
 
-Outcome handle(RequestContext& context, const msg::ExecuteMenu& request) {
+Verdict handle(RequestContext& context, const msg::ExecuteMenu& request) {
   return execute(context, request.cmd_id);
 }
 
-Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
+Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
   if (!execute_menu(context.device, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.cmd_id));
@@ -242,10 +242,10 @@ Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
     context.device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action,
                                      context.now);
   }
-  return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Outcome::executed;
+  return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Verdict::executed;
 }
 
-Outcome handle(RequestContext& context, const msg::SyncMotors& request) {
+Verdict handle(RequestContext& context, const msg::SyncMotors& request) {
   const auto axis = static_cast<std::size_t>(request.axis);
   if (axis >= Axes<int>::size()) return context.refuse(msg::BoardErrorCode::wrong_params);
   // Assumption: the unit of ANGLE, which no source gives, is that of Angle14.
@@ -255,11 +255,11 @@ Outcome handle(RequestContext& context, const msg::SyncMotors& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::HelperData& request) {
+Verdict handle(RequestContext& context, const msg::HelperData& request) {
   return help(context, request);
 }
 
-Outcome handle(RequestContext& context, const msg::HelperDataExt& request) {
+Verdict handle(RequestContext& context, const msg::HelperDataExt& request) {
   return help(context, request);
 }
 

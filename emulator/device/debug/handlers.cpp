@@ -14,17 +14,17 @@
 
 namespace sbgc::emulator {
 
-Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request) {
+Verdict handle(RequestContext& context, const msg::DebugVarsInfo3Request& request) {
   const std::size_t first = request.start_idx ? *request.start_idx : 0;
   return context.answer(debug_variables_info(first));
 }
 
-Outcome handle(RequestContext& context, const msg::DebugVars3Request&) {
+Verdict handle(RequestContext& context, const msg::DebugVars3Request&) {
   return context.answer(debug_variable_values(context.device, context.now));
 }
 
 /// The masks, then the values of the selected variables.
-Outcome handle(RequestContext& context, const msg::DebugVars3RequestSelected& request) {
+Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& request) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const msg::DebugVars3 values = debug_variable_values(context.device, context.now);
   std::vector<std::uint8_t> body;
@@ -42,10 +42,10 @@ Outcome handle(RequestContext& context, const msg::DebugVars3RequestSelected& re
     append(values.var_value[i].bits, size_of(values.var_value[i].type));
   }
   context.answer_body(static_cast<std::uint8_t>(msg::DebugVars3::command), body);
-  return Outcome::executed;
+  return Verdict::executed;
 }
 
-Outcome handle(RequestContext& context, const msg::SetDebugPortRequest& request) {
+Verdict handle(RequestContext& context, const msg::SetDebugPortRequest& request) {
   switch (request.action) {
     case msg::DebugPortAction::stop: context.device.debug_copies.set(context.port, {}); break;
     case msg::DebugPortAction::start:

@@ -32,7 +32,7 @@ ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::ExtMotorsAction& request) {
+Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request) {
   Device& device = context.device;
   if (!ExternalMotors::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -47,7 +47,7 @@ Outcome handle(RequestContext& context, const msg::ExtMotorsAction& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ExtMotorsControl& request) {
+Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request) {
   Device& device = context.device;
   if (!ExternalMotors::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -60,7 +60,7 @@ Outcome handle(RequestContext& context, const msg::ExtMotorsControl& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ExtMotorsControlConfig& request) {
+Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& request) {
   Device& device = context.device;
   if (!ExternalMotors::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -75,7 +75,7 @@ Outcome handle(RequestContext& context, const msg::ExtMotorsControlConfig& reque
 }
 
 /// Answers once for each motor.
-Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& request) {
+Verdict handle(RequestContext& context, const msg::ExtMotorsStateRequest& request) {
   Device& device = context.device;
   if (!ExternalMotors::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -85,7 +85,7 @@ Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& reques
     static_cast<void>(
         context.answer(device.external_motors.state(device, motor, request.data_set, context.now)));
   }
-  return Outcome::executed;
+  return Verdict::executed;
 }
 
 }  // namespace sbgc::emulator

@@ -16,7 +16,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Outcome select_imu(RequestContext& context, msg::SelectedImu imu) {
+Verdict select_imu(RequestContext& context, msg::SelectedImu imu) {
   const bool exists = imu == msg::SelectedImu::main ||
                       (imu == msg::SelectedImu::frame && context.device.has_frame_imu());
   if (!exists) return RequestContext::ignore();
@@ -43,7 +43,7 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 }
 
 template <class Mode>
-Outcome report_attitude(RequestContext& context, Mode mode) {
+Verdict report_attitude(RequestContext& context, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
   if (of_frame && !knows_frame(context.device, context.now))
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -54,7 +54,7 @@ Outcome report_attitude(RequestContext& context, Mode mode) {
 
 /// For the forms without vectors, which cannot set the attitude.
 template <class Request>
-Outcome report_attitude_only(RequestContext& context, const Request& request) {
+Verdict report_attitude_only(RequestContext& context, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
@@ -77,7 +77,7 @@ WideOptions wide_options(msg::AhrsHelperWideMode mode) {
 }
 
 template <class Request>
-Outcome report_or_set_attitude(RequestContext& context, const Request& request) {
+Verdict report_or_set_attitude(RequestContext& context, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
   if (!mode.has(Bit::set)) return report_attitude(context, mode);
@@ -105,16 +105,16 @@ Outcome report_or_set_attitude(RequestContext& context, const Request& request) 
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
+Verdict handle(RequestContext& context, const msg::SelectImu3& request) {
   return select_imu(context, request.imu_type);
 }
 /// Ignores the other parameters, which are undocumented.
-Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
+Verdict handle(RequestContext& context, const msg::SelectImu3Ext& request) {
   return select_imu(context, request.imu_type);
 }
 
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
-Outcome handle(RequestContext& context, const msg::SelectImu3Calibrate& request) {
+Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request) {
   if (request.imu_type == msg::CalibImu::frame && !context.device.has_frame_imu()) {
     return RequestContext::ignore();
   }
@@ -124,20 +124,20 @@ Outcome handle(RequestContext& context, const msg::SelectImu3Calibrate& request)
                         milliseconds(request.time_ms.raw()));
 }
 
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
   return report_attitude_only(context, request);
 }
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request) {
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestWide& request) {
   return report_attitude_only(context, request);
 }
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request) {
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExt& request) {
   return report_or_set_attitude(context, request);
 }
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request) {
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request) {
   return report_or_set_attitude(context, request);
 }
 
-Outcome handle(RequestContext& context, const msg::GyroCorrection& request) {
+Verdict handle(RequestContext& context, const msg::GyroCorrection& request) {
   Device& device = context.device;
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
@@ -156,7 +156,7 @@ Outcome handle(RequestContext& context, const msg::GyroCorrection& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
+Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
   Device& device = context.device;
   if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   const Sample sample = device.gimbal.sample(context.now);
@@ -173,7 +173,7 @@ Outcome handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
 }
 
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
-Outcome handle(RequestContext& context, const msg::ExtImuCmd& request) {
+Verdict handle(RequestContext& context, const msg::ExtImuCmd& request) {
   if (!has_external_imu(context.device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
@@ -184,7 +184,7 @@ Outcome handle(RequestContext& context, const msg::ExtImuCmd& request) {
 }
 
 /// The emulated sensor answers queries without data and confirms all other commands.
-Outcome handle(RequestContext& context, const msg::ExtSensCmdRequest& request) {
+Verdict handle(RequestContext& context, const msg::ExtSensCmdRequest& request) {
   using enum msg::ExtSensCommand;
   if (!has_external_imu(context.device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);

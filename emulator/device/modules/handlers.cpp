@@ -16,7 +16,7 @@ namespace {
 constexpr msg::ModuleVersion hardware_version(100);
 
 /// The only request that the emulated modules answer: who they are.
-Outcome introduce(RequestContext& context, const msg::TransparentSapiRequest& request,
+Verdict introduce(RequestContext& context, const msg::TransparentSapiRequest& request,
                   std::uint16_t firmware) {
   msg::BoardInfo info;
   info.board_ver = context.device.options.board;
@@ -31,7 +31,7 @@ Outcome introduce(RequestContext& context, const msg::TransparentSapiRequest& re
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::ModuleListRequest&) {
+Verdict handle(RequestContext& context, const msg::ModuleListRequest&) {
   msg::ModuleList list;
   for (const Module& module : modules_of(context.device)) {
     msg::ModuleInfo info;
@@ -43,7 +43,7 @@ Outcome handle(RequestContext& context, const msg::ModuleListRequest&) {
   return context.answer(list);
 }
 
-Outcome handle(RequestContext& context, const msg::CanDeviceScanRequest&) {
+Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&) {
   if (!context.device.features().has(msg::BoardFeature::can_port)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
@@ -61,17 +61,17 @@ Outcome handle(RequestContext& context, const msg::CanDeviceScanRequest&) {
 }
 
 /// Assumption: data for a device that does not exist are lost.
-Outcome handle(RequestContext& context, const msg::TransparentSapiRequest& request) {
+Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request) {
   for (const Module& module : modules_of(context.device)) {
     if (module.transparent == msg::TransparentDevice{}) continue;
     if (module.transparent != request.target.device()) continue;
-    Outcome outcome = Outcome::executed;
+    Verdict verdict = Verdict::executed;
     Parser parser;
     parser.feed(std::span(request.payload.data(), request.payload.size()), [&](const Frame& frame) {
       if (frame.id != roles::introduction_request_id) return;
-      outcome = introduce(context, request, module.firmware);
+      verdict = introduce(context, request, module.firmware);
     });
-    return outcome;
+    return verdict;
   }
   return RequestContext::ignore();
 }

@@ -61,27 +61,27 @@ inline constexpr bool accesses_parameters = detail::accesses_one<Request, Parame
 /// Handles such a request. Stores any values: the specification does not say that the board checks
 /// them, and it must keep values that it does not understand.
 template <class Request>
-Outcome access_parameters(RequestContext& context, const Request& request) {
-  Outcome outcome = Outcome::refused;
+Verdict access_parameters(RequestContext& context, const Request& request) {
+  Verdict verdict = Verdict::refused;
   ParameterMessages::for_each([&]<class S>(Type<S>) {
     if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
       Device& device = context.device;
       const auto copy = detail::copy_of<S>(device, request);
       if (!copy) {
-        outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+        verdict = context.refuse(msg::BoardErrorCode::wrong_params);
       } else if constexpr (detail::reads<Request, S>) {
         S answer = device.parameters.read<S>(*copy);
         detail::fill_state(device, answer);
-        outcome = context.answer_anyway(answer);
+        verdict = context.answer_anyway(answer);
       } else if (device.parameters.write<S>(*copy, request)) {
         device.apply_parameters(context.now);
-        outcome = context.confirm();
+        verdict = context.confirm();
       } else {
-        outcome = context.refuse(msg::BoardErrorCode::operation_failed);
+        verdict = context.refuse(msg::BoardErrorCode::operation_failed);
       }
     }
   });
-  return outcome;
+  return verdict;
 }
 
 }  // namespace sbgc::emulator

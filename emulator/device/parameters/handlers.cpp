@@ -11,7 +11,7 @@
 
 namespace sbgc::emulator {
 
-Outcome handle(RequestContext& context, const msg::SaveParams3& request) {
+Verdict handle(RequestContext& context, const msg::SaveParams3& request) {
   if (request.param_id.empty()) {
     context.device.parameters.save();
     return context.confirm();
@@ -25,7 +25,7 @@ Outcome handle(RequestContext& context, const msg::SaveParams3& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::UseDefaults& request) {
+Verdict handle(RequestContext& context, const msg::UseDefaults& request) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
     context.device.parameters.erase();
     context.device.forget_calibrations();
@@ -39,7 +39,7 @@ Outcome handle(RequestContext& context, const msg::UseDefaults& request) {
 }
 
 /// Between the two requests, written parameters are stored but not yet in use.
-Outcome handle(RequestContext& context, const msg::WriteParamsSet& request) {
+Verdict handle(RequestContext& context, const msg::WriteParamsSet& request) {
   Device& device = context.device;
   switch (request.action) {
     case msg::WriteParamsAction::start: device.is_writing_parameters = true; break;
@@ -52,7 +52,7 @@ Outcome handle(RequestContext& context, const msg::WriteParamsSet& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ProfileSet& request) {
+Verdict handle(RequestContext& context, const msg::ProfileSet& request) {
   Device& device = context.device;
   const std::size_t index = request.slot - std::size_t{1};
   if (request.slot == 0 || index >= device.memory.profile_sets.size()) {

@@ -8,7 +8,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Outcome read_i2c(RequestContext& context, msg::I2cDevice chip, std::uint8_t address,
+Verdict read_i2c(RequestContext& context, msg::I2cDevice chip, std::uint8_t address,
                  msg::SmallByteCount size) {
   Device& device = context.device;
   if (!I2cBus::answers(device, chip)) {
@@ -23,41 +23,41 @@ Outcome read_i2c(RequestContext& context, msg::I2cDevice chip, std::uint8_t addr
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::TriggerPin& request) {
+Verdict handle(RequestContext& context, const msg::TriggerPin& request) {
   const bool switched =
       context.device.outputs.set_pin(context.device, request.pin_id, request.state);
   return switched ? context.confirm() : RequestContext::ignore();
 }
 
-Outcome handle(RequestContext& context, const msg::ServoOut& request) {
+Verdict handle(RequestContext& context, const msg::ServoOut& request) {
   const bool fits = context.device.outputs.set_servos(context.device, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Outcome handle(RequestContext& context, const msg::ServoOutExt& request) {
+Verdict handle(RequestContext& context, const msg::ServoOutExt& request) {
   const bool fits = context.device.outputs.set_servos(context.device, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Outcome handle(RequestContext& context, const msg::BeepSound& request) {
+Verdict handle(RequestContext& context, const msg::BeepSound& request) {
   const bool plays = context.device.outputs.play(request, context.now);
   return plays ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequest& request) {
+Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequest& request) {
   return read_i2c(context, request.device_addr, request.reg_addr, request.data_len);
 }
 /// Assumption: the first register, as the emulated chips have no pointer of their own.
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request) {
+Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request) {
   return read_i2c(context, request.device_addr, 0, request.data_len);
 }
 /// Assumption: the emulated chips use the lower byte of the address.
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request) {
+Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request) {
   return read_i2c(context, request.device_addr, static_cast<std::uint8_t>(request.reg_addr),
                   request.data_len);
 }
 
-Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request) {
+Verdict handle(RequestContext& context, const msg::I2cWriteRegBuf& request) {
   Device& device = context.device;
   if (!I2cBus::answers(device, request.device_addr)) {
     return context.refuse(msg::BoardErrorCode::operation_failed);
@@ -66,18 +66,18 @@ Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request) {
+Verdict handle(RequestContext& context, const msg::ApiVirtChControl& request) {
   context.device.remote.set_channels(context.device, request, context.now);
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::ApiVirtChHighRes& request) {
+Verdict handle(RequestContext& context, const msg::ApiVirtChHighRes& request) {
   context.device.remote.set_channels(context.device, request, context.now);
   return context.confirm();
 }
 
 /// Inputs that are not in use read as undefined, even if the host lets the board set them up.
-Outcome handle(RequestContext& context, const msg::ReadRcInputsRequest& request) {
+Verdict handle(RequestContext& context, const msg::ReadRcInputsRequest& request) {
   msg::ReadRcInputs answer;
   for (const msg::RcMap source : request.rc_src) {
     const auto signal = context.device.remote.signal(source);

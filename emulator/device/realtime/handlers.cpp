@@ -16,21 +16,21 @@ msg::RealtimeData3 data_3(RequestContext& context) {
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::RealtimeData& /*request*/) {
+Verdict handle(RequestContext& context, const msg::RealtimeData& /*request*/) {
   return context.answer_anyway(data_3(context));
 }
 
-Outcome handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/) {
+Verdict handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/) {
   return context.answer(data_3(context));
 }
 
-Outcome handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/) {
+Verdict handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/) {
   msg::RealtimeData4 data;
   measure(context.device, context.port, context.now, data);
   return context.answer(data);
 }
 
-Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request) {
+Verdict handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request) {
   const auto blocks = known_blocks(context.device, request.flags);
   if (!blocks) return context.refuse(msg::BoardErrorCode::wrong_params, request.flags.raw());
   msg::RealtimeDataCustom data;
@@ -38,7 +38,7 @@ Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& re
   return context.answer(data);
 }
 
-Outcome handle(RequestContext& context, const msg::DataStreamInterval& request) {
+Verdict handle(RequestContext& context, const msg::DataStreamInterval& request) {
   switch (context.device.streams.change(context.device, context.port, request, context.now)) {
     case Streams::Change::done: break;
     case Streams::Change::no_room:

@@ -6,7 +6,7 @@
 
 namespace sbgc::emulator {
 
-Outcome handle(RequestContext& context, const msg::RunScript& request) {
+Verdict handle(RequestContext& context, const msg::RunScript& request) {
   Device& device = context.device;
   if (!Scripts::are_supported(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   std::optional<std::size_t> debug_port;

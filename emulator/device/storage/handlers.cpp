@@ -8,14 +8,14 @@
 namespace sbgc::emulator {
 namespace {
 
-Outcome confirm_result(RequestContext& context, msg::FileError error) {
+Verdict confirm_result(RequestContext& context, msg::FileError error) {
   static_cast<void>(context.confirm({.err_code = error}));
-  return error == msg::FileError::no_error ? Outcome::executed : Outcome::refused;
+  return error == msg::FileError::no_error ? Verdict::executed : Verdict::refused;
 }
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::EepromReadRequest& request) {
+Verdict handle(RequestContext& context, const msg::EepromReadRequest& request) {
   msg::EepromRead answer;
   const std::size_t size = request.size.raw();
   if (size > answer.data.capacity())
@@ -27,7 +27,7 @@ Outcome handle(RequestContext& context, const msg::EepromReadRequest& request) {
   return context.answer(answer);
 }
 
-Outcome handle(RequestContext& context, const msg::EepromWrite& request) {
+Verdict handle(RequestContext& context, const msg::EepromWrite& request) {
   const auto data = std::span(request.data.data(), request.data.size());
   if (!context.device.eeprom.write_pages(request.addr, data)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
@@ -35,7 +35,7 @@ Outcome handle(RequestContext& context, const msg::EepromWrite& request) {
   return context.confirm({.addr = request.addr});
 }
 
-Outcome handle(RequestContext& context, const msg::ReadFileRequest& request) {
+Verdict handle(RequestContext& context, const msg::ReadFileRequest& request) {
   msg::ReadFile answer;
   const std::size_t size = request.max_data_size.raw();
   const FileSystem::Part part =
@@ -44,7 +44,7 @@ Outcome handle(RequestContext& context, const msg::ReadFileRequest& request) {
       size > answer.data.capacity() ? msg::FileError::wrong_params : part.error;
   if (error != msg::FileError::no_error) {
     static_cast<void>(context.answer(msg::ReadFileError{error}));
-    return Outcome::refused;
+    return Verdict::refused;
   }
   answer.file_size = msg::ByteCount(part.file_size);
   answer.page_offset = request.page_offset;
@@ -52,14 +52,14 @@ Outcome handle(RequestContext& context, const msg::ReadFileRequest& request) {
   return context.answer(answer);
 }
 
-Outcome handle(RequestContext& context, const msg::WriteFile& request) {
+Verdict handle(RequestContext& context, const msg::WriteFile& request) {
   const msg::FileError error = context.device.files.write(
       request.file_id, request.file_size.raw(), request.page_offset.raw(),
       std::span(request.data.data(), request.data.size()));
   return confirm_result(context, error);
 }
 
-Outcome handle(RequestContext& context, const msg::FsClearAll& /*request*/) {
+Verdict handle(RequestContext& context, const msg::FsClearAll& /*request*/) {
   return confirm_result(context, context.device.files.clear());
 }
 

@@ -13,7 +13,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Outcome introduce(RequestContext& context) {
+Verdict introduce(RequestContext& context) {
   const BoardOptions& options = context.device.options;
   msg::BoardInfo info;
   info.board_ver = options.board;
@@ -34,28 +34,28 @@ Outcome introduce(RequestContext& context) {
 }
 
 /// Without a notice there is no response, because the board restarts.
-Outcome restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
+Verdict restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
   context.device.restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
-  return Outcome::executed;
+  return Verdict::executed;
 }
 
 }  // namespace
 
-Outcome handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/) {
   return introduce(context);
 }
 
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/) {
+Verdict handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/) {
   return introduce(context);
 }
 
 // The configuration is for Bluetooth LE modules between board and host, which are not emulated.
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/) {
+Verdict handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/) {
   return introduce(context);
 }
 
-Outcome handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/) {
+Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/) {
   Device& device = context.device;
   msg::BoardInfo3 info;
   info.device_id = device.options.device_id;
@@ -83,23 +83,23 @@ Outcome handle(RequestContext& context, const msg::BoardInfo3Request& /*request*
   return context.answer(info);
 }
 
-Outcome handle(RequestContext& context, const msg::ResetRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::ResetRequest& /*request*/) {
   return restart(context, false, {}, false);
 }
 
-Outcome handle(RequestContext& context, const msg::ResetRequestExt& request) {
+Verdict handle(RequestContext& context, const msg::ResetRequestExt& request) {
   return restart(context, request.confirm.has(msg::ResetOption::notify), request.delay_ms, false);
 }
 
-Outcome handle(RequestContext& context, const msg::BootMode3& /*request*/) {
+Verdict handle(RequestContext& context, const msg::BootMode3& /*request*/) {
   return restart(context, false, {}, true);
 }
 
-Outcome handle(RequestContext& context, const msg::BootMode3Ext& request) {
+Verdict handle(RequestContext& context, const msg::BootMode3Ext& request) {
   return restart(context, request.confirm.has(msg::ResetOption::notify), request.delay_ms, true);
 }
 
-Outcome handle(RequestContext& context, const msg::ReadStateVarsRequest&) {
+Verdict handle(RequestContext& context, const msg::ReadStateVarsRequest&) {
   Device& device = context.device;
   if (!StateVariables::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -107,7 +107,7 @@ Outcome handle(RequestContext& context, const msg::ReadStateVarsRequest&) {
   return context.answer(device.state_variables.values(device, context.now));
 }
 
-Outcome handle(RequestContext& context, const msg::WriteStateVars& request) {
+Verdict handle(RequestContext& context, const msg::WriteStateVars& request) {
   Device& device = context.device;
   if (!StateVariables::are_supported(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -117,7 +117,7 @@ Outcome handle(RequestContext& context, const msg::WriteStateVars& request) {
 }
 
 /// The keys of real boards are secret: this signature only depends on board and message.
-Outcome handle(RequestContext& context, const msg::SignMessageRequest& request) {
+Verdict handle(RequestContext& context, const msg::SignMessageRequest& request) {
   msg::SignMessage answer;
   std::uint64_t state = request.sign_type;
   for (const std::uint8_t byte : context.device.options.device_id) {
