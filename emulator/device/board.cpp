@@ -54,8 +54,10 @@ class Board::Core {
   }
 
   Instant next() {
-    Instant next = earlier(device.restarts.next(), device.streams.next());
-    for_each_part(device, [&](auto& part) { next = earlier(next, part.next()); });
+    Instant next = device.restarts.next();
+    for_each_part(device, [&](auto& part) {
+      if constexpr (requires { part.next(); }) next = earlier(next, part.next());
+    });
     for (const Instant time : request_times_) next = earlier(next, time);
     for (const Instant time : idle_times_) next = earlier(next, time);
     return next;
@@ -78,12 +80,9 @@ class Board::Core {
 
   void close(std::size_t port) {
     device.streams.forget(device, port, clock_);
-    device.calibrations.drop_port(port);
-    device.auto_tuning.drop_port(port);
-    device.scripts.drop_port(port);
-    device.control_link.drop_port(port);
-    device.tasks.drop_port(port);
-    device.debug_copies.drop_port(port);
+    for_each_part(device, [&](auto& part) {
+      if constexpr (requires { part.drop_port(port); }) part.drop_port(port);
+    });
     device.ports.close(port);
     request_times_[port] = idle_times_[port] = Instant::never;
   }
@@ -143,7 +142,9 @@ class Board::Core {
   void run_due(Instant now) {
     step([&] { device.restarts.advance(device, now); });
     for_each_part(device, [&](auto& part) {
-      if (part.next() <= now) step([&] { part.advance(device, now); });
+      if constexpr (requires { part.next(); }) {
+        if (part.next() <= now) step([&] { part.advance(device, now); });
+      }
     });
     for (std::size_t port = 0; port < idle_times_.size(); ++port) {
       if (idle_times_[port] > now) continue;

@@ -32,10 +32,11 @@
 
 namespace sbgc::emulator {
 
-/// The interface of a part of the board that acts on its own:
+/// The interface of a part of the board that acts on its own, as far as it needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
 ///     void advance(Device& device, Instant now);   // executes what is due at `now`
-///     void restart(Device& device, Instant now);   // the board has restarted
+///     void restart(Device& device, Instant now);   // without it, a restart loses the whole state
+///     void drop_port(std::size_t port);            // the port closes: sends nothing more to it
 /// Parts store ports by number; Ports::send() to a closed port does nothing.
 struct Device {
   Device(BoardOptions of, Memory kept, Instant now);
@@ -121,21 +122,11 @@ struct Device {
 /// Calls `use(part)` for each part that acts on its own, in a fixed order.
 template <class Use>
 void for_each_part(Device& device, Use&& use) {
-  use(device.remote);
-  use(device.slots);
-  use(device.calibrations);
-  use(device.auto_tuning);
-  use(device.scripts);
-  use(device.outputs);
-  use(device.i2c);
-  use(device.control_link);
-  use(device.quaternions);
-  use(device.tasks);
-  use(device.external_motors);
-  use(device.state_variables);
-  use(device.debug_copies);
-  use(device.events);
-  use(device.streams);
+  const auto use_each = [&](auto&... parts) { (use(parts), ...); };
+  use_each(device.remote, device.slots, device.calibrations, device.auto_tuning, device.scripts,
+           device.outputs, device.control_link, device.quaternions, device.tasks,
+           device.external_motors, device.state_variables, device.debug_copies, device.events,
+           device.modes, device.streams);
 }
 
 }  // namespace sbgc::emulator

@@ -122,7 +122,4 @@ std::optional<double> Slots::signal(const Device& device, std::size_t trigger) c
   return device.remote.signal(triggers_[trigger].config.src_ch);
 }
 
-/// apply_parameters() is called when the board has started.
-void Slots::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
-
 }  // namespace sbgc::emulator

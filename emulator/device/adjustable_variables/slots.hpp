@@ -32,7 +32,6 @@ class Slots {
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   struct Trigger {

@@ -29,7 +29,6 @@ class AutoTuning {
   void stop();
   bool is_running() const { return run_.has_value(); }
 
-  /// The port closes: sends nothing more to it.
   void drop_port(std::size_t port);
 
   Instant next() const;

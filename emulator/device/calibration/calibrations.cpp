@@ -196,12 +196,6 @@ void Calibrations::drop_port(std::size_t port) {
   if (run_ && run_->requester && run_->requester->port == port) run_->requester.reset();
 }
 
-void Calibrations::restart(Device&, Instant) {
-  run_.reset();
-  last_progress_ = 0;
-  errors_ = {};
-}
-
 /// Stores the result. Returns false if that is not possible.
 bool Calibrations::store(Device& device, const Run& run, Instant now) {
   const Sample sample = device.gimbal.sample(now);

@@ -64,12 +64,10 @@ class Calibrations {
   /// Scales a duration of a real board by these options; at least one cycle.
   static Duration scaled(const BoardOptions& options, Duration length);
 
-  /// The port closes: sends nothing more to it.
   void drop_port(std::size_t port);
 
   Instant next() const;
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   struct Run {

@@ -58,6 +58,4 @@ void ControlLink::advance(Device& device, Instant now) {
   for (std::size_t axis = 0; axis < 3; ++axis) device.gimbal.command(axis, {}, now);
 }
 
-void ControlLink::restart(Device&, Instant) { *this = {}; }
-
 }  // namespace sbgc::emulator

@@ -32,7 +32,6 @@ class ControlLink {
 
   Instant next() const { return end_; }
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   std::array<std::uint8_t, Board::max_ports> priority_{};

@@ -46,6 +46,4 @@ void Events::advance(Device& device, Instant now) {
   watch(device, now);
 }
 
-void Events::restart(Device&, Instant) { *this = {}; }
-
 }  // namespace sbgc::emulator

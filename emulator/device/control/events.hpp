@@ -24,7 +24,6 @@ class Events {
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   struct State {

@@ -139,8 +139,6 @@ void QuaternionControl::advance(Device& device, Instant now) {
   next_ = now + turn_period;
 }
 
-void QuaternionControl::restart(Device&, Instant) { *this = {}; }
-
 msg::PackedQuaternion packed(const Quaternion& quaternion) {
   std::size_t largest = 0;
   for (std::size_t i = 1; i < quaternion.size(); ++i) {

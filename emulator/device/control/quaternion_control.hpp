@@ -37,7 +37,6 @@ class QuaternionControl {
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   void turn(Device& device, Instant now) const;

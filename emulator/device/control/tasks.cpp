@@ -116,6 +116,4 @@ void Tasks::drop_port(std::size_t port) {
   std::erase_if(tasks_, [port](const Task& task) { return task.port == port; });
 }
 
-void Tasks::restart(Device&, Instant) { *this = {}; }
-
 }  // namespace sbgc::emulator

@@ -35,7 +35,6 @@ class Tasks {
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   struct Task {

@@ -25,10 +25,6 @@ class DebugCopies {
   void copy(Device& device, std::size_t port, const Frame& frame, bool is_to_host, Instant now);
   void drop_port(std::size_t port) { filters_[port].reset(); }
 
-  static Instant next() { return Instant::never; }
-  static void advance(Device&, Instant) {}
-  void restart(Device&, Instant) { filters_ = {}; }
-
  private:
   std::array<std::optional<msg::DebugPortCommands>, Board::max_ports> filters_{};
 };

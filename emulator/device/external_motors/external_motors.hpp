@@ -40,8 +40,6 @@ class ExternalMotors {
   };
   Motion motion(std::size_t motor, Instant now);
 
-  static Instant next() { return Instant::never; }
-  static void advance(Device&, Instant) {}
   void restart(Device& device, Instant now);
 
  private:

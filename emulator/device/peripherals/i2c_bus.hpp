@@ -33,10 +33,6 @@ class I2cBus {
   void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
              std::span<const std::uint8_t> data);
 
-  static Instant next() { return Instant::never; }
-  static void advance(Device&, Instant) {}
-  /// The chips keep their power and therefore their registers.
-  static void restart(Device&, Instant) {}
   /// The chips lose the values written by hosts.
   void power_off() { written_.clear(); }
 

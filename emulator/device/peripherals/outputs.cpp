@@ -103,6 +103,7 @@ bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState st
 }
 
 std::optional<msg::PinState> Outputs::pin(msg::OutputPin pin) const {
+  static_assert(std::size(EnumMeta<msg::OutputPin>::values) == pin_count);
   const auto index = index_of(pin);
   return index ? pins_[*index] : std::nullopt;
 }
@@ -176,11 +177,6 @@ Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
 
 void Outputs::advance(Device&, Instant now) {
   if (sound_ && sound_->end <= now) sound_.reset();
-}
-
-void Outputs::restart(Device&, Instant) {
-  static_assert(std::size(EnumMeta<msg::OutputPin>::values) == pin_count);
-  *this = {};
 }
 
 }  // namespace sbgc::emulator

@@ -58,7 +58,6 @@ class Outputs {
 
   Instant next() const;
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   static constexpr std::size_t pin_count = 10;

@@ -140,6 +140,4 @@ void RemoteControl::follow_command_channel(Device& device, Instant now) {
   static_cast<void>(execute_menu(device, action, now));
 }
 
-void RemoteControl::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
-
 }  // namespace sbgc::emulator

@@ -42,10 +42,6 @@ class RemoteControl {
   /// parameters.
   void apply(Device& device, Instant now) const;
 
-  static Instant next() { return Instant::never; }
-  static void advance(Device&, Instant) {}
-  void restart(Device& device, Instant now);
-
  private:
   enum class Position : std::uint8_t { none, low, middle, high };
 

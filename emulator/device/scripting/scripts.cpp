@@ -78,8 +78,6 @@ void Scripts::drop_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
-void Scripts::restart(Device&, Instant) { run_.reset(); }
-
 void Scripts::report(Device& device, msg::FileError error) const {
   if (run_->port) {
     msg::ScriptDebug state;

@@ -35,12 +35,10 @@ class Scripts {
   /// The number of its current command, from 1; 0 if no script is running.
   std::uint16_t command() const { return run_ ? run_->command : 0; }
 
-  /// The port closes: sends nothing more to it.
   void drop_port(std::size_t port);
 
   Instant next() const;
   void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
 
  private:
   struct Run {

@@ -24,11 +24,16 @@ void Restarts::restart_now(Device& device, Instant now, bool to_bootloader, bool
   ++device.ports.counters.restarts;
   scheduled_.reset();
   device.ports.restart(power_off);
-  for_each_part(device, [&](auto& part) { part.restart(device, now); });
+  for_each_part(device, [&]<class Part>(Part& part) {
+    if constexpr (requires { part.restart(device, now); }) {
+      part.restart(device, now);
+    } else {
+      part = Part{};
+    }
+  });
   if (power_off) device.i2c.power_off();
   device.gyro_headings = {};
   device.cur_imu = msg::SelectedImu::main;
-  device.modes = {};
   device.is_writing_parameters = false;
   device.gimbal.set_motors(false, now);
   device.gimbal.restart(now);

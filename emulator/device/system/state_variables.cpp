@@ -98,8 +98,6 @@ void StateVariables::advance(Device& device, Instant now) {
   store(device);
 }
 
-void StateVariables::restart(Device&, Instant) { *this = {}; }
-
 void StateVariables::start(Device& device, Instant now) {
   *this = {};
   if (!are_supported(device)) return;

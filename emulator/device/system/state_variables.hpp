@@ -20,8 +20,6 @@ class StateVariables {
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
-  /// The board stops: loses what is not stored.
-  void restart(Device& device, Instant now);
   /// The board has started.
   void start(Device& device, Instant now);
 
