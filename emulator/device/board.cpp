@@ -10,19 +10,32 @@
 #include <sbgc/responses/all.hpp>
 
 #include "device/default_response.hpp"
-#include "device/device.hpp"
 #include "device/handlers.hpp"
 #include "device/parameters/access.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
+template <class Part>
+bool has(const Device& device) {
+  if constexpr (requires { Part::are_supported(device); }) return Part::are_supported(device);
+  return true;
+}
+
+/// Calls a handler with the parts of the device that it takes, if the board has them.
+template <Message M, class... Parts>
+Verdict call(Verdict (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
+             const M& request, Device& device) {
+  if (!(has<Parts>(device) && ...)) return context.refuse(msg::BoardErrorCode::not_supported);
+  return handler(context, request, device.part<Parts>()...);
+}
+
 template <Message M>
-Verdict carry_out(RequestContext& context, const M& request) {
-  if constexpr (requires { handle(context, request); }) {
-    return handle(context, request);
+Verdict carry_out(RequestContext& context, const M& request, Device& device) {
+  if constexpr (requires { call<M>(handle, context, request, device); }) {
+    return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
-    return access_parameters(context, request);
+    return access_parameters(context, request, device);
   } else {
     return default_response(context, request);
   }
@@ -231,7 +244,7 @@ class Board::Core {
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
         RequestContext context(device, port, request.id, confirmed, now);
-        verdict = carry_out(context, message);
+        verdict = carry_out(context, message, device);
       }
     });
     return code == Code::unknown_form ? Verdict::malformed : verdict;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/emulator/board.hpp>
@@ -116,6 +118,16 @@ struct Device {
   /// Heading corrections of the main and frame IMU, deg/s, in addition to GYRO_HEADING_CORRECTION.
   /// Assumption: valid until the board restarts.
   std::array<double, 2> gyro_headings{};
+
+  /// A part by its type, for handlers; the whole device counts as one.
+  template <class Part>
+  Part& part() {
+    return std::get<std::remove_const_t<Part>&>(
+        std::tie(*this, options, memory, eeprom, parameters, files, gimbal, ports, streams, remote,
+                 slots, calibrations, auto_tuning, scripts, outputs, i2c, control_link, quaternions,
+                 tasks, external_motors, state_variables, debug_copies, restarts));
+  }
+
   Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts
 };
 

@@ -5,6 +5,7 @@
 
 #include <sbgc/messages.hpp>
 
+#include "device/device.hpp"
 #include "device/request_context.hpp"
 
 namespace sbgc::emulator {
@@ -17,136 +18,136 @@ template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 
 // adjustable_variables
-Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request);
-Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request);
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request);
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request);
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll& request);
-Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request);
-Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request);
+Verdict handle(RequestContext&, const msg::GetAdjVarsVal&, Parameters&);
+Verdict handle(RequestContext&, const msg::SetAdjVarsVal&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsStateRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsStateRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsInfoRequest&, Parameters&);
+Verdict handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, Parameters&);
+Verdict handle(RequestContext&, const msg::SetAdjVarsValF&, Device&);
+Verdict handle(RequestContext&, const msg::GetAdjVarsValF&, Parameters&);
 
 // calibration
-Verdict handle(RequestContext& context, const msg::CalibAcc& request);
-Verdict handle(RequestContext& context, const msg::CalibAccExt& request);
-Verdict handle(RequestContext& context, const msg::CalibGyro& request);
-Verdict handle(RequestContext& context, const msg::CalibGyroExt& request);
-Verdict handle(RequestContext& context, const msg::CalibMag& request);
-Verdict handle(RequestContext& context, const msg::CalibExtGain& request);
-Verdict handle(RequestContext& context, const msg::CalibPoles& request);
-Verdict handle(RequestContext& context, const msg::CalibOffset& request);
-Verdict handle(RequestContext& context, const msg::CalibBat& request);
-Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request);
-Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4& request);
-Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request);
-Verdict handle(RequestContext& context, const msg::AutoPidRequest& request);
-Verdict handle(RequestContext& context, const msg::CalibMagExt& request);
-Verdict handle(RequestContext& context, const msg::CalibOrientCorr& request);
-Verdict handle(RequestContext& context, const msg::CalibCogging& request);
-Verdict handle(RequestContext& context, const msg::CalibAccExtRef& request);
-Verdict handle(RequestContext& context, const msg::AutoPid2& request);
+Verdict handle(RequestContext&, const msg::CalibAcc&, Device&);
+Verdict handle(RequestContext&, const msg::CalibAccExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibGyro&, Device&);
+Verdict handle(RequestContext&, const msg::CalibGyroExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibMag&, Device&);
+Verdict handle(RequestContext&, const msg::CalibExtGain&, Device&);
+Verdict handle(RequestContext&, const msg::CalibPoles&, Device&);
+Verdict handle(RequestContext&, const msg::CalibOffset&, Device&);
+Verdict handle(RequestContext&, const msg::CalibBat&, Device&);
+Verdict handle(RequestContext&, const msg::EncodersCalibOffset4&, Device&);
+Verdict handle(RequestContext&, const msg::EncodersCalibFldOffset4&, Device&);
+Verdict handle(RequestContext&, const msg::CalibInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AutoPidRequest&, Device&);
+Verdict handle(RequestContext&, const msg::CalibMagExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibOrientCorr&, Device&);
+Verdict handle(RequestContext&, const msg::CalibCogging&, Device&);
+Verdict handle(RequestContext&, const msg::CalibAccExtRef&, Device&);
+Verdict handle(RequestContext&, const msg::AutoPid2&, Device&);
 
 // control
-Verdict handle(RequestContext& context, const msg::Control& request);
-Verdict handle(RequestContext& context, const msg::ControlExt& request);
-Verdict handle(RequestContext& context, const msg::GetAnglesRequest& request);
-Verdict handle(RequestContext& context, const msg::GetAnglesExtRequest& request);
-Verdict handle(RequestContext& context, const msg::MotorsOn& request);
-Verdict handle(RequestContext& context, const msg::MotorsOff& request);
-Verdict handle(RequestContext& context, const msg::MotorsOffExt& request);
-Verdict handle(RequestContext& context, const msg::ExecuteMenu& request);
-Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request);
-Verdict handle(RequestContext& context, const msg::HelperData& request);
-Verdict handle(RequestContext& context, const msg::HelperDataExt& request);
-Verdict handle(RequestContext& context, const msg::ControlExtCommand& request);
-Verdict handle(RequestContext& context, const msg::ControlConfig& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatDisabled& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeed& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitude& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatStatusRequest& request);
-Verdict handle(RequestContext& context, const msg::ControlQuatConfig& request);
-Verdict handle(RequestContext& context, const msg::SyncMotors& request);
+Verdict handle(RequestContext&, const msg::Control&, Device&);
+Verdict handle(RequestContext&, const msg::ControlExt&, Device&);
+Verdict handle(RequestContext&, const msg::GetAnglesRequest&, Device&);
+Verdict handle(RequestContext&, const msg::GetAnglesExtRequest&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOn&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOff&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOffExt&, Device&);
+Verdict handle(RequestContext&, const msg::ExecuteMenu&, Device&);
+Verdict handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
+Verdict handle(RequestContext&, const msg::HelperData&, Device&);
+Verdict handle(RequestContext&, const msg::HelperDataExt&, Device&);
+Verdict handle(RequestContext&, const msg::ControlExtCommand&, Device&);
+Verdict handle(RequestContext&, const msg::ControlConfig&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatDisabled&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeed&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatAttitude&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatAttitudePacked&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatStatusRequest&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatConfig&, Device&);
+Verdict handle(RequestContext&, const msg::SyncMotors&, Device&);
 
 // debug
-Verdict handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
-Verdict handle(RequestContext& context, const msg::DebugVars3Request& request);
-Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& request);
-Verdict handle(RequestContext& context, const msg::SetDebugPortRequest& request);
+Verdict handle(RequestContext&, const msg::DebugVarsInfo3Request&);
+Verdict handle(RequestContext&, const msg::DebugVars3Request&, Device&);
+Verdict handle(RequestContext&, const msg::DebugVars3RequestSelected&, Device&);
+Verdict handle(RequestContext&, const msg::SetDebugPortRequest&, DebugCopies&);
 
 // external_motors
-Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request);
-Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request);
-Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& request);
-Verdict handle(RequestContext& context, const msg::ExtMotorsStateRequest& request);
+Verdict handle(RequestContext&, const msg::ExtMotorsAction&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsControl&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsControlConfig&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMotors&, Gimbal&);
 
 // imu
-Verdict handle(RequestContext& context, const msg::SelectImu3& request);
-Verdict handle(RequestContext& context, const msg::SelectImu3Ext& request);
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequest& request);
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestWide& request);
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExt& request);
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request);
-Verdict handle(RequestContext& context, const msg::GyroCorrection& request);
-Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request);
-Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest& request);
-Verdict handle(RequestContext& context, const msg::ExtImuCmd& request);
-Verdict handle(RequestContext& context, const msg::ExtSensCmdRequest& request);
+Verdict handle(RequestContext&, const msg::SelectImu3&, Device&);
+Verdict handle(RequestContext&, const msg::SelectImu3Ext&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestWide&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
+Verdict handle(RequestContext&, const msg::GyroCorrection&, Device&);
+Verdict handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
+Verdict handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::ExtImuCmd&, Device&);
+Verdict handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
 
 // modules
-Verdict handle(RequestContext& context, const msg::ModuleListRequest& request);
-Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest& request);
-Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request);
+Verdict handle(RequestContext&, const msg::ModuleListRequest&, Device&);
+Verdict handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
+Verdict handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
 
 // parameters
-Verdict handle(RequestContext& context, const msg::SaveParams3& request);
-Verdict handle(RequestContext& context, const msg::UseDefaults& request);
-Verdict handle(RequestContext& context, const msg::WriteParamsSet& request);
-Verdict handle(RequestContext& context, const msg::ProfileSet& request);
+Verdict handle(RequestContext&, const msg::SaveParams3&, Parameters&);
+Verdict handle(RequestContext&, const msg::UseDefaults&, Device&);
+Verdict handle(RequestContext&, const msg::WriteParamsSet&, Device&);
+Verdict handle(RequestContext&, const msg::ProfileSet&, Device&);
 
 // peripherals
-Verdict handle(RequestContext& context, const msg::TriggerPin& request);
-Verdict handle(RequestContext& context, const msg::ServoOut& request);
-Verdict handle(RequestContext& context, const msg::BeepSound& request);
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequest& request);
-Verdict handle(RequestContext& context, const msg::I2cWriteRegBuf& request);
-Verdict handle(RequestContext& context, const msg::ApiVirtChControl& request);
-Verdict handle(RequestContext& context, const msg::ServoOutExt& request);
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request);
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request);
-Verdict handle(RequestContext& context, const msg::ApiVirtChHighRes& request);
-Verdict handle(RequestContext& context, const msg::ReadRcInputsRequest& request);
+Verdict handle(RequestContext&, const msg::TriggerPin&, Device&);
+Verdict handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
+Verdict handle(RequestContext&, const msg::BeepSound&, Outputs&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
+Verdict handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);
+Verdict handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
+Verdict handle(RequestContext&, const msg::ServoOutExt&, Outputs&, Parameters&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, Device&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, Device&);
+Verdict handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
+Verdict handle(RequestContext&, const msg::ReadRcInputsRequest&, RemoteControl&);
 
 // realtime
-Verdict handle(RequestContext& context, const msg::RealtimeData& request);
-Verdict handle(RequestContext& context, const msg::RealtimeData3Request& request);
-Verdict handle(RequestContext& context, const msg::RealtimeData4Request& request);
-Verdict handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
-Verdict handle(RequestContext& context, const msg::DataStreamInterval& request);
+Verdict handle(RequestContext&, const msg::RealtimeData&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
+Verdict handle(RequestContext&, const msg::DataStreamInterval&, Device&);
 
 // scripting
-Verdict handle(RequestContext& context, const msg::RunScript& request);
+Verdict handle(RequestContext&, const msg::RunScript&, Scripts&, FileSystem&);
 
 // storage
-Verdict handle(RequestContext& context, const msg::EepromReadRequest& request);
-Verdict handle(RequestContext& context, const msg::EepromWrite& request);
-Verdict handle(RequestContext& context, const msg::ReadFileRequest& request);
-Verdict handle(RequestContext& context, const msg::WriteFile& request);
-Verdict handle(RequestContext& context, const msg::FsClearAll& request);
+Verdict handle(RequestContext&, const msg::EepromReadRequest&, Eeprom&);
+Verdict handle(RequestContext&, const msg::EepromWrite&, Eeprom&);
+Verdict handle(RequestContext&, const msg::ReadFileRequest&, FileSystem&);
+Verdict handle(RequestContext&, const msg::WriteFile&, FileSystem&);
+Verdict handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
 
 // system
-Verdict handle(RequestContext& context, const msg::BoardInfoRequest& request);
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestExt& request);
-Verdict handle(RequestContext& context, const msg::BoardInfo3Request& request);
-Verdict handle(RequestContext& context, const msg::ResetRequest& request);
-Verdict handle(RequestContext& context, const msg::ResetRequestExt& request);
-Verdict handle(RequestContext& context, const msg::BootMode3& request);
-Verdict handle(RequestContext& context, const msg::BootMode3Ext& request);
-Verdict handle(RequestContext& context, const msg::ReadStateVarsRequest& request);
-Verdict handle(RequestContext& context, const msg::WriteStateVars& request);
-Verdict handle(RequestContext& context, const msg::SignMessageRequest& request);
+Verdict handle(RequestContext&, const msg::BoardInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfoRequestOneByte&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfoRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfo3Request&, Device&);
+Verdict handle(RequestContext&, const msg::ResetRequest&, Restarts&);
+Verdict handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
+Verdict handle(RequestContext&, const msg::BootMode3&, Restarts&);
+Verdict handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
+Verdict handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
+Verdict handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
+Verdict handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

@@ -33,10 +33,17 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   return result;
 }
 
-Availability RequestContext::versions() const { return device.versions(); }
+RequestContext::RequestContext(Device& device, std::size_t from, std::uint8_t id,
+                               Confirmed confirmed, Instant at)
+    : port(from),
+      command(id),
+      now(at),
+      ports_(device.ports),
+      versions_(device.versions()),
+      confirmed_(confirmed) {}
 
 void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
-  device.ports.send_frame(port, frame);
+  ports_.send_frame(port, frame);
 }
 
 void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {

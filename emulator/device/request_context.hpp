@@ -21,6 +21,7 @@
 namespace sbgc::emulator {
 
 struct Device;
+class Ports;
 
 /// True if a message holds parameters of the board.
 template <class M>
@@ -35,16 +36,15 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
 /// One request during its execution. A handler is
-///     Verdict handle(RequestContext& context, const M& request);
-/// found by overload resolution (handlers.hpp). It responds through the context and returns the
-/// verdict. Messages without a handler get the response that the model defines
-/// (default_response.hpp).
+///     Verdict handle(RequestContext& context, const M& request, Part& part, ...);
+/// found by overload resolution (handlers.hpp), with the parts of the device that it uses. It
+/// responds through the context and returns the verdict. Messages without a handler get the
+/// response that the model defines (default_response.hpp).
 class RequestContext {
  public:
-  RequestContext(Device& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
-      : device(of), port(from), command(id), now(at), confirmed_(confirmed) {}
+  RequestContext(Device& device, std::size_t from, std::uint8_t id, Confirmed confirmed,
+                 Instant at);
 
-  Device& device;
   const std::size_t port;
   const std::uint8_t command;  ///< the id of the request
   const Instant now;
@@ -75,7 +75,7 @@ class RequestContext {
   /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
   /// The versions of the board and its firmware.
-  Availability versions() const;
+  Availability versions() const { return versions_; }
 
  private:
   void send_frame(std::span<const std::uint8_t> frame);
@@ -92,6 +92,8 @@ class RequestContext {
 
   bool confirms() const noexcept { return confirmed_ >= Confirmed::possible; }
 
+  Ports& ports_;
+  Availability versions_;
   Confirmed confirmed_;
 };
 

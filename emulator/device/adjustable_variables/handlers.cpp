@@ -18,17 +18,16 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/device.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
-Verdict report(RequestContext& context, std::uint8_t trigger, std::uint8_t analog) {
+Verdict report(RequestContext& context, Device& device, std::uint8_t trigger, std::uint8_t analog) {
   if (trigger >= Slots::triggers || analog >= Slots::analogs) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  return context.answer(context.device.slots.state(context.device, trigger, analog));
+  return context.answer(device.slots.state(device, trigger, analog));
 }
 
 /// The signal of an input in the widest range. Assumption: a missing one is reported as centered.
@@ -43,13 +42,12 @@ std::optional<double> signal_of(const Device& device, std::uint16_t source) {
 }
 
 /// Describes as many variables as fit into one body, from this one on.
-Verdict describe(RequestContext& context, msg::VariableId first) {
-  const Device& device = context.device;
+Verdict describe(RequestContext& context, Parameters& parameters, msg::VariableId first) {
   msg::AdjVarsInfo answer;
-  answer.total_number = device.parameters.variable_count();
+  answer.total_number = parameters.variable_count();
   std::array<std::uint8_t, max_body_size> body{};
   for (const VariableInfo& variable : variables) {
-    const auto value = device.parameters.variable(variable.id);
+    const auto value = parameters.variable(variable.id);
     if (variable.id < first || !value) continue;
     msg::AdjVarInfo one;
     one.var_id = variable.id;
@@ -67,11 +65,11 @@ Verdict describe(RequestContext& context, msg::VariableId first) {
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
+Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request, Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsVal answer;
   for (const msg::VariableId id : request.param_id) {
-    const auto value = context.device.parameters.variable(id);
+    const auto value = parameters.variable(id);
     if (!value)
       return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     answer.params.push_back({id, *value});
@@ -80,8 +78,7 @@ Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
 }
 
 /// Sets all variables or none.
-Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto refused =
       device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
@@ -91,12 +88,12 @@ Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
-  return report(context, request.trigger_slot, request.analog_slot);
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request, Device& device) {
+  return report(context, device, request.trigger_slot, request.analog_slot);
 }
 /// The bytes of the analog value are a floating-point number here (E208).
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
-  const Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
+               Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto analog = device.parameters.variable(request.analog_var_id);
   const auto table = device.parameters.variable(request.lut_var_id);
@@ -112,16 +109,16 @@ Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& reque
   return context.answer(state);
 }
 
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request) {
-  return describe(context, request.start_id);
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
+               Parameters& parameters) {
+  return describe(context, parameters, request.start_id);
 }
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&) {
-  return describe(context, msg::VariableId{});
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&, Parameters& parameters) {
+  return describe(context, parameters, msg::VariableId{});
 }
 
 /// Sets all variables or none.
-Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   std::vector<msg::AdjVarValue> values;
   for (const msg::AdjVarFloat& one : request.params) {
@@ -141,11 +138,12 @@ Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request) {
+Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request,
+               Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsValF answer;
   for (const msg::VariableId id : request.id) {
-    const auto value = context.device.parameters.variable(id);
+    const auto value = parameters.variable(id);
     if (!value)
       return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     answer.params.push_back({id, static_cast<float>(*value)});

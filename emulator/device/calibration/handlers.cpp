@@ -13,7 +13,6 @@
 #include <sbgc/validate.hpp>
 
 #include "device/calibration/actions.hpp"
-#include "device/device.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -32,21 +31,20 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
-Verdict begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end,
-              Duration length = {}) {
+Verdict begin(RequestContext& context, Device& device, Kind kind, std::size_t imu,
+              bool confirms_end, Duration length = {}) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
-  if (!context.device.calibrations.start(context.device, kind, imu, requester, context.now,
-                                         length)) {
+  if (!device.calibrations.start(device, kind, imu, requester, context.now, length)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
 /// Starts a calibration that is confirmed only at its end.
-Verdict begin_silently(RequestContext& context, Kind kind) {
+Verdict begin_silently(RequestContext& context, Device& device, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
-  if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
+  if (!device.calibrations.start(device, kind, 0, requester, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return Verdict::executed;
@@ -66,10 +64,10 @@ bool is_known(E value) {
   });
 }
 
-Verdict restart(RequestContext& context) {
-  ++context.device.memory.revision;
+Verdict restart(RequestContext& context, Device& device) {
+  ++device.memory.revision;
   const Verdict verdict = context.confirm();
-  context.device.restarts.announce(context.device, context.now);
+  device.restarts.announce(device, context.now);
   return verdict;
 }
 
@@ -138,9 +136,8 @@ constexpr Sensor acc{Kind::acc,
                        imu.acc_temperature_enabled = used && exists;
                      }};
 
-Verdict carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu which,
-                  msg::CalibAction action, Duration length = {}) {
-  Device& device = context.device;
+Verdict carry_out(RequestContext& context, Device& device, const Sensor& sensor,
+                  msg::CalibImu which, msg::CalibAction action, Duration length = {}) {
   const auto imu = index_of(device, which);
   if (!imu) return RequestContext::ignore();
   ImuCalibration& memory = device.memory.imus[*imu];
@@ -151,52 +148,56 @@ Verdict carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu w
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   switch (action) {
-    case msg::CalibAction::regular: return begin(context, sensor.regular, *imu, true, length);
-    case msg::CalibAction::temperature: return begin(context, sensor.temperature, *imu, true);
-    case msg::CalibAction::restore_factory: return begin(context, sensor.from_sensor, *imu, true);
-    case msg::CalibAction::store_in_sensor: return begin(context, sensor.to_sensor, *imu, true);
-    case msg::CalibAction::reset: sensor.forget(memory); return restart(context);
+    case msg::CalibAction::regular:
+      return begin(context, device, sensor.regular, *imu, true, length);
+    case msg::CalibAction::temperature:
+      return begin(context, device, sensor.temperature, *imu, true);
+    case msg::CalibAction::restore_factory:
+      return begin(context, device, sensor.from_sensor, *imu, true);
+    case msg::CalibAction::store_in_sensor:
+      return begin(context, device, sensor.to_sensor, *imu, true);
+    case msg::CalibAction::reset: sensor.forget(memory); return restart(context, device);
     case msg::CalibAction::enable_temperature:
       sensor.use_temperature(memory, true);
-      return restart(context);
+      return restart(context, device);
     case msg::CalibAction::disable_temperature:
       sensor.use_temperature(memory, false);
-      return restart(context);
+      return restart(context, device);
   }
   return RequestContext::ignore();
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::CalibAcc&) {
-  return carry_out(context, acc, msg::CalibImu::active, msg::CalibAction::regular);
+Verdict handle(RequestContext& context, const msg::CalibAcc&, Device& device) {
+  return carry_out(context, device, acc, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Verdict handle(RequestContext& context, const msg::CalibAccExt& request) {
-  return carry_out(context, acc, request.imu_idx, request.action);
+Verdict handle(RequestContext& context, const msg::CalibAccExt& request, Device& device) {
+  return carry_out(context, device, acc, request.imu_idx, request.action);
 }
-Verdict handle(RequestContext& context, const msg::CalibGyro&) {
-  return carry_out(context, gyro, msg::CalibImu::active, msg::CalibAction::regular);
+Verdict handle(RequestContext& context, const msg::CalibGyro&, Device& device) {
+  return carry_out(context, device, gyro, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Verdict handle(RequestContext& context, const msg::CalibGyroExt& request) {
-  return carry_out(context, gyro, request.imu_idx, request.action, length_of(request));
+Verdict handle(RequestContext& context, const msg::CalibGyroExt& request, Device& device) {
+  return carry_out(context, device, gyro, request.imu_idx, request.action, length_of(request));
 }
 
-Verdict handle(RequestContext& context, const msg::CalibMag&) {
-  return begin(context, Kind::mag, 0, false);
+Verdict handle(RequestContext& context, const msg::CalibMag&, Device& device) {
+  return begin(context, device, Kind::mag, 0, false);
 }
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
-Verdict handle(RequestContext& context, const msg::CalibMagExt& request) {
-  const auto imu = index_of(context.device, request.imu_idx);
+Verdict handle(RequestContext& context, const msg::CalibMagExt& request, Device& device) {
+  const auto imu = index_of(device, request.imu_idx);
   if (!imu) return RequestContext::ignore();
   switch (request.action) {
-    case msg::CalibAction::regular: return begin(context, Kind::mag, *imu, false);
+    case msg::CalibAction::regular: return begin(context, device, Kind::mag, *imu, false);
     case msg::CalibAction::reset:
     case msg::CalibAction::enable_temperature:
     case msg::CalibAction::disable_temperature:
-      if (context.device.calibrations.under_way()) {
+      if (device.calibrations.under_way()) {
         return context.refuse(msg::BoardErrorCode::wrong_state);
       }
-      return restart(context);
+      return restart(context, device);
     case msg::CalibAction::temperature:
     case msg::CalibAction::restore_factory:
     case msg::CalibAction::store_in_sensor:
@@ -204,64 +205,62 @@ Verdict handle(RequestContext& context, const msg::CalibMagExt& request) {
   }
   return RequestContext::ignore();
 }
-Verdict handle(RequestContext& context, const msg::CalibExtGain&) {
-  return begin_silently(context, Kind::ext_gain);
+Verdict handle(RequestContext& context, const msg::CalibExtGain&, Device& device) {
+  return begin_silently(context, device, Kind::ext_gain);
 }
-Verdict handle(RequestContext& context, const msg::CalibPoles&) {
-  return begin_silently(context, Kind::poles);
+Verdict handle(RequestContext& context, const msg::CalibPoles&, Device& device) {
+  return begin_silently(context, device, Kind::poles);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibOrientCorr&) {
-  return begin_silently(context, Kind::orientation);
+Verdict handle(RequestContext& context, const msg::CalibOrientCorr&, Device& device) {
+  return begin_silently(context, device, Kind::orientation);
 }
-Verdict handle(RequestContext& context, const msg::CalibCogging& request) {
+Verdict handle(RequestContext& context, const msg::CalibCogging& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   switch (request.action) {
-    case msg::CoggingAction::calibrate: return begin_silently(context, Kind::cogging);
+    case msg::CoggingAction::calibrate: return begin_silently(context, device, Kind::cogging);
     case msg::CoggingAction::erase: return context.confirm();
   }
   return context.refuse(msg::BoardErrorCode::wrong_params);
 }
-Verdict handle(RequestContext& context, const msg::CalibAccExtRef&) {
-  return begin_silently(context, Kind::acc_reference);
+Verdict handle(RequestContext& context, const msg::CalibAccExtRef&, Device& device) {
+  return begin_silently(context, device, Kind::acc_reference);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibOffset&) {
-  if (!Calibrations::store_follow_offsets(context.device, context.now)) {
+Verdict handle(RequestContext& context, const msg::CalibOffset&, Device& device) {
+  if (!Calibrations::store_follow_offsets(device, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::CalibBat& request) {
-  if (!context.device.has_battery_meter())
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  const double measured = context.device.gimbal.sample(context.now).battery;
+Verdict handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
+  if (!device.has_battery_meter()) return context.refuse(msg::BoardErrorCode::not_supported);
+  const double measured = device.gimbal.sample(context.now).battery;
   // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
   constexpr double lowest = 0.5;
   constexpr double highest = 2;
   const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;
   if (!(factor >= lowest && factor <= highest))
     return context.refuse(msg::BoardErrorCode::wrong_params);
-  context.device.memory.battery_factor = factor;
-  ++context.device.memory.revision;
-  context.device.apply_parameters(context.now);
+  device.memory.battery_factor = factor;
+  ++device.memory.revision;
+  device.apply_parameters(context.now);
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request) {
-  if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
+  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
   const bool is_motor = !request.for_motor || is_known(*request.for_motor);
   if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
-  return begin(context, Kind::encoder_offset, 0, false);
+  return begin(context, device, Kind::encoder_offset, 0, false);
 }
-Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4&) {
-  if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
-  return begin(context, Kind::encoder_field, 0, false);
+Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
+  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  return begin(context, device, Kind::encoder_field, 0, false);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request, Device& device) {
   const bool is_frame = request.imu_type == msg::SelectedImu::frame;
   if (!is_frame && request.imu_type != msg::SelectedImu::main) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -271,8 +270,7 @@ Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request) {
   return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
 }
 
-Verdict handle(RequestContext& context, const msg::AutoPidRequest& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::AutoPidRequest& request, Device& device) {
   if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
     device.auto_tuning.stop();
     return context.confirm();
@@ -290,8 +288,7 @@ Verdict handle(RequestContext& context, const msg::AutoPidRequest& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::AutoPid2& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::AutoPid2& request, Device& device) {
   switch (request.action) {
     case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
     case msg::AutoPid2Action::read:
@@ -310,9 +307,9 @@ Verdict handle(RequestContext& context, const msg::AutoPid2& request) {
   return context.confirm();
 }
 
-Verdict calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
-                       Duration length) {
-  return carry_out(context, gyro, which, action, length);
+Verdict calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+                       msg::CalibAction action, Duration length) {
+  return carry_out(context, device, gyro, which, action, length);
 }
 
 }  // namespace sbgc::emulator

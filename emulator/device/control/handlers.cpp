@@ -14,15 +14,13 @@
 
 #include "device/control/menu.hpp"
 #include "device/control/targets.hpp"
-#include "device/device.hpp"
 #include "device/realtime/live_data.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
 /// Moves the axes that have a target.
-Verdict control(RequestContext& context, const AxisTargets& targets) {
-  Device& device = context.device;
+Verdict control(RequestContext& context, Device& device, const AxisTargets& targets) {
   if (!device.control_link.admits(context.port)) return RequestContext::ignore();
   Axes<std::optional<AxisCommand>> commands;
   bool has_task = false;
@@ -49,32 +47,32 @@ Verdict control(RequestContext& context, const AxisTargets& targets) {
 
 /// Both forms of CMD_CONTROL have data for each axis.
 template <class Request>
-Verdict control(RequestContext& context, const Request& request,
+Verdict control(RequestContext& context, Device& device, const Request& request,
                 const Axes<msg::ControlMode>& modes) {
   AxisTargets targets;
   for (std::size_t axis = 0; axis < targets.size(); ++axis) {
     const msg::Angle14 angle = request.axes[axis].angle;
     targets[axis] = {modes[axis], request.real_speed(axis), angle.degrees(), angle.raw()};
   }
-  return control(context, targets);
+  return control(context, device, targets);
 }
 
-Verdict turn_motors(RequestContext& context, bool on) {
-  context.device.set_motors(on, context.now);
+Verdict turn_motors(RequestContext& context, Device& device, bool on) {
+  device.set_motors(on, context.now);
   // An empty battery keeps the motors off.
-  if (on && context.device.gimbal.stopped_by_battery())
+  if (on && device.gimbal.stopped_by_battery())
     return context.refuse(msg::BoardErrorCode::wrong_state);
   return context.confirm();
 }
 
-Verdict execute(RequestContext& context, msg::MenuCommand action) {
-  if (execute_menu(context.device, action, context.now)) return context.confirm();
+Verdict execute(RequestContext& context, Device& device, msg::MenuCommand action) {
+  if (execute_menu(device, action, context.now)) return context.confirm();
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
 /// True if the board can follow quaternions.
-bool has_quaternions(const RequestContext& context) {
-  return context.device.features_ext2().has(msg::BoardFeaturesExt2Bit::quat_control);
+bool has_quaternions(const Device& device) {
+  return device.features_ext2().has(msg::BoardFeaturesExt2Bit::quat_control);
 }
 
 constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
@@ -94,10 +92,9 @@ Quaternion quaternion(msg::PackedQuaternion wire) { return unpacked(wire); }
 
 /// Executes a form of CMD_CONTROL_QUAT if its mode is one of that form.
 template <class Request>
-Verdict control_attitude(RequestContext& context, const Request& request,
+Verdict control_attitude(RequestContext& context, Device& device, const Request& request,
                          std::initializer_list<msg::ControlQuatMode> modes) {
-  Device& device = context.device;
-  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   if (std::find(modes.begin(), modes.end(), request.mode) == modes.end()) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.mode));
@@ -137,130 +134,132 @@ bool is_help(const Data& data) {
 
 /// Assumption: an unknown COORD_SYS counts as the default one.
 template <class Data>
-Verdict help(RequestContext& context, const Data& data) {
-  if (is_help(data)) context.device.gimbal.help(context.now);
+Verdict help(RequestContext& context, Device& device, const Data& data) {
+  if (is_help(data)) device.gimbal.help(context.now);
   return context.confirm();
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::Control& request) {
+Verdict handle(RequestContext& context, const msg::Control& request, Device& device) {
   const msg::ControlMode mode = request.control_mode;
-  return control(context, request, {mode, mode, mode});
+  return control(context, device, request, {mode, mode, mode});
 }
 
-Verdict handle(RequestContext& context, const msg::ControlExt& request) {
-  return control(context, request, request.control_mode);
+Verdict handle(RequestContext& context, const msg::ControlExt& request, Device& device) {
+  return control(context, device, request, request.control_mode);
 }
 
-Verdict handle(RequestContext& context, const msg::ControlExtCommand& request) {
-  return control(context, targets_of(request));
+Verdict handle(RequestContext& context, const msg::ControlExtCommand& request, Device& device) {
+  return control(context, device, targets_of(request));
 }
 
-Verdict handle(RequestContext& context, const msg::ControlConfig& request) {
+Verdict handle(RequestContext& context, const msg::ControlConfig& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  context.device.control_link.configure(context.device, request, context.port, context.now);
+  device.control_link.configure(device, request, context.port, context.now);
   // Confirms the configuration itself unless the host wants no confirmations.
-  return context.device.control_link.confirms() ? context.confirm() : Verdict::executed;
+  return device.control_link.confirms() ? context.confirm() : Verdict::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::ControlQuatDisabled& request) {
-  return control_attitude(context, request, {msg::ControlQuatMode::disabled});
+Verdict handle(RequestContext& context, const msg::ControlQuatDisabled& request, Device& device) {
+  return control_attitude(context, device, request, {msg::ControlQuatMode::disabled});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeed& request) {
-  return control_attitude(context, request,
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeed& request, Device& device) {
+  return control_attitude(context, device, request,
                           {msg::ControlQuatMode::speed, msg::ControlQuatMode::speed_limited});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitude& request) {
-  return control_attitude(context, request, {msg::ControlQuatMode::attitude});
+Verdict handle(RequestContext& context, const msg::ControlQuatAttitude& request, Device& device) {
+  return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request) {
-  return control_attitude(context, request, {msg::ControlQuatMode::attitude});
+Verdict handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request,
+               Device& device) {
+  return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request) {
-  return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request,
+               Device& device) {
+  return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request) {
-  return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
+Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request,
+               Device& device) {
+  return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatStatusRequest& request) {
-  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
-  return context.answer(
-      context.device.quaternions.status(context.device, request.data_set, context.now));
+Verdict handle(RequestContext& context, const msg::ControlQuatStatusRequest& request,
+               Device& device) {
+  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
+  return context.answer(device.quaternions.status(device, request.data_set, context.now));
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatConfig& request) {
-  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
-  context.device.quaternions.configure(request);
+Verdict handle(RequestContext& context, const msg::ControlQuatConfig& request, Device& device) {
+  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
+  device.quaternions.configure(request);
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Device& device) {
   msg::GetAngles data;
-  measure(context.device, context.now, data);
+  measure(device, context.now, data);
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
+Verdict handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/,
+               Device& device) {
   msg::GetAnglesExt data;
-  measure(context.device, context.now, data);
+  measure(device, context.now, data);
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
-  return turn_motors(context, true);
+Verdict handle(RequestContext& context, const msg::MotorsOn& /*request*/, Device& device) {
+  return turn_motors(context, device, true);
 }
 
-Verdict handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
-  return turn_motors(context, false);
+Verdict handle(RequestContext& context, const msg::MotorsOff& /*request*/, Device& device) {
+  return turn_motors(context, device, false);
 }
 
 // Assumption: brakes are as strong as the friction of a motor without current.
-Verdict handle(RequestContext& context, const msg::MotorsOffExt& request) {
+Verdict handle(RequestContext& context, const msg::MotorsOffExt& request, Device& device) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
-    case msg::MotorsOffMode::brake: return turn_motors(context, false);
+    case msg::MotorsOffMode::brake: return turn_motors(context, device, false);
     case msg::MotorsOffMode::safe_stop:
-      context.device.tasks.stop_safely(context.device, context.now);
+      device.tasks.stop_safely(device, context.now);
       return context.confirm();
   }
   return context.refuse(msg::BoardErrorCode::wrong_params,
                         static_cast<std::uint32_t>(request.mode));
 }
 
-Verdict handle(RequestContext& context, const msg::ExecuteMenu& request) {
-  return execute(context, request.cmd_id);
+Verdict handle(RequestContext& context, const msg::ExecuteMenu& request, Device& device) {
+  return execute(context, device, request.cmd_id);
 }
 
-Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
-  if (!execute_menu(context.device, request.cmd_id, context.now)) {
+Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
+  if (!execute_menu(device, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.cmd_id));
   }
   using Flag = msg::ExecuteMenuFlag;
   const bool confirms_end = request.param.has(Flag::confirm_on_finish);
   if (confirms_end) {
-    context.device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action,
-                                     context.now);
+    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action, context.now);
   }
   return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Verdict::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::SyncMotors& request) {
+Verdict handle(RequestContext& context, const msg::SyncMotors& request, Device& device) {
   const auto axis = static_cast<std::size_t>(request.axis);
   if (axis >= Axes<int>::size()) return context.refuse(msg::BoardErrorCode::wrong_params);
   // Assumption: the unit of ANGLE, which no source gives, is that of Angle14.
   const double degrees = request.angle * msg::LongAngle14(1).degrees();
-  context.device.tasks.synchronize(context.device, axis, degrees,
-                                   milliseconds(request.time_ms.raw()), context.now);
+  device.tasks.synchronize(device, axis, degrees, milliseconds(request.time_ms.raw()), context.now);
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::HelperData& request) {
-  return help(context, request);
+Verdict handle(RequestContext& context, const msg::HelperData& request, Device& device) {
+  return help(context, device, request);
 }
 
-Verdict handle(RequestContext& context, const msg::HelperDataExt& request) {
-  return help(context, request);
+Verdict handle(RequestContext& context, const msg::HelperDataExt& request, Device& device) {
+  return help(context, device, request);
 }
 
 }  // namespace sbgc::emulator

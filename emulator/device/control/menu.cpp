@@ -82,7 +82,9 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
   }
   if (const auto script = script_of(action)) {
     // An empty slot starts nothing.
-    static_cast<void>(device.scripts.start(device, *script, {}, now));
+    if (Scripts::are_supported(device)) {
+      static_cast<void>(device.scripts.start(device.files, *script, {}, now));
+    }
     return true;
   }
   switch (action) {

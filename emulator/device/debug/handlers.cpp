@@ -10,7 +10,6 @@
 #include <sbgc/validate.hpp>
 
 #include "device/debug/debug_variables.hpp"
-#include "device/device.hpp"
 
 namespace sbgc::emulator {
 
@@ -19,14 +18,15 @@ Verdict handle(RequestContext& context, const msg::DebugVarsInfo3Request& reques
   return context.answer(debug_variables_info(first));
 }
 
-Verdict handle(RequestContext& context, const msg::DebugVars3Request&) {
-  return context.answer(debug_variable_values(context.device, context.now));
+Verdict handle(RequestContext& context, const msg::DebugVars3Request&, Device& device) {
+  return context.answer(debug_variable_values(device, context.now));
 }
 
 /// The masks, then the values of the selected variables.
-Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& request) {
+Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& request,
+               Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  const msg::DebugVars3 values = debug_variable_values(context.device, context.now);
+  const msg::DebugVars3 values = debug_variable_values(device, context.now);
   std::vector<std::uint8_t> body;
   const auto append = [&body](std::uint32_t value, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) {
@@ -45,12 +45,11 @@ Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& re
   return Verdict::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::SetDebugPortRequest& request) {
+Verdict handle(RequestContext& context, const msg::SetDebugPortRequest& request,
+               DebugCopies& debug_copies) {
   switch (request.action) {
-    case msg::DebugPortAction::stop: context.device.debug_copies.set(context.port, {}); break;
-    case msg::DebugPortAction::start:
-      context.device.debug_copies.set(context.port, request.cmd_filter);
-      break;
+    case msg::DebugPortAction::stop: debug_copies.set(context.port, {}); break;
+    case msg::DebugPortAction::start: debug_copies.set(context.port, request.cmd_filter); break;
     default: return context.refuse(msg::BoardErrorCode::wrong_params);
   }
   return context.confirm();

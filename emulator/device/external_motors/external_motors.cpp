@@ -136,7 +136,7 @@ ExternalMotors::Motion ExternalMotors::motion(std::size_t motor, Instant now) {
   return {one.speed, one.torque};
 }
 
-msg::ExtMotorsState ExternalMotors::state(Device& device, std::size_t motor,
+msg::ExtMotorsState ExternalMotors::state(Gimbal& gimbal, std::size_t motor,
                                           msg::ExtMotorsStateFields fields, Instant now) {
   using enum msg::ExtMotorsStateField;
   const Motor& one = moved(motor, now);
@@ -144,7 +144,7 @@ msg::ExtMotorsState ExternalMotors::state(Device& device, std::size_t motor,
   const double speed_goal = has_goal && one.mode == Mode::speed ? one.goal : 0;
   const double angle_goal = has_goal && one.mode == Mode::position ? one.goal : one.angle;
   const double torque_goal = has_goal && one.mode == Mode::torque ? one.goal : 0;
-  const Sample sample = device.gimbal.sample(now);
+  const Sample sample = gimbal.sample(now);
   constexpr double radians_per_degree = 3.14159265358979323846 / 180;
   msg::ExtMotorsState state;
   state.motor_id = static_cast<std::uint8_t>(motor);

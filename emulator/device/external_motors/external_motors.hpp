@@ -32,7 +32,7 @@ class ExternalMotors {
     bool has_param{};
   };
   void control(std::size_t motor, const Setpoint& setpoint, Instant now);
-  msg::ExtMotorsState state(Device& device, std::size_t motor, msg::ExtMotorsStateFields fields,
+  msg::ExtMotorsState state(Gimbal& gimbal, std::size_t motor, msg::ExtMotorsStateFields fields,
                             Instant now);
   /// Speed in deg/s and load, -1..1.
   struct Motion {

@@ -2,8 +2,6 @@
 
 #include "device/handlers.hpp"
 
-#include "device/device.hpp"
-
 namespace sbgc::emulator {
 namespace {
 
@@ -32,14 +30,11 @@ ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request) {
-  Device& device = context.device;
-  if (!ExternalMotors::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request,
+               ExternalMotors& external_motors) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
-    if (!device.external_motors.act(motor, request.action, context.now)) {
+    if (!external_motors.act(motor, request.action, context.now)) {
       return context.refuse(msg::BoardErrorCode::wrong_params,
                             static_cast<std::uint32_t>(request.action));
     }
@@ -47,27 +42,21 @@ Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request) {
-  Device& device = context.device;
-  if (!ExternalMotors::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request,
+               ExternalMotors& external_motors) {
   std::size_t index = 0;
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
-    device.external_motors.control(motor, setpoint_of(request, index++), context.now);
+    external_motors.control(motor, setpoint_of(request, index++), context.now);
   }
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& request) {
-  Device& device = context.device;
-  if (!ExternalMotors::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& request,
+               ExternalMotors& external_motors) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
-    if (!device.external_motors.configure(motor, request, context.now)) {
+    if (!external_motors.configure(motor, request, context.now)) {
       return context.refuse(msg::BoardErrorCode::wrong_params);
     }
   }
@@ -75,15 +64,12 @@ Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& reque
 }
 
 /// Answers once for each motor.
-Verdict handle(RequestContext& context, const msg::ExtMotorsStateRequest& request) {
-  Device& device = context.device;
-  if (!ExternalMotors::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+Verdict handle(RequestContext& context, const msg::ExtMotorsStateRequest& request,
+               ExternalMotors& external_motors, Gimbal& gimbal) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
     static_cast<void>(
-        context.answer(device.external_motors.state(device, motor, request.data_set, context.now)));
+        context.answer(external_motors.state(gimbal, motor, request.data_set, context.now)));
   }
   return Verdict::executed;
 }

@@ -8,7 +8,6 @@
 #include <sbgc/meta/enums.hpp>
 
 #include "device/calibration/actions.hpp"
-#include "device/device.hpp"
 #include "device/realtime/custom_data.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/attitude.hpp"
@@ -16,11 +15,11 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict select_imu(RequestContext& context, msg::SelectedImu imu) {
-  const bool exists = imu == msg::SelectedImu::main ||
-                      (imu == msg::SelectedImu::frame && context.device.has_frame_imu());
+Verdict select_imu(RequestContext& context, Device& device, msg::SelectedImu imu) {
+  const bool exists =
+      imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && device.has_frame_imu());
   if (!exists) return RequestContext::ignore();
-  context.device.cur_imu = imu;
+  device.cur_imu = imu;
   return context.confirm();
 }
 
@@ -43,23 +42,23 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 }
 
 template <class Mode>
-Verdict report_attitude(RequestContext& context, Mode mode) {
+Verdict report_attitude(RequestContext& context, Device& device, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
-  if (of_frame && !knows_frame(context.device, context.now))
+  if (of_frame && !knows_frame(device, context.now))
     return context.refuse(msg::BoardErrorCode::not_supported);
   msg::AhrsHelper answer;
-  measure(context.device, of_frame, context.now, answer);
+  measure(device, of_frame, context.now, answer);
   return context.answer(answer);
 }
 
 /// For the forms without vectors, which cannot set the attitude.
 template <class Request>
-Verdict report_attitude_only(RequestContext& context, const Request& request) {
+Verdict report_attitude_only(RequestContext& context, Device& device, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
   }
-  return report_attitude(context, request.mode);
+  return report_attitude(context, device, request.mode);
 }
 
 /// Options of the form with a wide mode.
@@ -77,10 +76,10 @@ WideOptions wide_options(msg::AhrsHelperWideMode mode) {
 }
 
 template <class Request>
-Verdict report_or_set_attitude(RequestContext& context, const Request& request) {
+Verdict report_or_set_attitude(RequestContext& context, Device& device, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
-  if (!mode.has(Bit::set)) return report_attitude(context, mode);
+  if (!mode.has(Bit::set)) return report_attitude(context, device, mode);
   const WideOptions options = wide_options(mode);
   if (options.disables) return context.confirm();
   if (mode.has(Bit::z1_only) && mode.has(Bit::h1_only)) {
@@ -89,8 +88,7 @@ Verdict report_or_set_attitude(RequestContext& context, const Request& request) 
   Gimbal::Attitude attitude;
   attitude.of_frame = mode.has(Bit::frame_imu);
   attitude.reference_only = mode.has(Bit::reference_only);
-  attitude.translates =
-      (mode.has(Bit::translate) || options.translates) && knows_joints(context.device);
+  attitude.translates = (mode.has(Bit::translate) || options.translates) && knows_joints(device);
   if (!mode.has(Bit::h1_only)) {
     attitude.up = direction(request.z1_vector);
     if (!attitude.up) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
@@ -99,46 +97,46 @@ Verdict report_or_set_attitude(RequestContext& context, const Request& request) 
     attitude.north = direction(request.h1_vector);
     if (!attitude.north) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
-  context.device.gimbal.correct(attitude, context.now);
+  device.gimbal.correct(attitude, context.now);
   return context.confirm();
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::SelectImu3& request) {
-  return select_imu(context, request.imu_type);
+Verdict handle(RequestContext& context, const msg::SelectImu3& request, Device& device) {
+  return select_imu(context, device, request.imu_type);
 }
 /// Ignores the other parameters, which are undocumented.
-Verdict handle(RequestContext& context, const msg::SelectImu3Ext& request) {
-  return select_imu(context, request.imu_type);
+Verdict handle(RequestContext& context, const msg::SelectImu3Ext& request, Device& device) {
+  return select_imu(context, device, request.imu_type);
 }
 
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
-Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request) {
-  if (request.imu_type == msg::CalibImu::frame && !context.device.has_frame_imu()) {
+Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Device& device) {
+  if (request.imu_type == msg::CalibImu::frame && !device.has_frame_imu()) {
     return RequestContext::ignore();
   }
-  if (request.imu_type == msg::CalibImu::main) context.device.cur_imu = msg::SelectedImu::main;
-  if (request.imu_type == msg::CalibImu::frame) context.device.cur_imu = msg::SelectedImu::frame;
-  return calibrate_gyro(context, request.imu_type, request.action,
+  if (request.imu_type == msg::CalibImu::main) device.cur_imu = msg::SelectedImu::main;
+  if (request.imu_type == msg::CalibImu::frame) device.cur_imu = msg::SelectedImu::frame;
+  return calibrate_gyro(context, device, request.imu_type, request.action,
                         milliseconds(request.time_ms.raw()));
 }
 
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
-  return report_attitude_only(context, request);
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequest& request, Device& device) {
+  return report_attitude_only(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestWide& request) {
-  return report_attitude_only(context, request);
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestWide& request, Device& device) {
+  return report_attitude_only(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExt& request) {
-  return report_or_set_attitude(context, request);
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExt& request, Device& device) {
+  return report_or_set_attitude(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request) {
-  return report_or_set_attitude(context, request);
+Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request,
+               Device& device) {
+  return report_or_set_attitude(context, device, request);
 }
 
-Verdict handle(RequestContext& context, const msg::GyroCorrection& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::GyroCorrection& request, Device& device) {
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
     return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -156,8 +154,7 @@ Verdict handle(RequestContext& context, const msg::GyroCorrection& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
   if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   const Sample sample = device.gimbal.sample(context.now);
   const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
@@ -173,8 +170,8 @@ Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
 }
 
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
-Verdict handle(RequestContext& context, const msg::ExtImuCmd& request) {
-  if (!has_external_imu(context.device)) {
+Verdict handle(RequestContext& context, const msg::ExtImuCmd& request, Device& device) {
+  if (!has_external_imu(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   msg::ExtImuCmd answer;
@@ -184,9 +181,9 @@ Verdict handle(RequestContext& context, const msg::ExtImuCmd& request) {
 }
 
 /// The emulated sensor answers queries without data and confirms all other commands.
-Verdict handle(RequestContext& context, const msg::ExtSensCmdRequest& request) {
+Verdict handle(RequestContext& context, const msg::ExtSensCmdRequest& request, Device& device) {
   using enum msg::ExtSensCommand;
-  if (!has_external_imu(context.device)) {
+  if (!has_external_imu(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   static_cast<void>(context.confirm());

@@ -7,7 +7,6 @@
 #include <sbgc/framing.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/device.hpp"
 #include "device/modules/modules.hpp"
 
 namespace sbgc::emulator {
@@ -16,10 +15,10 @@ namespace {
 constexpr msg::ModuleVersion hardware_version(100);
 
 /// The only request that the emulated modules answer: who they are.
-Verdict introduce(RequestContext& context, const msg::TransparentSapiRequest& request,
-                  std::uint16_t firmware) {
+Verdict introduce(RequestContext& context, const BoardOptions& options,
+                  const msg::TransparentSapiRequest& request, std::uint16_t firmware) {
   msg::BoardInfo info;
-  info.board_ver = context.device.options.board;
+  info.board_ver = options.board;
   info.firmware_ver = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware * 10U));
   std::array<std::uint8_t, max_frame_size> frame{};
   const WriteResult written = encode_frame(info, frame);
@@ -31,9 +30,9 @@ Verdict introduce(RequestContext& context, const msg::TransparentSapiRequest& re
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::ModuleListRequest&) {
+Verdict handle(RequestContext& context, const msg::ModuleListRequest&, Device& device) {
   msg::ModuleList list;
-  for (const Module& module : modules_of(context.device)) {
+  for (const Module& module : modules_of(device)) {
     msg::ModuleInfo info;
     info.id = module.id;
     info.board_ver = info.bootloader_ver = hardware_version;
@@ -43,15 +42,15 @@ Verdict handle(RequestContext& context, const msg::ModuleListRequest&) {
   return context.answer(list);
 }
 
-Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&) {
-  if (!context.device.features().has(msg::BoardFeature::can_port)) {
+Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device& device) {
+  if (!device.features().has(msg::BoardFeature::can_port)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   msg::CanDeviceScan scan;
-  for (const Module& module : modules_of(context.device)) {
+  for (const Module& module : modules_of(device)) {
     msg::CanDevice one;
     // Derived from the id of the board, so that no two emulated boards have the same device.
-    one.uid = context.device.options.mcu_id;
+    one.uid = device.options.mcu_id;
     one.uid[0] = static_cast<std::uint8_t>(module.can_id);
     one.id = module.can_id;
     static_cast<void>(one.type.set_kind(module.kind));
@@ -61,15 +60,16 @@ Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&) {
 }
 
 /// Assumption: data for a device that does not exist are lost.
-Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request) {
-  for (const Module& module : modules_of(context.device)) {
+Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request,
+               Device& device) {
+  for (const Module& module : modules_of(device)) {
     if (module.transparent == msg::TransparentDevice{}) continue;
     if (module.transparent != request.target.device()) continue;
     Verdict verdict = Verdict::executed;
     Parser parser;
     parser.feed(std::span(request.payload.data(), request.payload.size()), [&](const Frame& frame) {
       if (frame.id != roles::introduction_request_id) return;
-      verdict = introduce(context, request, module.firmware);
+      verdict = introduce(context, device.options, request, module.firmware);
     });
     return verdict;
   }

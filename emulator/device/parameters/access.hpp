@@ -61,11 +61,10 @@ inline constexpr bool accesses_parameters = detail::accesses_one<Request, Parame
 /// Handles such a request. Stores any values: the specification does not say that the board checks
 /// them, and it must keep values that it does not understand.
 template <class Request>
-Verdict access_parameters(RequestContext& context, const Request& request) {
+Verdict access_parameters(RequestContext& context, const Request& request, Device& device) {
   Verdict verdict = Verdict::refused;
   ParameterMessages::for_each([&]<class S>(Type<S>) {
     if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
-      Device& device = context.device;
       const auto copy = detail::copy_of<S>(device, request);
       if (!copy) {
         verdict = context.refuse(msg::BoardErrorCode::wrong_params);

@@ -7,40 +7,37 @@
 #include <cstdint>
 #include <span>
 
-#include "device/device.hpp"
-
 namespace sbgc::emulator {
 
-Verdict handle(RequestContext& context, const msg::SaveParams3& request) {
+Verdict handle(RequestContext& context, const msg::SaveParams3& request, Parameters& parameters) {
   if (request.param_id.empty()) {
-    context.device.parameters.save();
+    parameters.save();
     return context.confirm();
   }
   for (const msg::VariableId id : request.param_id) {
-    if (!context.device.parameters.variable(id)) {
+    if (!parameters.variable(id)) {
       return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     }
   }
-  context.device.parameters.save(std::span(request.param_id.data(), request.param_id.size()));
+  parameters.save(std::span(request.param_id.data(), request.param_id.size()));
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::UseDefaults& request) {
+Verdict handle(RequestContext& context, const msg::UseDefaults& request, Device& device) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
-    context.device.parameters.erase();
-    context.device.forget_calibrations();
+    device.parameters.erase();
+    device.forget_calibrations();
   } else if (request.profile_id < ParametersOf<msg::ReadParams3>::copies) {
-    context.device.parameters.use_defaults(request.profile_id);
+    device.parameters.use_defaults(request.profile_id);
   } else {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.profile_id);
   }
-  context.device.apply_parameters(context.now);
+  device.apply_parameters(context.now);
   return context.confirm();
 }
 
 /// Between the two requests, written parameters are stored but not yet in use.
-Verdict handle(RequestContext& context, const msg::WriteParamsSet& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::WriteParamsSet& request, Device& device) {
   switch (request.action) {
     case msg::WriteParamsAction::start: device.is_writing_parameters = true; break;
     case msg::WriteParamsAction::finish:
@@ -52,8 +49,7 @@ Verdict handle(RequestContext& context, const msg::WriteParamsSet& request) {
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ProfileSet& request) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::ProfileSet& request, Device& device) {
   const std::size_t index = request.slot - std::size_t{1};
   if (request.slot == 0 || index >= device.memory.profile_sets.size()) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.slot);

@@ -116,14 +116,14 @@ std::uint16_t Outputs::high_pins() const {
   return static_cast<std::uint16_t>(bits);
 }
 
-bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
+bool Outputs::set_servos(const Parameters& parameters, const msg::ServoOut& request) {
   msg::ServoOut wanted = request;
   // All negative values mean floating.
   for (msg::ServoPulse& pulse : wanted.servo_time) {
     if (pulse < msg::ServoPulse(msg::ServoOut::low)) pulse = floating;
   }
   if (!is_valid(wanted)) return false;
-  const double rate = device.parameters.of<msg::ReadParams3>().servo_rate.hertz();
+  const double rate = parameters.of<msg::ReadParams3>().servo_rate.hertz();
   constexpr auto second = static_cast<double>(seconds(1).us);
   for (const msg::ServoPulse pulse : wanted.servo_time) {
     if (pulse.microseconds() * rate >= second) return false;
@@ -135,7 +135,7 @@ bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
   return true;
 }
 
-bool Outputs::set_servos(const Device& device, const msg::ServoOutExt& request) {
+bool Outputs::set_servos(const Parameters& parameters, const msg::ServoOutExt& request) {
   msg::ServoOut wanted;
   wanted.servo_time = servos_;
   auto drivers = driver_servos_;
@@ -149,7 +149,7 @@ bool Outputs::set_servos(const Device& device, const msg::ServoOutExt& request) 
       drivers[bit - servo_pins] = pulse;
     }
   }
-  if (index != request.servo_time.size() || !set_servos(device, wanted)) return false;
+  if (index != request.servo_time.size() || !set_servos(parameters, wanted)) return false;
   driver_servos_ = drivers;
   return true;
 }

@@ -40,9 +40,9 @@ class Outputs {
 
   /// Returns false, without effect, if a pulse does not fit into the period of SERVO_RATE.
   /// Assumption: a servo takes its pin from any other use.
-  bool set_servos(const Device& device, const msg::ServoOut& request);
+  bool set_servos(const Parameters& parameters, const msg::ServoOut& request);
   /// Sets only the selected servos; those of drivers have no pin of the board.
-  bool set_servos(const Device& device, const msg::ServoOutExt& request);
+  bool set_servos(const Parameters& parameters, const msg::ServoOutExt& request);
   /// The pulse as in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
 

@@ -281,7 +281,7 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
              device, request,
              [&] {
                return device.ports.offer(
-                   port, device.external_motors.state(device, *request.config.motor,
+                   port, device.external_motors.state(device.gimbal, *request.config.motor,
                                                       *request.config.data_set, now));
              }) ||
          use_if<msg::AhrsHelper>(device, request,

@@ -36,13 +36,12 @@ bool Scripts::are_supported(const Device& device) {
   return device.options.features.has(msg::BoardFeature::scripting);
 }
 
-std::optional<msg::BoardErrorCode> Scripts::start(Device& device, std::uint8_t slot,
+std::optional<msg::BoardErrorCode> Scripts::start(const FileSystem& files, std::uint8_t slot,
                                                   std::optional<std::size_t> port, Instant now) {
-  if (!are_supported(device)) return msg::BoardErrorCode::not_supported;
   if (slot >= slots) return msg::BoardErrorCode::wrong_params;
-  const std::uint16_t size = device.files.size(slot);
+  const std::uint16_t size = files.size(slot);
   if (size == 0) return msg::BoardErrorCode::operation_failed;
-  const FileSystem::Part file = device.files.read(slot, 0, size);
+  const FileSystem::Part file = files.read(slot, 0, size);
   if (file.error != msg::FileError::no_error) return msg::BoardErrorCode::operation_failed;
   Run run{.slot = slot, .port = port};
   run.commands = count_commands(

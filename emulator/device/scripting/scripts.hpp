@@ -10,9 +10,11 @@
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
 
-#include "device/request_context.hpp"
+#include "device/storage/file_system.hpp"
 
 namespace sbgc::emulator {
+
+struct Device;
 
 /// Runs one script at a time. The script language is undocumented. Assumptions: a script is text
 /// whose lines are commands that only take time; the script of a slot is the file with the number
@@ -27,7 +29,7 @@ class Scripts {
   static bool are_supported(const Device& device);
   /// Starts a script and ends the running one. `port` receives CMD_SCRIPT_DEBUG for each command
   /// and at the end. Returns the reason if it cannot start.
-  std::optional<msg::BoardErrorCode> start(Device& device, std::uint8_t slot,
+  std::optional<msg::BoardErrorCode> start(const FileSystem& files, std::uint8_t slot,
                                            std::optional<std::size_t> port, Instant now);
   void stop() { run_.reset(); }
   /// The slot of the running script.

@@ -3,8 +3,6 @@
 
 #include "device/handlers.hpp"
 
-#include "device/device.hpp"
-
 namespace sbgc::emulator {
 namespace {
 
@@ -15,31 +13,30 @@ Verdict confirm_result(RequestContext& context, msg::FileError error) {
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::EepromReadRequest& request) {
+Verdict handle(RequestContext& context, const msg::EepromReadRequest& request, Eeprom& eeprom) {
   msg::EepromRead answer;
   const std::size_t size = request.size.raw();
   if (size > answer.data.capacity())
     return context.refuse(msg::BoardErrorCode::wrong_params, request.size.raw());
-  const auto bytes = context.device.eeprom.read_pages(request.addr, size);
+  const auto bytes = eeprom.read_pages(request.addr, size);
   if (!bytes) return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
   answer.addr = request.addr;
   for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
   return context.answer(answer);
 }
 
-Verdict handle(RequestContext& context, const msg::EepromWrite& request) {
+Verdict handle(RequestContext& context, const msg::EepromWrite& request, Eeprom& eeprom) {
   const auto data = std::span(request.data.data(), request.data.size());
-  if (!context.device.eeprom.write_pages(request.addr, data)) {
+  if (!eeprom.write_pages(request.addr, data)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
   }
   return context.confirm({.addr = request.addr});
 }
 
-Verdict handle(RequestContext& context, const msg::ReadFileRequest& request) {
+Verdict handle(RequestContext& context, const msg::ReadFileRequest& request, FileSystem& files) {
   msg::ReadFile answer;
   const std::size_t size = request.max_data_size.raw();
-  const FileSystem::Part part =
-      context.device.files.read(request.file_id, request.page_offset.raw(), size);
+  const FileSystem::Part part = files.read(request.file_id, request.page_offset.raw(), size);
   const msg::FileError error =
       size > answer.data.capacity() ? msg::FileError::wrong_params : part.error;
   if (error != msg::FileError::no_error) {
@@ -52,15 +49,15 @@ Verdict handle(RequestContext& context, const msg::ReadFileRequest& request) {
   return context.answer(answer);
 }
 
-Verdict handle(RequestContext& context, const msg::WriteFile& request) {
-  const msg::FileError error = context.device.files.write(
-      request.file_id, request.file_size.raw(), request.page_offset.raw(),
-      std::span(request.data.data(), request.data.size()));
+Verdict handle(RequestContext& context, const msg::WriteFile& request, FileSystem& files) {
+  const msg::FileError error =
+      files.write(request.file_id, request.file_size.raw(), request.page_offset.raw(),
+                  std::span(request.data.data(), request.data.size()));
   return confirm_result(context, error);
 }
 
-Verdict handle(RequestContext& context, const msg::FsClearAll& /*request*/) {
-  return confirm_result(context, context.device.files.clear());
+Verdict handle(RequestContext& context, const msg::FsClearAll& /*request*/, FileSystem& files) {
+  return confirm_result(context, files.clear());
 }
 
 }  // namespace sbgc::emulator

@@ -6,57 +6,57 @@
 #include <sbgc/meta/realtime.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/device.hpp"
 #include "device/modules/modules.hpp"
 #include "physics/noise.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
-Verdict introduce(RequestContext& context) {
-  const BoardOptions& options = context.device.options;
+Verdict introduce(RequestContext& context, Device& device) {
+  const BoardOptions& options = device.options;
   msg::BoardInfo info;
   info.board_ver = options.board;
   info.firmware_ver = options.firmware;
-  info.board_features = context.device.features();
-  info.board_features_ext = context.device.features_ext();
-  if (context.device.ports.is_usb(context.port))
-    info.connection_flags.set(msg::ConnectionFlag::usb);
+  info.board_features = device.features();
+  info.board_features_ext = device.features_ext();
+  if (device.ports.is_usb(context.port)) info.connection_flags.set(msg::ConnectionFlag::usb);
   // Earlier firmware only says whether debug output is enabled.
   constexpr Availability since =
       sbgc::detail::field_info<msg::RealtimeData4>("system_state_flags").since;
   if (is_available(since, context.versions())) {
-    info.debug_mode = msg::BoardStateFlags(
-        static_cast<std::uint8_t>(state_flags(context.device, context.now).raw()));
+    info.debug_mode =
+        msg::BoardStateFlags(static_cast<std::uint8_t>(state_flags(device, context.now).raw()));
     info.base_frw_ver = options.firmware;
   }
   return context.answer(info);
 }
 
 /// Without a notice there is no response, because the board restarts.
-Verdict restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
+Verdict restart(RequestContext& context, Restarts& restarts, bool notify, msg::Milliseconds delay,
+                bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
-  context.device.restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
+  restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
   return Verdict::executed;
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/) {
-  return introduce(context);
+Verdict handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/, Device& device) {
+  return introduce(context, device);
 }
 
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/) {
-  return introduce(context);
+Verdict handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/,
+               Device& device) {
+  return introduce(context, device);
 }
 
 // The configuration is for Bluetooth LE modules between board and host, which are not emulated.
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/) {
-  return introduce(context);
+Verdict handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/,
+               Device& device) {
+  return introduce(context, device);
 }
 
-Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/) {
-  Device& device = context.device;
+Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/, Device& device) {
   msg::BoardInfo3 info;
   info.device_id = device.options.device_id;
   info.mcu_id = device.options.mcu_id;
@@ -83,44 +83,41 @@ Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*
   return context.answer(info);
 }
 
-Verdict handle(RequestContext& context, const msg::ResetRequest& /*request*/) {
-  return restart(context, false, {}, false);
+Verdict handle(RequestContext& context, const msg::ResetRequest& /*request*/, Restarts& restarts) {
+  return restart(context, restarts, false, {}, false);
 }
 
-Verdict handle(RequestContext& context, const msg::ResetRequestExt& request) {
-  return restart(context, request.confirm.has(msg::ResetOption::notify), request.delay_ms, false);
+Verdict handle(RequestContext& context, const msg::ResetRequestExt& request, Restarts& restarts) {
+  return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
+                 false);
 }
 
-Verdict handle(RequestContext& context, const msg::BootMode3& /*request*/) {
-  return restart(context, false, {}, true);
+Verdict handle(RequestContext& context, const msg::BootMode3& /*request*/, Restarts& restarts) {
+  return restart(context, restarts, false, {}, true);
 }
 
-Verdict handle(RequestContext& context, const msg::BootMode3Ext& request) {
-  return restart(context, request.confirm.has(msg::ResetOption::notify), request.delay_ms, true);
+Verdict handle(RequestContext& context, const msg::BootMode3Ext& request, Restarts& restarts) {
+  return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
+                 true);
 }
 
-Verdict handle(RequestContext& context, const msg::ReadStateVarsRequest&) {
-  Device& device = context.device;
-  if (!StateVariables::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
-  return context.answer(device.state_variables.values(device, context.now));
+Verdict handle(RequestContext& context, const msg::ReadStateVarsRequest&,
+               StateVariables& state_variables, Gimbal& gimbal) {
+  return context.answer(state_variables.values(gimbal, context.now));
 }
 
-Verdict handle(RequestContext& context, const msg::WriteStateVars& request) {
-  Device& device = context.device;
-  if (!StateVariables::are_supported(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
-  device.state_variables.write(device, request, context.now);
+Verdict handle(RequestContext& context, const msg::WriteStateVars& request,
+               StateVariables& state_variables, Memory& memory) {
+  state_variables.write(memory, request, context.now);
   return context.confirm();
 }
 
 /// The keys of real boards are secret: this signature only depends on board and message.
-Verdict handle(RequestContext& context, const msg::SignMessageRequest& request) {
+Verdict handle(RequestContext& context, const msg::SignMessageRequest& request,
+               const BoardOptions& options) {
   msg::SignMessage answer;
   std::uint64_t state = request.sign_type;
-  for (const std::uint8_t byte : context.device.options.device_id) {
+  for (const std::uint8_t byte : options.device_id) {
     state = random_bits(state, byte);
   }
   for (const std::uint8_t byte : request.message) state = random_bits(state, byte);

@@ -34,10 +34,10 @@ bool StateVariables::are_supported(const Device& device) {
   return device.features_ext().has(msg::BoardFeaturesExtBit::state_vars);
 }
 
-void StateVariables::count(Device& device, Instant now) {
+void StateVariables::count(Gimbal& gimbal, Instant now) {
   const double passed = std::max(0.0, static_cast<double>((now - counted_).us) * 1e-6);
   counted_ = now;
-  const Sample sample = device.gimbal.sample(now);
+  const Sample sample = gimbal.sample(now);
   const double milliamperes = sample.current * 1000;
   work_time_ += passed;
   energy_time_ += passed;
@@ -60,8 +60,8 @@ void StateVariables::count(Device& device, Instant now) {
   values_.avg_current = saturated<msg::AverageCurrent>(current_);
 }
 
-msg::ReadStateVars StateVariables::values(Device& device, Instant now) {
-  count(device, now);
+msg::ReadStateVars StateVariables::values(Gimbal& gimbal, Instant now) {
+  count(gimbal, now);
   return values_;
 }
 
@@ -75,27 +75,27 @@ void StateVariables::set(const msg::ReadStateVars& values, Instant now) {
   counted_ = now;
 }
 
-void StateVariables::write(Device& device, const msg::ReadStateVars& values, Instant now) {
+void StateVariables::write(Memory& memory, const msg::ReadStateVars& values, Instant now) {
   set(values, now);
-  store(device);
+  store(memory);
 }
 
-void StateVariables::store(Device& device) const {
+void StateVariables::store(Memory& memory) const {
   std::array<std::uint8_t, max_body_size> body{};
   const WriteResult written = encode(values_, body);
-  device.memory.state_variables.assign(body.begin(),
-                                       body.begin() + static_cast<std::ptrdiff_t>(written.size));
-  ++device.memory.revision;
+  memory.state_variables.assign(body.begin(),
+                                body.begin() + static_cast<std::ptrdiff_t>(written.size));
+  ++memory.revision;
 }
 
 void StateVariables::advance(Device& device, Instant now) {
   if (next_ > now) return;
-  count(device, now);
+  count(device.gimbal, now);
   next_ = now + count_period;
   const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
   if (!flags.has(msg::GeneralFlags2Bit::save_system_stat) || now < stored_ + store_period) return;
   stored_ = now;
-  store(device);
+  store(device.memory);
 }
 
 void StateVariables::start(Device& device, Instant now) {
@@ -109,7 +109,7 @@ void StateVariables::start(Device& device, Instant now) {
   set(stored, now);
   if (values_.startup_cnt < 0xFFFF) ++values_.startup_cnt;
   const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
-  if (flags.has(msg::GeneralFlags2Bit::save_system_stat)) store(device);
+  if (flags.has(msg::GeneralFlags2Bit::save_system_stat)) store(device.memory);
   stored_ = now;
   next_ = now + count_period;
 }

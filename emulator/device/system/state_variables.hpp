@@ -15,8 +15,8 @@ class StateVariables {
   static bool are_supported(const Device& device);
 
   /// The current values.
-  msg::ReadStateVars values(Device& device, Instant now);
-  void write(Device& device, const msg::ReadStateVars& values, Instant now);
+  msg::ReadStateVars values(Gimbal& gimbal, Instant now);
+  void write(Memory& memory, const msg::ReadStateVars& values, Instant now);
 
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
@@ -25,8 +25,8 @@ class StateVariables {
 
  private:
   void set(const msg::ReadStateVars& values, Instant now);
-  void count(Device& device, Instant now);
-  void store(Device& device) const;
+  void count(Gimbal& gimbal, Instant now);
+  void store(Memory& memory) const;
 
   msg::ReadStateVars values_{};
   double work_time_{};  ///< seconds; the wire has whole ones

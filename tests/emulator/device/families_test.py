@@ -8,7 +8,9 @@ ROOT = Path(__file__).resolve().parents[3]
 DEVICE = ROOT / "emulator/device"
 MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text())
 FAMILY = {message["name"]: message["family"] for message in MODEL["messages"]}
-HANDLER = re.compile(r"^Verdict handle\(\s*RequestContext& \w+,\s*const msg::(\w+)&", re.MULTILINE)
+HANDLER = re.compile(
+    r"^Verdict handle\(\s*RequestContext&[ \w]*,\s*const msg::(\w+)&", re.MULTILINE
+)
 
 
 def test_handlers_are_in_the_folder_of_their_family() -> None:
