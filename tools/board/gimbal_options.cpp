@@ -1,5 +1,10 @@
 #include "board/gimbal_options.hpp"
 
+#include <vector>
+
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/io/open.hpp>
+
 #include "board/configuration.hpp"
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
@@ -7,14 +12,25 @@
 
 namespace sbgc::tools {
 
+namespace {
+
+std::string addresses() {
+  std::vector<std::string> result{"/dev/ttyUSB0"};
+  for (const io::AddressKind& kind : io::address_kinds) {
+    if (kind.leads_to_gimbal) result.emplace_back(kind.syntax);
+  }
+  return detail::alternatives(result, false);
+}
+
+}  // namespace
+
 void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
-  const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
+  const auto add = [&](const char* name, auto& value, const char* type, const std::string& help) {
     return command.add_option(name, value, help)->type_name(type)->group(gimbal_group);
   };
   add("-p,--port", options.port, "ADDRESS",
-      "Address of the gimbal: /dev/ttyUSB0, serial:PATH?baud=NUMBER&parity=none|even, "
-      "tcp:HOST:PORT, udp:HOST:PORT or capture:FILE. Without it, the only gimbal found on the "
-      "serial ports");
+      "Address of the gimbal: " + addresses() +
+          ". Without it, the only gimbal found on the serial ports");
   add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file");
   add_duration(command, "--timeout", options.timeout,
                "The longest time to connect (20s), and to wait for the response to one request (as "

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/io/open.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
 
@@ -55,8 +56,8 @@ Candidates addresses() {
   for (const io::PortInfo& port : listed_ports().ports) {
     result.push_back({port.name, port.description});
   }
-  for (const char* const kind : {"serial:", "tcp:", "udp:", "capture:"}) {
-    result.push_back({kind, ""});
+  for (const io::AddressKind& kind : io::address_kinds) {
+    if (kind.leads_to_gimbal) result.push_back({std::string(kind.name) + ':', ""});
   }
   return result;
 }
