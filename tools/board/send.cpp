@@ -233,8 +233,7 @@ int send(const SendOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_send(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("send", "Send any message and print the response")->group(heading::bytes);
+  auto* const command = app.add_subcommand("send", "Send any message and print the response");
   auto options = std::make_shared<SendOptions>();
   command
       ->add_option("name", options->name,

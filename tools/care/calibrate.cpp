@@ -171,8 +171,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors")
-                            ->group(heading::care);
+  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors");
   auto options = std::make_shared<CalibrateOptions>();
   command->add_option("what", options->name, "What to calibrate, such as gyro")
       ->type_name("CALIBRATION");

@@ -82,7 +82,7 @@ int reset(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_reset(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("reset", "Restart the board")->group(heading::care);
+  auto* const command = app.add_subcommand("reset", "Restart the board");
   auto arming = std::make_shared<Arming>();
   add_arming(*command, *arming);
   add_gimbal_options(*command, context.gimbal);

@@ -56,8 +56,7 @@ int print_ports(const PortsOptions& options) {
 }  // namespace
 
 void add_ports(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("ports", "List the serial ports of this machine")->group(heading::look);
+  auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
   auto options = std::make_shared<PortsOptions>();
   add_format(*command, options->format);
   command->callback([options, &context] { context.status = print_ports(*options); });

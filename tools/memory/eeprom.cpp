@@ -94,8 +94,7 @@ int write(const EepromOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_eeprom(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("eeprom", "Copy the EEPROM of the board")->group(heading::care);
+  auto* const command = app.add_subcommand("eeprom", "Copy the EEPROM of the board");
   command->require_subcommand(1);
   auto options = std::make_shared<EepromOptions>();
   const auto add = [&](const char* name, const char* text) {

@@ -145,8 +145,7 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_monitor(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("monitor", "Watch a gimbal live on the whole terminal")
-                            ->group(heading::look);
+  auto* const command = app.add_subcommand("monitor", "Watch a gimbal live on the whole terminal");
   auto options = std::make_shared<MonitorOptions>();
   command->add_option("--rate", options->rate, "Messages per second")
       ->type_name("HZ")

@@ -226,8 +226,7 @@ int jog(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_jog(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("jog", "Turn the camera with the keyboard")->group(heading::move);
+  auto* const command = app.add_subcommand("jog", "Turn the camera with the keyboard");
   auto arming = std::make_shared<Arming>();
   add_arming(*command, *arming);
   add_gimbal_options(*command, context.gimbal);

@@ -108,8 +108,7 @@ int menu(const MenuOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_menu(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("menu", "Perform an action of the menu button")->group(heading::move);
+  auto* const command = app.add_subcommand("menu", "Perform an action of the menu button");
   auto options = std::make_shared<MenuOptions>();
   command
       ->add_option("action", options->action,

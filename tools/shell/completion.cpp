@@ -306,8 +306,7 @@ struct CompletionOptions {
 }  // namespace
 
 void add_completion(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell")
-                            ->group(heading::shell);
+  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell");
   auto options = std::make_shared<CompletionOptions>();
   command->add_option("shell", options->shell, "The shell")
       ->required()

@@ -188,8 +188,7 @@ int print_manual(const CLI::App& app, const ManualOptions& options) {
 }  // namespace
 
 void add_manual(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("manual", "Print a manual page in the format of man")
-                            ->group(heading::shell);
+  auto* const command = app.add_subcommand("manual", "Print a manual page in the format of man");
   auto options = std::make_shared<ManualOptions>();
   command->add_option("command", options->command, "The command; without it, sbgc itself")
       ->type_name("COMMAND");
