@@ -12,10 +12,10 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "care/calibrations.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "board/gimbal_options.hpp"
 #include "command/command_error.hpp"
+#include "command/gimbal_options.hpp"
 
 namespace sbgc::tools {
 

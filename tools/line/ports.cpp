@@ -11,10 +11,10 @@
 #include <sbgc/io/ports.hpp>
 #include <sbgc/text/values.hpp>
 
+#include "board/listed_ports.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
-#include "line/listed_ports.hpp"
 
 namespace sbgc::tools {
 

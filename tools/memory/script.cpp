@@ -11,8 +11,8 @@
 
 #include <sbgc/messages/scripting.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"

@@ -10,15 +10,15 @@
 #include <sbgc/client/reconnecting_client.hpp>
 
 #include "board/connection.hpp"
+#include "board/listed_ports.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/system.hpp"
-#include "line/listed_ports.hpp"
 #include "monitor/gimbal_state.hpp"
 #include "monitor/pages.hpp"
 #include "monitor/screen.hpp"
-#include "monitor/terminal_restorer.hpp"
+#include "motion/terminal_restorer.hpp"
 
 namespace sbgc::tools {
 

@@ -14,8 +14,8 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"

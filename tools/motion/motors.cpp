@@ -7,8 +7,8 @@
 
 #include <sbgc/messages/control.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"

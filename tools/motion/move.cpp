@@ -9,8 +9,8 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-#include "board/arming.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "motion/axis_values.hpp"

@@ -11,8 +11,8 @@
 
 #include <sbgc/client/speed_control.hpp>
 
-#include "board/arming.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"

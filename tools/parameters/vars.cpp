@@ -16,8 +16,8 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"

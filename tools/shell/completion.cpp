@@ -16,14 +16,14 @@
 #include <sbgc/roles.hpp>
 
 #include "board/configuration.hpp"
+#include "board/listed_ports.hpp"
 #include "care/calibrations.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
-#include "line/listed_ports.hpp"
 #include "line/stream_type.hpp"
-#include "shell/command_line_facts.hpp"
 #include "shell/scripts.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"

@@ -13,10 +13,10 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/version.hpp>
 
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/usage.hpp"
 #include "command/wording.hpp"
-#include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
 

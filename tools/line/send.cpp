@@ -14,8 +14,8 @@
 #include <sbgc/json/hex.hpp>
 #include <sbgc/validate.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
 #include "command/commands.hpp"

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/usage.hpp"
 #include "motion/guard.hpp"
-#include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
 
