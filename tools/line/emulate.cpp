@@ -331,8 +331,7 @@ void check(EmulateOptions& options) {
 
 void add_emulate(CLI::App& app, CommandContext& context) {
   auto* const command =
-      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them")
-          ->group(heading::bytes);
+      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them");
   auto options = std::make_shared<EmulateOptions>();
   add_endpoint_options(*command, *options);
   add_board_options(*command, *options);

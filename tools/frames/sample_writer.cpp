@@ -1,4 +1,4 @@
-#include "line/sample_writer.hpp"
+#include "frames/sample_writer.hpp"
 
 #include <algorithm>
 #include <cmath>

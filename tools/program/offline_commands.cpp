@@ -5,7 +5,9 @@
 namespace sbgc::tools {
 
 void add_commands(CLI::App& app, CommandContext& context) {
+  app.group("Look");  // the heading in the help
   add_describe(app, context);
+  app.group("Bytes");
   add_decode(app, context);
   add_encode(app, context);
   app.footer(

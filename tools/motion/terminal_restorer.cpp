@@ -1,4 +1,4 @@
-#include "monitor/terminal_restorer.hpp"
+#include "motion/terminal_restorer.hpp"
 
 #include <array>
 #include <cerrno>

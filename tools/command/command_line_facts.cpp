@@ -1,4 +1,4 @@
-#include "shell/command_line_facts.hpp"
+#include "command/command_line_facts.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "line/sample.hpp"
+#include "frames/sample.hpp"
 
 namespace sbgc::tools {
 

@@ -9,8 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <sbgc/client/options.hpp>
-
 namespace sbgc::tools {
 
 /// How to reach the gimbal. What the command line leaves open comes from the configuration file, if
@@ -32,15 +30,5 @@ inline constexpr const char* gimbal_group = "Gimbal";
 
 /// Adds the options to a subcommand, or to `sbgc` itself.
 void add_gimbal_options(CLI::App& command, GimbalOptions& options);
-
-/// Returns the options with those of the named gimbal in the configuration file filled in. Throws
-/// CommandError.
-GimbalOptions with_configuration(const GimbalOptions& options);
-
-/// Returns the options of the library, without `wrap`.
-ConnectOptions connect_options(const GimbalOptions& options);
-
-/// Returns the options of a call that takes a timeout of its own.
-CallOptions call_options(const GimbalOptions& options);
 
 }  // namespace sbgc::tools

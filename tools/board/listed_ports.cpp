@@ -1,4 +1,4 @@
-#include "line/listed_ports.hpp"
+#include "board/listed_ports.hpp"
 
 #include <cstdint>
 #include <cstdlib>

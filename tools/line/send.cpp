@@ -14,8 +14,8 @@
 #include <sbgc/json/hex.hpp>
 #include <sbgc/validate.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
 #include "command/commands.hpp"
@@ -273,8 +273,7 @@ int send(const SendOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_send(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("send", "Send any message and print the response")->group(heading::bytes);
+  auto* const command = app.add_subcommand("send", "Send any message and print the response");
   auto options = std::make_shared<SendOptions>();
   command
       ->add_option("name", options->name,

@@ -1,4 +1,4 @@
-#include "board/arming.hpp"
+#include "command/arming.hpp"
 
 #include <cstdio>
 #include <iostream>

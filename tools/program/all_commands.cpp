@@ -1,15 +1,32 @@
 // The subcommands where sbgc::io and sbgc::client exist: all.
 
+#include <vector>
+
 #include <fmt/format.h>
 
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/usage.hpp"
 #include "motion/guard.hpp"
-#include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+/// The subcommands by their headings in the help.
+struct Heading {
+  const char* name;
+  std::vector<AddCommand*> commands;
+};
+const std::vector<Heading> headings{
+    {"Look", {add_ports, add_info, add_monitor, add_stream, add_describe}},
+    {"Parameters", {add_params, add_vars}},
+    {"Move", {add_move, add_speed, add_jog, add_stop, add_motors, add_menu}},
+    {"Care", {add_calibrate, add_eeprom, add_files, add_script, add_reset}},
+    {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
+    {"Share", {add_bridge}},
+    {"Shell", {add_completion, add_manual}},
+};
 
 /// Options of a gimbal before the command are for commands that talk to one.
 void require_use_of_gimbal_options(const CLI::App& app) {
@@ -28,33 +45,10 @@ void require_use_of_gimbal_options(const CLI::App& app) {
 
 void add_commands(CLI::App& app, CommandContext& context) {
   add_gimbal_options(app, context.gimbal);
-  add_ports(app, context);
-  add_info(app, context);
-  add_monitor(app, context);
-  add_stream(app, context);
-  add_describe(app, context);
-  add_params(app, context);
-  add_vars(app, context);
-  add_move(app, context);
-  add_speed(app, context);
-  add_jog(app, context);
-  add_stop(app, context);
-  add_motors(app, context);
-  add_menu(app, context);
-  add_calibrate(app, context);
-  add_eeprom(app, context);
-  add_files(app, context);
-  add_script(app, context);
-  add_reset(app, context);
-  add_send(app, context);
-  add_record(app, context);
-  add_replay(app, context);
-  add_decode(app, context);
-  add_encode(app, context);
-  add_emulate(app, context);
-  add_bridge(app, context);
-  add_completion(app, context);
-  add_manual(app, context);
+  for (const auto& [name, commands] : headings) {
+    app.group(name);  // the subcommands inherit it
+    for (AddCommand* const add : commands) add(app, context);
+  }
   app.footer(
       "`sbgc COMMAND --help` and the manual pages have the details; `sbgc describe` explains the "
       "protocol. Options of a gimbal stand before or after the command.\n"
