@@ -8,8 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
-#include <sbgc/dispatch.hpp>
+#include <sbgc/explain.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
 
@@ -79,12 +80,12 @@ void add_flags(Flags<E> flags, std::vector<Feature>& features) {
 std::vector<std::string> unsupported_commands(const Availability& versions) {
   std::vector<std::string> all;
   std::vector<std::string> known;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const MessageInfo& info = Meta<M>::info;
-    if (info.direction == Direction::from_board || info.effects.has(Effect::unknown)) return;
+  for (const MessageType* const type : message_types()) {
+    const MessageInfo& info = *type->info;
+    if (!type->is_sent_to_board() || info.effects.has(Effect::unknown)) continue;
     if (std::ranges::find(all, info.command) == all.end()) all.emplace_back(info.command);
-    if (is_supported<M>(versions)) known.emplace_back(info.command);
-  });
+    if (objection_to(info, versions).empty()) known.emplace_back(info.command);
+  }
   std::erase_if(all, [&](const auto& one) { return std::ranges::find(known, one) != known.end(); });
   return all;
 }
