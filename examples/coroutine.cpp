@@ -26,7 +26,8 @@ asio::awaitable<sbgc::Result<void>> nod(sbgc::AsyncClient& gimbal, std::string a
   const sbgc::MoveOptions slowly{.speed = 10_deg_per_s, .progress = careful::go_on};
   for (const sbgc::MoveTarget target :
        {sbgc::MoveTarget{.pitch = 30_deg}, sbgc::MoveTarget{.pitch = 0_deg}}) {
-    const auto moved = co_await gimbal.async_move_to(target, slowly, asio::use_awaitable);
+    const auto moved =
+        co_await gimbal.async_run(sbgc::tasks::move_to(target, slowly), asio::use_awaitable);
     if (!moved) co_return moved.error();
     const auto angles =
         co_await gimbal.async_call(sbgc::msg::GetAnglesRequest{}, asio::use_awaitable);

@@ -10,19 +10,32 @@
 #include <sbgc/responses/all.hpp>
 
 #include "device/default_response.hpp"
-#include "device/device.hpp"
 #include "device/handlers.hpp"
-#include "device/parameter_access.hpp"
+#include "device/parameters/access.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
+template <class Part>
+bool has(const Device& device) {
+  if constexpr (requires { Part::are_supported(device); }) return Part::are_supported(device);
+  return true;
+}
+
+/// Calls a handler with the parts of the device that it takes, if the board has them.
+template <Message M, class... Parts>
+Verdict call(Verdict (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
+             const M& request, Device& device) {
+  if (!(has<Parts>(device) && ...)) return context.refuse(msg::BoardErrorCode::not_supported);
+  return handler(context, request, device.part<Parts>()...);
+}
+
 template <Message M>
-Outcome carry_out(RequestContext& context, const M& request) {
-  if constexpr (requires { handle(context, request); }) {
-    return handle(context, request);
+Verdict carry_out(RequestContext& context, const M& request, Device& device) {
+  if constexpr (requires { call<M>(handle, context, request, device); }) {
+    return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
-    return access_parameters(context, request);
+    return access_parameters(context, request, device);
   } else {
     return default_response(context, request);
   }
@@ -54,8 +67,10 @@ class Board::Core {
   }
 
   Instant next() {
-    Instant next = earlier(device.restarts.next(), device.streams.next());
-    for_each_part(device, [&](auto& part) { next = earlier(next, part.next()); });
+    Instant next = device.restarts.next();
+    for_each_part(device, [&](auto& part) {
+      if constexpr (requires { part.next(); }) next = earlier(next, part.next());
+    });
     for (const Instant time : request_times_) next = earlier(next, time);
     for (const Instant time : idle_times_) next = earlier(next, time);
     return next;
@@ -78,12 +93,9 @@ class Board::Core {
 
   void close(std::size_t port) {
     device.streams.forget(device, port, clock_);
-    device.calibrations.drop_port(port);
-    device.auto_tuning.drop_port(port);
-    device.scripts.drop_port(port);
-    device.control_link.drop_port(port);
-    device.tasks.drop_port(port);
-    device.debug_copies.drop_port(port);
+    for_each_part(device, [&](auto& part) {
+      if constexpr (requires { part.drop_port(port); }) part.drop_port(port);
+    });
     device.ports.close(port);
     request_times_[port] = idle_times_[port] = Instant::never;
   }
@@ -143,7 +155,9 @@ class Board::Core {
   void run_due(Instant now) {
     step([&] { device.restarts.advance(device, now); });
     for_each_part(device, [&](auto& part) {
-      if (part.next() <= now) step([&] { part.advance(device, now); });
+      if constexpr (requires { part.next(); }) {
+        if (part.next() <= now) step([&] { part.advance(device, now); });
+      }
     });
     for (std::size_t port = 0; port < idle_times_.size(); ++port) {
       if (idle_times_[port] > now) continue;
@@ -170,11 +184,11 @@ class Board::Core {
   void carry_out_next(std::size_t port, Instant now) {
     const QueuedRequest request = device.ports.take(port);
     device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
-    const Outcome outcome = carry_out_frame(port, request, now);
+    const Verdict verdict = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
-    if (outcome == Outcome::refused) ++counters.refused;
-    if (outcome == Outcome::unknown || outcome == Outcome::malformed) ++counters.unknown;
-    device.ports.report(port, {request.id, request.body}, outcome);
+    if (verdict == Verdict::refused) ++counters.refused;
+    if (verdict == Verdict::unknown || verdict == Verdict::malformed) ++counters.unknown;
+    device.ports.report(port, {request.id, request.body}, verdict);
   }
 
   /// True if this board supports any request with this id.
@@ -191,20 +205,20 @@ class Board::Core {
 
   /// Answers an unknown request with CMD_ERROR if the board supports it. Does not answer errors,
   /// because two boards on one line would answer each other endlessly.
-  Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    const Outcome outcome = try_frame(port, request, now);
-    const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
+  Verdict carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    const Verdict verdict = try_frame(port, request, now);
+    const bool is_strange = verdict == Verdict::unknown || verdict == Verdict::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
       RequestContext context(device, port, request.id, Confirmed::never, now);
       context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
                                        : msg::BoardErrorCode::unknown_command);
     }
-    return outcome;
+    return verdict;
   }
 
   /// Ignores bytes that the firmware does not know, as real boards do.
-  Outcome try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    Outcome outcome = Outcome::unknown;
+  Verdict try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    Verdict verdict = Verdict::unknown;
     const std::size_t largest = largest_request(request.id, device.versions());
     const bool has_surplus = request.body.size() > largest;
     const auto body =
@@ -217,23 +231,23 @@ class Board::Core {
         // Flags may say that even the largest form ends earlier.
         const bool is_whole = status || (has_surplus && status.code == Code::too_long);
         if (!is_whole || (has_surplus && device.options.is_strict)) {
-          outcome = Outcome::malformed;
+          verdict = Verdict::malformed;
           return;
         }
         if constexpr (!accesses_parameters<M>) {
           const bool has_unknown_values = limit_to(device.versions(), message);
           if (has_unknown_values && !checks_values<M>) {
             RequestContext context(device, port, request.id, Confirmed::never, now);
-            outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+            verdict = context.refuse(msg::BoardErrorCode::wrong_params);
             return;
           }
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
         RequestContext context(device, port, request.id, confirmed, now);
-        outcome = carry_out(context, message);
+        verdict = carry_out(context, message, device);
       }
     });
-    return code == Code::unknown_form ? Outcome::malformed : outcome;
+    return code == Code::unknown_form ? Verdict::malformed : verdict;
   }
 
   Instant clock_;

@@ -7,7 +7,7 @@
 #include <sbgc/meta/system.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/parts/gimbal_tuning.hpp"
+#include "device/parameters/gimbal_tuning.hpp"
 
 namespace sbgc::emulator {
 

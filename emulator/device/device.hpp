@@ -4,38 +4,41 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/emulator/board.hpp>
 
-#include "device/parts/auto_tuning.hpp"
-#include "device/parts/calibrations.hpp"
-#include "device/parts/control_link.hpp"
-#include "device/parts/debug_copies.hpp"
-#include "device/parts/eeprom.hpp"
-#include "device/parts/events.hpp"
-#include "device/parts/external_motors.hpp"
-#include "device/parts/file_system.hpp"
-#include "device/parts/i2c_bus.hpp"
-#include "device/parts/modes.hpp"
-#include "device/parts/outputs.hpp"
-#include "device/parts/parameters.hpp"
-#include "device/parts/ports.hpp"
-#include "device/parts/quaternion_control.hpp"
-#include "device/parts/remote_control.hpp"
-#include "device/parts/restarts.hpp"
-#include "device/parts/scripts.hpp"
-#include "device/parts/slots.hpp"
-#include "device/parts/state_variables.hpp"
-#include "device/parts/streams.hpp"
-#include "device/parts/tasks.hpp"
+#include "device/adjustable_variables/slots.hpp"
+#include "device/calibration/auto_tuning.hpp"
+#include "device/calibration/calibrations.hpp"
+#include "device/control/control_link.hpp"
+#include "device/control/events.hpp"
+#include "device/control/modes.hpp"
+#include "device/control/quaternion_control.hpp"
+#include "device/control/tasks.hpp"
+#include "device/debug/debug_copies.hpp"
+#include "device/external_motors/external_motors.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/i2c_bus.hpp"
+#include "device/peripherals/outputs.hpp"
+#include "device/peripherals/remote_control.hpp"
+#include "device/ports.hpp"
+#include "device/realtime/streams.hpp"
+#include "device/scripting/scripts.hpp"
+#include "device/storage/eeprom.hpp"
+#include "device/storage/file_system.hpp"
+#include "device/system/restarts.hpp"
+#include "device/system/state_variables.hpp"
 
 namespace sbgc::emulator {
 
-/// The interface of a part of the board that acts on its own:
+/// The interface of a part of the board that acts on its own, as far as it needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
 ///     void advance(Device& device, Instant now);   // executes what is due at `now`
-///     void restart(Device& device, Instant now);   // the board has restarted
+///     void restart(Device& device, Instant now);   // without it, a restart loses the whole state
+///     void drop_port(std::size_t port);            // the port closes: sends nothing more to it
 /// Parts store ports by number; Ports::send() to a closed port does nothing.
 struct Device {
   Device(BoardOptions of, Memory kept, Instant now);
@@ -115,27 +118,27 @@ struct Device {
   /// Heading corrections of the main and frame IMU, deg/s, in addition to GYRO_HEADING_CORRECTION.
   /// Assumption: valid until the board restarts.
   std::array<double, 2> gyro_headings{};
+
+  /// A part by its type, for handlers; the whole device counts as one.
+  template <class Part>
+  Part& part() {
+    return std::get<std::remove_const_t<Part>&>(
+        std::tie(*this, options, memory, eeprom, parameters, files, gimbal, ports, streams, remote,
+                 slots, calibrations, auto_tuning, scripts, outputs, i2c, control_link, quaternions,
+                 tasks, external_motors, state_variables, debug_copies, restarts));
+  }
+
   Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts
 };
 
 /// Calls `use(part)` for each part that acts on its own, in a fixed order.
 template <class Use>
 void for_each_part(Device& device, Use&& use) {
-  use(device.remote);
-  use(device.slots);
-  use(device.calibrations);
-  use(device.auto_tuning);
-  use(device.scripts);
-  use(device.outputs);
-  use(device.i2c);
-  use(device.control_link);
-  use(device.quaternions);
-  use(device.tasks);
-  use(device.external_motors);
-  use(device.state_variables);
-  use(device.debug_copies);
-  use(device.events);
-  use(device.streams);
+  const auto use_each = [&](auto&... parts) { (use(parts), ...); };
+  use_each(device.remote, device.slots, device.calibrations, device.auto_tuning, device.scripts,
+           device.outputs, device.control_link, device.quaternions, device.tasks,
+           device.external_motors, device.state_variables, device.debug_copies, device.events,
+           device.modes, device.streams);
 }
 
 }  // namespace sbgc::emulator

@@ -1,10 +1,11 @@
 /// Handlers of the requests that need code of their own, grouped by the family in spec/:
-/// device/<family>.cpp implements them. All other requests are answered from the model alone:
-/// parameter_access.hpp reads and writes parameters, default_response.hpp handles the rest.
+/// device/<family>/handlers.cpp implements them. All other requests are answered from the model
+/// alone: parameters/access.hpp reads and writes parameters, default_response.hpp handles the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>
 
+#include "device/device.hpp"
 #include "device/request_context.hpp"
 
 namespace sbgc::emulator {
@@ -16,137 +17,137 @@ inline constexpr bool checks_values = false;
 template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 
-// adjustable_variables.cpp
-Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request);
-Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsInfoRequest& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsInfoRequestAll& request);
-Outcome handle(RequestContext& context, const msg::SetAdjVarsValF& request);
-Outcome handle(RequestContext& context, const msg::GetAdjVarsValF& request);
+// adjustable_variables
+Verdict handle(RequestContext&, const msg::GetAdjVarsVal&, Parameters&);
+Verdict handle(RequestContext&, const msg::SetAdjVarsVal&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsStateRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsStateRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::AdjVarsInfoRequest&, Parameters&);
+Verdict handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, Parameters&);
+Verdict handle(RequestContext&, const msg::SetAdjVarsValF&, Device&);
+Verdict handle(RequestContext&, const msg::GetAdjVarsValF&, Parameters&);
 
-// calibration.cpp
-Outcome handle(RequestContext& context, const msg::CalibAcc& request);
-Outcome handle(RequestContext& context, const msg::CalibAccExt& request);
-Outcome handle(RequestContext& context, const msg::CalibGyro& request);
-Outcome handle(RequestContext& context, const msg::CalibGyroExt& request);
-Outcome handle(RequestContext& context, const msg::CalibMag& request);
-Outcome handle(RequestContext& context, const msg::CalibExtGain& request);
-Outcome handle(RequestContext& context, const msg::CalibPoles& request);
-Outcome handle(RequestContext& context, const msg::CalibOffset& request);
-Outcome handle(RequestContext& context, const msg::CalibBat& request);
-Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4& request);
-Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4& request);
-Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request);
-Outcome handle(RequestContext& context, const msg::AutoPidRequest& request);
-Outcome handle(RequestContext& context, const msg::CalibMagExt& request);
-Outcome handle(RequestContext& context, const msg::CalibOrientCorr& request);
-Outcome handle(RequestContext& context, const msg::CalibCogging& request);
-Outcome handle(RequestContext& context, const msg::CalibAccExtRef& request);
-Outcome handle(RequestContext& context, const msg::AutoPid2& request);
+// calibration
+Verdict handle(RequestContext&, const msg::CalibAcc&, Device&);
+Verdict handle(RequestContext&, const msg::CalibAccExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibGyro&, Device&);
+Verdict handle(RequestContext&, const msg::CalibGyroExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibMag&, Device&);
+Verdict handle(RequestContext&, const msg::CalibExtGain&, Device&);
+Verdict handle(RequestContext&, const msg::CalibPoles&, Device&);
+Verdict handle(RequestContext&, const msg::CalibOffset&, Device&);
+Verdict handle(RequestContext&, const msg::CalibBat&, Device&);
+Verdict handle(RequestContext&, const msg::EncodersCalibOffset4&, Device&);
+Verdict handle(RequestContext&, const msg::EncodersCalibFldOffset4&, Device&);
+Verdict handle(RequestContext&, const msg::CalibInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AutoPidRequest&, Device&);
+Verdict handle(RequestContext&, const msg::CalibMagExt&, Device&);
+Verdict handle(RequestContext&, const msg::CalibOrientCorr&, Device&);
+Verdict handle(RequestContext&, const msg::CalibCogging&, Device&);
+Verdict handle(RequestContext&, const msg::CalibAccExtRef&, Device&);
+Verdict handle(RequestContext&, const msg::AutoPid2&, Device&);
 
-// control.cpp
-Outcome handle(RequestContext& context, const msg::Control& request);
-Outcome handle(RequestContext& context, const msg::ControlExt& request);
-Outcome handle(RequestContext& context, const msg::GetAnglesRequest& request);
-Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& request);
-Outcome handle(RequestContext& context, const msg::MotorsOn& request);
-Outcome handle(RequestContext& context, const msg::MotorsOff& request);
-Outcome handle(RequestContext& context, const msg::MotorsOffExt& request);
-Outcome handle(RequestContext& context, const msg::ExecuteMenu& request);
-Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request);
-Outcome handle(RequestContext& context, const msg::HelperData& request);
-Outcome handle(RequestContext& context, const msg::HelperDataExt& request);
-Outcome handle(RequestContext& context, const msg::ControlExtCommand& request);
-Outcome handle(RequestContext& context, const msg::ControlConfig& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatDisabled& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeed& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatAttitude& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatStatusRequest& request);
-Outcome handle(RequestContext& context, const msg::ControlQuatConfig& request);
-Outcome handle(RequestContext& context, const msg::SyncMotors& request);
+// control
+Verdict handle(RequestContext&, const msg::Control&, Device&);
+Verdict handle(RequestContext&, const msg::ControlExt&, Device&);
+Verdict handle(RequestContext&, const msg::GetAnglesRequest&, Device&);
+Verdict handle(RequestContext&, const msg::GetAnglesExtRequest&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOn&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOff&, Device&);
+Verdict handle(RequestContext&, const msg::MotorsOffExt&, Device&);
+Verdict handle(RequestContext&, const msg::ExecuteMenu&, Device&);
+Verdict handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
+Verdict handle(RequestContext&, const msg::HelperData&, Device&);
+Verdict handle(RequestContext&, const msg::HelperDataExt&, Device&);
+Verdict handle(RequestContext&, const msg::ControlExtCommand&, Device&);
+Verdict handle(RequestContext&, const msg::ControlConfig&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatDisabled&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeed&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatAttitude&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatAttitudePacked&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatStatusRequest&, Device&);
+Verdict handle(RequestContext&, const msg::ControlQuatConfig&, Device&);
+Verdict handle(RequestContext&, const msg::SyncMotors&, Device&);
 
-// debug.cpp
-Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
-Outcome handle(RequestContext& context, const msg::DebugVars3Request& request);
-Outcome handle(RequestContext& context, const msg::DebugVars3RequestSelected& request);
-Outcome handle(RequestContext& context, const msg::SetDebugPortRequest& request);
+// debug
+Verdict handle(RequestContext&, const msg::DebugVarsInfo3Request&);
+Verdict handle(RequestContext&, const msg::DebugVars3Request&, Device&);
+Verdict handle(RequestContext&, const msg::DebugVars3RequestSelected&, Device&);
+Verdict handle(RequestContext&, const msg::SetDebugPortRequest&, DebugCopies&);
 
-// external_motors.cpp
-Outcome handle(RequestContext& context, const msg::ExtMotorsAction& request);
-Outcome handle(RequestContext& context, const msg::ExtMotorsControl& request);
-Outcome handle(RequestContext& context, const msg::ExtMotorsControlConfig& request);
-Outcome handle(RequestContext& context, const msg::ExtMotorsStateRequest& request);
+// external_motors
+Verdict handle(RequestContext&, const msg::ExtMotorsAction&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsControl&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsControlConfig&, ExternalMotors&);
+Verdict handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMotors&, Gimbal&);
 
-// imu.cpp
-Outcome handle(RequestContext& context, const msg::SelectImu3& request);
-Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request);
-Outcome handle(RequestContext& context, const msg::GyroCorrection& request);
-Outcome handle(RequestContext& context, const msg::SelectImu3Calibrate& request);
-Outcome handle(RequestContext& context, const msg::ExtImuDebugInfoRequest& request);
-Outcome handle(RequestContext& context, const msg::ExtImuCmd& request);
-Outcome handle(RequestContext& context, const msg::ExtSensCmdRequest& request);
+// imu
+Verdict handle(RequestContext&, const msg::SelectImu3&, Device&);
+Verdict handle(RequestContext&, const msg::SelectImu3Ext&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequest&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestWide&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
+Verdict handle(RequestContext&, const msg::GyroCorrection&, Device&);
+Verdict handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
+Verdict handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::ExtImuCmd&, Device&);
+Verdict handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
 
-// modules.cpp
-Outcome handle(RequestContext& context, const msg::ModuleListRequest& request);
-Outcome handle(RequestContext& context, const msg::CanDeviceScanRequest& request);
-Outcome handle(RequestContext& context, const msg::TransparentSapiRequest& request);
+// modules
+Verdict handle(RequestContext&, const msg::ModuleListRequest&, Device&);
+Verdict handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
+Verdict handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
 
-// parameters.cpp
-Outcome handle(RequestContext& context, const msg::SaveParams3& request);
-Outcome handle(RequestContext& context, const msg::UseDefaults& request);
-Outcome handle(RequestContext& context, const msg::WriteParamsSet& request);
-Outcome handle(RequestContext& context, const msg::ProfileSet& request);
+// parameters
+Verdict handle(RequestContext&, const msg::SaveParams3&, Parameters&);
+Verdict handle(RequestContext&, const msg::UseDefaults&, Device&);
+Verdict handle(RequestContext&, const msg::WriteParamsSet&, Device&);
+Verdict handle(RequestContext&, const msg::ProfileSet&, Device&);
 
-// peripherals.cpp
-Outcome handle(RequestContext& context, const msg::TriggerPin& request);
-Outcome handle(RequestContext& context, const msg::ServoOut& request);
-Outcome handle(RequestContext& context, const msg::BeepSound& request);
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequest& request);
-Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request);
-Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request);
-Outcome handle(RequestContext& context, const msg::ServoOutExt& request);
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request);
-Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request);
-Outcome handle(RequestContext& context, const msg::ApiVirtChHighRes& request);
-Outcome handle(RequestContext& context, const msg::ReadRcInputsRequest& request);
+// peripherals
+Verdict handle(RequestContext&, const msg::TriggerPin&, Device&);
+Verdict handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
+Verdict handle(RequestContext&, const msg::BeepSound&, Outputs&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
+Verdict handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);
+Verdict handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
+Verdict handle(RequestContext&, const msg::ServoOutExt&, Outputs&, Parameters&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, Device&);
+Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, Device&);
+Verdict handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
+Verdict handle(RequestContext&, const msg::ReadRcInputsRequest&, RemoteControl&);
 
-// realtime.cpp
-Outcome handle(RequestContext& context, const msg::RealtimeData& request);
-Outcome handle(RequestContext& context, const msg::RealtimeData3Request& request);
-Outcome handle(RequestContext& context, const msg::RealtimeData4Request& request);
-Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
-Outcome handle(RequestContext& context, const msg::DataStreamInterval& request);
+// realtime
+Verdict handle(RequestContext&, const msg::RealtimeData&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
+Verdict handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
+Verdict handle(RequestContext&, const msg::DataStreamInterval&, Device&);
 
-// scripting.cpp
-Outcome handle(RequestContext& context, const msg::RunScript& request);
+// scripting
+Verdict handle(RequestContext&, const msg::RunScript&, Scripts&, FileSystem&);
 
-// storage.cpp
-Outcome handle(RequestContext& context, const msg::EepromReadRequest& request);
-Outcome handle(RequestContext& context, const msg::EepromWrite& request);
-Outcome handle(RequestContext& context, const msg::ReadFileRequest& request);
-Outcome handle(RequestContext& context, const msg::WriteFile& request);
-Outcome handle(RequestContext& context, const msg::FsClearAll& request);
+// storage
+Verdict handle(RequestContext&, const msg::EepromReadRequest&, Eeprom&);
+Verdict handle(RequestContext&, const msg::EepromWrite&, Eeprom&);
+Verdict handle(RequestContext&, const msg::ReadFileRequest&, FileSystem&);
+Verdict handle(RequestContext&, const msg::WriteFile&, FileSystem&);
+Verdict handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
 
-// system.cpp
-Outcome handle(RequestContext& context, const msg::BoardInfoRequest& request);
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& request);
-Outcome handle(RequestContext& context, const msg::BoardInfo3Request& request);
-Outcome handle(RequestContext& context, const msg::ResetRequest& request);
-Outcome handle(RequestContext& context, const msg::ResetRequestExt& request);
-Outcome handle(RequestContext& context, const msg::BootMode3& request);
-Outcome handle(RequestContext& context, const msg::BootMode3Ext& request);
-Outcome handle(RequestContext& context, const msg::ReadStateVarsRequest& request);
-Outcome handle(RequestContext& context, const msg::WriteStateVars& request);
-Outcome handle(RequestContext& context, const msg::SignMessageRequest& request);
+// system
+Verdict handle(RequestContext&, const msg::BoardInfoRequest&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfoRequestOneByte&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfoRequestExt&, Device&);
+Verdict handle(RequestContext&, const msg::BoardInfo3Request&, Device&);
+Verdict handle(RequestContext&, const msg::ResetRequest&, Restarts&);
+Verdict handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
+Verdict handle(RequestContext&, const msg::BootMode3&, Restarts&);
+Verdict handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
+Verdict handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
+Verdict handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
+Verdict handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

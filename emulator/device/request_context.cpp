@@ -33,10 +33,17 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   return result;
 }
 
-Availability RequestContext::versions() const { return device.versions(); }
+RequestContext::RequestContext(Device& device, std::size_t from, std::uint8_t id,
+                               Confirmed confirmed, Instant at)
+    : port(from),
+      command(id),
+      now(at),
+      ports_(device.ports),
+      versions_(device.versions()),
+      confirmed_(confirmed) {}
 
 void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
-  device.ports.send_frame(port, frame);
+  ports_.send_frame(port, frame);
 }
 
 void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
@@ -46,26 +53,26 @@ void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> 
   }
 }
 
-Outcome RequestContext::confirm(std::span<const std::uint8_t> data) {
-  if (!confirms()) return Outcome::executed;
+Verdict RequestContext::confirm(std::span<const std::uint8_t> data) {
+  if (!confirms()) return Verdict::executed;
   std::array<std::uint8_t, max_body_size> body{command};
   std::size_t size = 1;
   for (const std::uint8_t byte : data.first(std::min(data.size(), body.size() - 1))) {
     body[size++] = byte;
   }
   answer_body(static_cast<std::uint8_t>(roles::Confirmation::command), std::span(body).first(size));
-  return Outcome::executed;
+  return Verdict::executed;
 }
 
-Outcome RequestContext::confirm(roles::Confirmation confirmation) {
-  if (!confirms()) return Outcome::executed;
+Verdict RequestContext::confirm(roles::Confirmation confirmation) {
+  if (!confirms()) return Verdict::executed;
   confirmation.cmd = static_cast<msg::CommandToBoard>(command);
   return answer(confirmation);
 }
 
-Outcome RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
+Verdict RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
   static_cast<void>(answer(error_about(command, reason, detail)));
-  return Outcome::refused;
+  return Verdict::refused;
 }
 
 }  // namespace sbgc::emulator

@@ -21,6 +21,7 @@
 namespace sbgc::emulator {
 
 struct Device;
+class Ports;
 
 /// True if a message holds parameters of the board.
 template <class M>
@@ -35,47 +36,46 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
 /// One request during its execution. A handler is
-///     Outcome handle(RequestContext& context, const M& request);
-/// found by overload resolution (handlers.hpp). It responds through the context and returns the
-/// outcome. Messages without a handler get the response that the model defines
-/// (default_response.hpp).
+///     Verdict handle(RequestContext& context, const M& request, Part& part, ...);
+/// found by overload resolution (handlers.hpp), with the parts of the device that it uses. It
+/// responds through the context and returns the verdict. Messages without a handler get the
+/// response that the model defines (default_response.hpp).
 class RequestContext {
  public:
-  RequestContext(Device& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
-      : device(of), port(from), command(id), now(at), confirmed_(confirmed) {}
+  RequestContext(Device& device, std::size_t from, std::uint8_t id, Confirmed confirmed,
+                 Instant at);
 
-  Device& device;
   const std::size_t port;
   const std::uint8_t command;  ///< the id of the request
   const Instant now;
 
   /// Sends a response if this board and firmware support it.
   template <Message M>
-  Outcome answer(const M& message) {
+  Verdict answer(const M& message) {
     if (is_supported<M>(versions())) send(message);
-    return Outcome::executed;
+    return Verdict::executed;
   }
   /// The same, even if this board does not support the message otherwise: old requests have the
   /// responses of newer ones (E020, E120).
   template <Message M>
-  Outcome answer_anyway(const M& message) {
+  Verdict answer_anyway(const M& message) {
     send(message);
-    return Outcome::executed;
+    return Verdict::executed;
   }
   /// Sends CMD_CONFIRM for the request with these data. Assumption: sends nothing if the model
   /// considers a confirmation unlikely.
-  Outcome confirm(std::span<const std::uint8_t> data = {});
+  Verdict confirm(std::span<const std::uint8_t> data = {});
   /// The same with the given fields.
-  Outcome confirm(roles::Confirmation confirmation);
+  Verdict confirm(roles::Confirmation confirmation);
   /// Sends CMD_ERROR for the request.
-  Outcome refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
+  Verdict refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
   /// Sends nothing, as the specification requires.
-  static Outcome ignore() { return Outcome::refused; }
+  static Verdict ignore() { return Verdict::refused; }
 
   /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
   /// The versions of the board and its firmware.
-  Availability versions() const;
+  Availability versions() const { return versions_; }
 
  private:
   void send_frame(std::span<const std::uint8_t> frame);
@@ -92,6 +92,8 @@ class RequestContext {
 
   bool confirms() const noexcept { return confirmed_ >= Confirmed::possible; }
 
+  Ports& ports_;
+  Availability versions_;
   Confirmed confirmed_;
 };
 

@@ -15,7 +15,7 @@ namespace sbgc::serving {
 /// not available here.
 using DescribeFrame = std::function<std::string(const emulator::Board::Traffic&)>;
 
-/// Collects one line per frame, a request before its responses. The board reports the outcome of a
+/// Collects one line per frame, a request before its responses. The board reports the verdict of a
 /// request only after it has sent the responses.
 class FrameLog {
  public:

@@ -69,7 +69,7 @@ struct Readings {
 /// so that it may be waiting when that one ends.
 Task<Readings> read_registers(Bytes choices, std::chrono::milliseconds timeout, unsigned retries) {
   struct Reading {
-    std::uint32_t call{};
+    sbgc::CallId call{};
     std::uint8_t value{};
   };
   sbgc::TaskMachine& task = co_await tasks::this_task();
@@ -521,7 +521,7 @@ class Player {
     std::size_t received = 0;
     client_.emulator().board().on_traffic = [&](const sbgc::emulator::Board::Traffic& traffic) {
       const auto id = static_cast<std::uint8_t>(msg::RealtimeData3::command);
-      if (!traffic.outcome && traffic.frame.id == id) ++sent;
+      if (!traffic.verdict && traffic.frame.id == id) ++sent;
     };
     const auto samples = client_.delivery().subscribe(sbgc::detail::key_of<msg::RealtimeData3>,
                                                       [&](const void*) { ++received; });

@@ -17,8 +17,8 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/wire.hpp>
 
-#include "device/parts/file_system.hpp"
-#include "device/parts/parameters.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/storage/file_system.hpp"
 #include "require.hpp"
 
 namespace {

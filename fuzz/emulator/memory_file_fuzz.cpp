@@ -13,8 +13,8 @@
 #include <span>
 #include <string>
 
-#include "device/parts/file_system.hpp"
-#include "device/parts/parameters.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/storage/file_system.hpp"
 #include "hostile_text.hpp"
 #include "require.hpp"
 #include "serving/memory_file.hpp"

@@ -22,9 +22,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/async_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
 
 #include "collector.hpp"
 #include "scripted_board.hpp"
@@ -207,6 +209,21 @@ TEST_F(Async, CancellingWhatIsOverDoesNothing) {
   EXPECT_TRUE(angles) << angles.error().message;
 }
 
+TEST_F(Async, CallsAMessageOfATypeKnownAtRunTime) {
+  AsyncClient client(running.executor());
+  connect(client);
+  msg::GetAngles angles;
+  angles.axes.yaw.imu_angle = msg::Angle14(1234);
+  board.answer<msg::GetAnglesRequest>(angles);
+  const AnyMessage request = find_message("GetAnglesRequest")->make();
+  const auto answer = client.async_call(request, {}, asio::use_future).get();
+  ASSERT_TRUE(answer && *answer);
+  ASSERT_NE((*answer)->get_if<msg::GetAngles>(), nullptr);
+  EXPECT_EQ(*(*answer)->get_if<msg::GetAngles>(), angles);
+  const AnyMessage wrong = find_message("GetAngles")->make();
+  EXPECT_EQ(client.async_call(wrong, {}, asio::use_future).get().error().code, ErrorCode::invalid);
+}
+
 Task<Result<int>> ask_three_times() {
   int good = 0;
   for (int i = 0; i < 3; ++i) {
@@ -262,7 +279,8 @@ TEST_F(Async, MovesWithoutAThread) {
     if (std::exchange(first, false)) where.set_value(std::this_thread::get_id());
     return true;
   };
-  const auto moved = client.async_move_to({.pitch = -30_deg}, options, asio::use_future).get();
+  const auto moved =
+      client.async_run(tasks::move_to({.pitch = -30_deg}, options), asio::use_future).get();
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_TRUE(moved->is_close);
   EXPECT_EQ(where.get_future().get(), running.thread());

@@ -1,6 +1,6 @@
 // Tests of the calls that wait for the session.
 
-#include "conversation/pending_calls.hpp"
+#include "calls/pending_calls.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -20,6 +20,7 @@ using ::testing::IsEmpty;
 template <class M>
 CallPointer call_of(const M& message) {
   auto call = std::make_shared<Call>();
+  call->id = next_call_id();
   call->request.policy = response_policy(message);
   return call;
 }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -74,7 +73,6 @@ class VirtualClient {
       at_each_step(machine);
       is_done = step(machine);
     }
-    tickets_.clear();
     return std::move(task).result();
   }
   template <class R>
@@ -87,7 +85,7 @@ class VirtualClient {
   emulator::Emulator& emulator() { return emulator_; }
   /// Cuts the line from the host to the board.
   void cut_the_line() { is_cut_ = true; }
-  std::size_t pending() const { return tickets_.size(); }
+  std::size_t pending() const { return calls_->size(); }
   detail::Delivery& delivery() { return delivery_; }
   const BoardIdentity& identity() const { return identity_; }
 
@@ -106,7 +104,7 @@ class VirtualClient {
     switch (step.kind) {
       case TaskStep::Kind::done: return true;
       case TaskStep::Kind::call: begin(task, std::move(step)); return false;
-      case TaskStep::Kind::cancel: cancel(step.number); return false;
+      case TaskStep::Kind::cancel: cancel(step.call); return false;
       case TaskStep::Kind::wait: break;
     }
     const Instant next = exchange_bytes();
@@ -119,32 +117,27 @@ class VirtualClient {
   }
 
   void begin(TaskMachine& task, TaskStep step) {
-    const std::uint32_t number = step.number;
-    if (!step.request) return task.replied(number, std::move(step.request).error());
-    step.options.on_confirmation = [&task, this, number](unsigned) {
+    const CallId id = step.call;
+    if (!step.request) return task.replied(id, std::move(step.request).error());
+    step.options.on_confirmation = [&task, this, id](unsigned) {
       has_news_ = true;
-      task.confirmed(number);
+      task.confirmed(id);
     };
     const detail::CallPointer call =
-        detail::make_call(*std::move(step.request), step.options, client_, now_,
-                          [&task, this, number](Result<Reply> reply) {
+        detail::make_call(id, *std::move(step.request), step.options, client_, now_,
+                          [&task, this, id](Result<Reply> reply) {
                             has_news_ = true;
-                            tickets_.erase(number);
-                            task.replied(number, std::move(reply));
+                            task.replied(id, std::move(reply));
                           });
     std::vector<detail::CallPointer> older;
-    if (auto refusal = calls_.add(call, older)) return task.replied(number, *std::move(refusal));
-    tickets_[number] = call->ticket;
+    if (auto refusal = calls_->add(call, older)) return task.replied(id, *std::move(refusal));
     for (const detail::CallPointer& superseded : older) {
       calls_.complete(*superseded, detail::superseded_error(*superseded));
     }
   }
 
-  void cancel(std::uint32_t number) {
-    const auto place = tickets_.find(number);
-    if (place == tickets_.end()) return;
-    if (const auto call = calls_.take(place->second)) dialogue_.forget(*call);
-    tickets_.erase(place);
+  void cancel(CallId id) {
+    if (const auto call = calls_->take(id)) dialogue_.forget(*call);
   }
 
   /// Transfers bytes in both directions; returns when to call it again.
@@ -180,10 +173,9 @@ class VirtualClient {
   std::size_t port_;
   ConnectOptions client_;
   BoardIdentity identity_{};
-  detail::PendingCalls calls_{64};
+  detail::SharedCalls calls_{std::size_t{64}};
   detail::Delivery delivery_{};
   detail::Dialogue dialogue_{client_, calls_, delivery_};
-  std::map<std::uint32_t, detail::Conversation::Ticket> tickets_{};
 };
 
 }  // namespace sbgc::test

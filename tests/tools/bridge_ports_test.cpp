@@ -182,6 +182,17 @@ TEST_F(Bridge, UnknownRequestsPassToo) {
   EXPECT_EQ(read(host), bytes);
 }
 
+TEST_F(Bridge, UnknownMessagesGoToAllHosts) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  Bytes bytes(max_frame_size);
+  const Bytes body{0x0e, 0x45};
+  bytes.resize(write_frame(basic_framing, 200, body, bytes).size);
+  ports.arrived({.frame = frame_at(bytes.data())});
+  EXPECT_EQ(read(first), bytes);
+  EXPECT_EQ(read(second), bytes);
+}
+
 TEST_F(Bridge, TheAnswerHasTheFramingOfTheHost) {
   const std::size_t host = join();
   ask(host, msg::GetAnglesRequest{}, Framing::v2);

@@ -197,13 +197,13 @@ class BridgedSite final : public Site, private BridgeLine {
       post(frame, [this, tag](const Frame& copy) { ports_.answered(tag, copy); });
     };
     const auto call = detail::make_call(
-        detail::Conversation::prepare(request), {.retries = 0}, {}, now_,
-        [this, tag](const Result<Reply>& reply) {
+        detail::next_call_id(), detail::Conversation::prepare(std::move(request)), {.retries = 0},
+        {}, now_, [this, tag](const Result<Reply>& reply) {
           const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
           posted_.emplace_back([this, tag, failure] { ports_.ended(tag, failure); });
         });
     std::vector<detail::CallPointer> older;
-    ASSERT_FALSE(calls_.add(call, older));
+    ASSERT_FALSE(calls_->add(call, older));
     for (const auto& one : older) calls_.complete(*one, detail::superseded_error(*one));
   }
   void take_line() override { is_taken_ = true; }
@@ -224,7 +224,7 @@ class BridgedSite final : public Site, private BridgeLine {
   std::array<Host, 2> hosts_{};
   Instant next_tick_{};
   Instant deadline_ = Instant::never;
-  detail::PendingCalls calls_{512};
+  detail::SharedCalls calls_{std::size_t{512}};
   detail::Delivery delivery_;
   detail::Dialogue dialogue_{{}, calls_, delivery_};
   Subscription frames_{delivery_.on_frame([this](const BoardFrame& arrived) {

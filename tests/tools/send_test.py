@@ -269,3 +269,36 @@ def test_json_of_a_dry_run_can_be_encoded() -> None:
     assert run("encode", "--hex", stdin=json.dumps(line)).text.split()[0] == (
         run("send", "Control", "pitch.angle=-30deg", "--dry-run").text.split()[0]
     )
+
+
+def test_any_id_and_body_can_be_sent(board: str) -> None:
+    """Also of a command that the model does not know: armed, because its effect is unknown."""
+    assert 200 not in {message["id"] for message in MODEL["messages"]}
+    (line,) = run("send", "--id", "200", "--body", "0e45", "--dry-run", "--format", "jsonl").objects
+    assert (line["id"], line["body"]) == (200, "0e45")
+
+    unarmed = run("send", "--id", "200", "--body", "0e45", "--port", board)
+    assert unarmed.status != 0 and "effect is not checked" in unarmed.error
+    unknown = run("send", "--id", "200", "--body", "0e45", "--port", board, "--yes")
+    assert unknown.status == 1 and "the board refused" in unknown.error
+
+    answered = run("send", "--id", "73", "--port", board, "--yes", "--format", "jsonl")
+    assert answered.status == 0, answered
+    assert answered.objects[0]["message"] == "GetAngles"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["get_angles", "--id", "73"],
+        ["--id", "0"],
+        ["--id", "256"],
+        ["--body", "0e45"],
+        ["--id", "200", "--body", "0e4"],
+        ["--id", "200", "--body", "xy"],
+        ["--id", "200", "--body", "00" * 256],
+    ],
+)
+def test_wrong_ids_and_bodies(arguments: list[str]) -> None:
+    refused(*arguments)

@@ -97,17 +97,28 @@ def test_help(arguments: list[str]) -> None:
     assert "Usage" in result.text
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        *("bridge", "calibrate", "decode", "describe", "eeprom", "emulate", "encode", "files"),
-        *("info", "jog", "menu", "monitor", "motors", "move", "record", "reset", "script", "send"),
-        *("speed", "stop", "stream"),
-    ],
-)
-def test_help_tells_what_the_exit_status_means(command: str) -> None:
-    text = " ".join(run(command, "--help").text.split())
-    assert re.search(r"[Tt]he exit status is .* 2 for wrong usage", text), text
+def commands_by_heading() -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for line in run("--help").text.splitlines():
+        if heading := re.fullmatch(r"(\w+):", line):
+            names = found.setdefault(heading[1], [])
+        elif command := re.match(r"  ([a-z]+)  +\S", line):
+            names.append(command[1])
+    return {heading: names for heading, names in found.items() if names}
+
+
+def test_the_guide_lists_the_commands_of_the_help() -> None:
+    guide = (ROOT / "docs/12-command.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\w+) \| (`.*`) \|$", guide, re.MULTILINE)
+    listed = {purpose.capitalize(): re.findall(r"`(\w+)`", names) for purpose, names in rows}
+    assert listed == commands_by_heading()
+
+
+def test_help_tells_what_the_exit_status_means() -> None:
+    only_success_or_failure = {"completion", "manual", "params", "ports", "vars"}
+    for command in set(sum(commands_by_heading().values(), [])) - only_success_or_failure:
+        text = " ".join(run(command, "--help").text.split())
+        assert re.search(r"[Tt]he exit status is .* 2 for wrong usage", text), text
 
 
 def lines_of_help(arguments: list[str], **environment: str) -> list[str]:

@@ -11,9 +11,9 @@
 #include <sbgc/io/open.hpp>
 
 #include "board/frame_printer.hpp"
+#include "board/listed_ports.hpp"
 #include "command/interruption.hpp"
 #include "command/wording.hpp"
-#include "line/listed_ports.hpp"
 
 namespace sbgc::tools {
 

@@ -10,7 +10,7 @@
 #include <sbgc/client/request.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "board/gimbal_options.hpp"
+#include "board/connect_options.hpp"
 #include "command/command_error.hpp"
 
 namespace sbgc::tools {

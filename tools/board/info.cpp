@@ -218,8 +218,7 @@ int print_info(const InfoOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_info(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("info", "Show the board, its line and its features")->group(heading::look);
+  auto* const command = app.add_subcommand("info", "Show the board, its line and its features");
   auto options = std::make_shared<InfoOptions>();
   add_format(*command, options->format);
   add_gimbal_options(*command, context.gimbal);

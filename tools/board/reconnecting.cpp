@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "board/listed_ports.hpp"
 #include "command/remark.hpp"
-#include "line/listed_ports.hpp"
 
 namespace sbgc::tools {
 

@@ -12,10 +12,10 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "care/calibrations.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
@@ -171,8 +171,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors")
-                            ->group(heading::care);
+  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors");
   auto options = std::make_shared<CalibrateOptions>();
   command->add_option("what", options->name, "What to calibrate, such as gyro")
       ->type_name("CALIBRATION");

@@ -10,9 +10,9 @@
 
 #include <sbgc/messages/system.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -82,7 +82,7 @@ int reset(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_reset(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("reset", "Restart the board")->group(heading::care);
+  auto* const command = app.add_subcommand("reset", "Restart the board");
   auto arming = std::make_shared<Arming>();
   add_arming(*command, *arming);
   add_gimbal_options(*command, context.gimbal);

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "command/command_line_facts.hpp"
 #include "command/system.hpp"
-#include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
 

@@ -435,8 +435,7 @@ int decode_file(const DecodeOptions& options) {
 }  // namespace
 
 void add_decode(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("decode", "Show the frames of a capture")->group(heading::bytes);
+  auto* const command = app.add_subcommand("decode", "Show the frames of a capture");
   auto options = std::make_shared<DecodeOptions>();
   command->add_option("file", options->file, "Capture to read; - means standard input")
       ->type_name("FILE")

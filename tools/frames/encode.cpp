@@ -58,8 +58,7 @@ int encode_file(const EncodeOptions& options) {
 }  // namespace
 
 void add_encode(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("encode", "Encode JSON lines to frames")->group(heading::bytes);
+  auto* const command = app.add_subcommand("encode", "Encode JSON lines to frames");
   auto options = std::make_shared<EncodeOptions>();
   command
       ->add_option("file", options->file,

@@ -12,7 +12,7 @@
 #include "command/standard_output.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_filter.hpp"
-#include "line/sample_writer.hpp"
+#include "frames/sample_writer.hpp"
 
 namespace sbgc::tools {
 

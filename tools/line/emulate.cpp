@@ -44,14 +44,14 @@ struct EmulateOptions {
   std::optional<Duration> seconds{};
 };
 
-const char* to_text(emulator::Outcome outcome) {
-  switch (outcome) {
-    case emulator::Outcome::executed: return "executed";
-    case emulator::Outcome::refused: return "refused";
-    case emulator::Outcome::unknown: return "not supported";
-    case emulator::Outcome::malformed: return "malformed";
-    case emulator::Outcome::lost: return "lost: input buffer full";
-    case emulator::Outcome::not_listening: return "not listening";
+const char* to_text(emulator::Verdict verdict) {
+  switch (verdict) {
+    case emulator::Verdict::executed: return "executed";
+    case emulator::Verdict::refused: return "refused";
+    case emulator::Verdict::unknown: return "not supported";
+    case emulator::Verdict::malformed: return "malformed";
+    case emulator::Verdict::lost: return "lost: input buffer full";
+    case emulator::Verdict::not_listening: return "not listening";
   }
   return "?";
 }
@@ -59,14 +59,14 @@ const char* to_text(emulator::Outcome outcome) {
 /// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>` for
 /// frames to the board and `<` for frames from it.
 std::string describe_frame(const emulator::Board::Traffic& traffic) {
-  const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
+  const Direction direction = traffic.verdict ? Direction::to_board : Direction::from_board;
   const Frame& frame = traffic.frame;
   const std::string name = command_name(frame.id, direction);
   std::string result = fmt::format(
       "{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6, traffic.port,
-      traffic.outcome ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
+      traffic.verdict ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
       counted(frame.body.size(), "byte"));
-  if (traffic.outcome) result += fmt::format("  {}", to_text(*traffic.outcome));
+  if (traffic.verdict) result += fmt::format("  {}", to_text(*traffic.verdict));
   return result;
 }
 
@@ -331,8 +331,7 @@ void check(EmulateOptions& options) {
 
 void add_emulate(CLI::App& app, CommandContext& context) {
   auto* const command =
-      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them")
-          ->group(heading::bytes);
+      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them");
   auto options = std::make_shared<EmulateOptions>();
   add_endpoint_options(*command, *options);
   add_board_options(*command, *options);

@@ -11,10 +11,10 @@
 #include <sbgc/io/ports.hpp>
 #include <sbgc/text/values.hpp>
 
+#include "board/listed_ports.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
-#include "line/listed_ports.hpp"
 
 namespace sbgc::tools {
 
@@ -56,8 +56,7 @@ int print_ports(const PortsOptions& options) {
 }  // namespace
 
 void add_ports(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("ports", "List the serial ports of this machine")->group(heading::look);
+  auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
   auto options = std::make_shared<PortsOptions>();
   add_format(*command, options->format);
   command->callback([options, &context] { context.status = print_ports(*options); });

@@ -276,8 +276,7 @@ int run_record(RecordOptions options, CommandContext& context) {
 }  // namespace
 
 void add_record(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("record", "Record the output of a board to a capture")
-                            ->group(heading::bytes);
+  auto* const command = app.add_subcommand("record", "Record the output of a board to a capture");
   auto options = std::make_shared<RecordOptions>();
   command
       ->add_option("places", options->places,

@@ -23,9 +23,9 @@
 #include "command/remark.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
+#include "frames/sample_writer.hpp"
 #include "line/field_patterns.hpp"
 #include "line/line_queue.hpp"
-#include "line/sample_writer.hpp"
 #include "line/stream_interval.hpp"
 #include "line/stream_type.hpp"
 #include "values/message_json.hpp"
@@ -204,8 +204,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_stream(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("stream", "Show the values of a data stream")->group(heading::look);
+  auto* const command = app.add_subcommand("stream", "Show the values of a data stream");
   auto options = std::make_shared<StreamOptions>();
   command->add_option("name", options->name, "The message, such as RealtimeData4")
       ->type_name("STREAM")

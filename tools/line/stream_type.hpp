@@ -12,7 +12,7 @@
 #include <sbgc/meta.hpp>
 #include <sbgc/roles.hpp>
 
-#include "line/sample.hpp"
+#include "frames/sample.hpp"
 
 namespace sbgc::tools {
 

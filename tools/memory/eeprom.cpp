@@ -11,9 +11,9 @@
 #include <sbgc/messages/storage.hpp>
 #include <sbgc/roles.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -94,8 +94,7 @@ int write(const EepromOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_eeprom(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("eeprom", "Copy the EEPROM of the board")->group(heading::care);
+  auto* const command = app.add_subcommand("eeprom", "Copy the EEPROM of the board");
   command->require_subcommand(1);
   auto options = std::make_shared<EepromOptions>();
   const auto add = [&](const char* name, const char* text) {

@@ -10,9 +10,9 @@
 #include <sbgc/client/memory.hpp>
 #include <sbgc/messages/storage.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -103,8 +103,7 @@ int remove(const FilesOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_files(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("files", "Files in the memory of the board")->group(heading::care);
+  auto* const command = app.add_subcommand("files", "Files in the memory of the board");
   command->require_subcommand(1);
   auto options = std::make_shared<FilesOptions>();
   const auto add = [&](const char* name, const char* text) {

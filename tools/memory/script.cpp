@@ -11,8 +11,8 @@
 
 #include <sbgc/messages/scripting.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/background_output.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
@@ -92,8 +92,7 @@ int list(const CommandContext& context) {
 }  // namespace
 
 void add_script(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("script", "Start and stop the scripts of the board")->group(heading::care);
+  auto* const command = app.add_subcommand("script", "Start and stop the scripts of the board");
   command->require_subcommand(1);
   auto options = std::make_shared<ScriptOptions>();
   const auto add = [&](const char* name, const char* text) {

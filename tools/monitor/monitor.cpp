@@ -10,15 +10,15 @@
 #include <sbgc/client/reconnecting_client.hpp>
 
 #include "board/connection.hpp"
+#include "board/listed_ports.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/system.hpp"
-#include "line/listed_ports.hpp"
 #include "monitor/gimbal_state.hpp"
 #include "monitor/pages.hpp"
 #include "monitor/screen.hpp"
-#include "monitor/terminal_restorer.hpp"
+#include "motion/terminal_restorer.hpp"
 
 namespace sbgc::tools {
 
@@ -145,8 +145,7 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_monitor(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("monitor", "Watch a gimbal live on the whole terminal")
-                            ->group(heading::look);
+  auto* const command = app.add_subcommand("monitor", "Watch a gimbal live on the whole terminal");
   auto options = std::make_shared<MonitorOptions>();
   command->add_option("--rate", options->rate, "Messages per second")
       ->type_name("HZ")

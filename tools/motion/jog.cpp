@@ -16,15 +16,15 @@
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-#include "board/arming.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
-#include "monitor/terminal_restorer.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/moving_gimbal.hpp"
 #include "motion/raw_terminal.hpp"
+#include "motion/terminal_restorer.hpp"
 
 namespace sbgc::tools {
 
@@ -226,8 +226,7 @@ int jog(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_jog(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("jog", "Turn the camera with the keyboard")->group(heading::move);
+  auto* const command = app.add_subcommand("jog", "Turn the camera with the keyboard");
   auto arming = std::make_shared<Arming>();
   add_arming(*command, *arming);
   add_gimbal_options(*command, context.gimbal);

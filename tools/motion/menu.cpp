@@ -14,8 +14,8 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
@@ -108,8 +108,7 @@ int menu(const MenuOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_menu(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("menu", "Perform an action of the menu button")->group(heading::move);
+  auto* const command = app.add_subcommand("menu", "Perform an action of the menu button");
   auto options = std::make_shared<MenuOptions>();
   command
       ->add_option("action", options->action,

@@ -7,8 +7,8 @@
 
 #include <sbgc/messages/control.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
@@ -47,8 +47,7 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_motors(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("motors", "Turn the motors on or off")->group(heading::move);
+  auto* const command = app.add_subcommand("motors", "Turn the motors on or off");
   auto options = std::make_shared<MotorsCommand>();
   command->add_option("state", options->state, "on or off")
       ->required()

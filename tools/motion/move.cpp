@@ -9,8 +9,8 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-#include "board/arming.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/remark.hpp"
 #include "motion/axis_values.hpp"
@@ -112,8 +112,7 @@ int move(const MoveCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_move(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("move", "Turn the camera to angles")->group(heading::move);
+  auto* const command = app.add_subcommand("move", "Turn the camera to angles");
   auto options = std::make_shared<MoveCommand>();
   add_axis_options(*command, options->angles, "Angle", "deg");
   command->add_option("--speed", options->speed, "The highest speed, in degrees per second")

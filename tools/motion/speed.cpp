@@ -11,8 +11,8 @@
 
 #include <sbgc/client/speed_control.hpp>
 
-#include "board/arming.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"
@@ -81,8 +81,7 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_speed(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("speed", "Turn the camera at a speed for a time")->group(heading::move);
+  auto* const command = app.add_subcommand("speed", "Turn the camera at a speed for a time");
   auto options = std::make_shared<SpeedCommand>();
   add_axis_options(*command, options->speeds, "Speed", "deg/s");
   add_duration(*command, "--for", options->time,

@@ -50,8 +50,7 @@ int stop(const CommandContext& context) {
 }  // namespace
 
 void add_stop(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("stop", "Stop the camera, without asking")->group(heading::move);
+  auto* const command = app.add_subcommand("stop", "Stop the camera, without asking");
   add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Commands speed 0 on all axes until the board reports that no axis turns, and watches it for "

@@ -12,9 +12,9 @@
 #include <sbgc/client/profiles.hpp>
 #include <sbgc/messages/parameters.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"

@@ -6,18 +6,13 @@
 namespace sbgc::tools {
 
 void add_params(CLI::App& app, CommandContext& context) {
-  auto* const params = app.add_subcommand("params", "Show, change, back up and restore parameters")
-                           ->group(heading::parameters);
+  auto* const params = app.add_subcommand("params", "Show, change, back up and restore parameters");
   params->require_subcommand(1);
-  add_params_show(*params, context);
-  add_params_get(*params, context);
-  add_params_set(*params, context);
-  add_params_profiles(*params, context);
-  add_params_rename(*params, context);
-  add_params_backup(*params, context);
-  add_params_restore(*params, context);
-  add_params_diff(*params, context);
-  add_params_reset(*params, context);
+  for (AddCommand* const add :
+       {add_params_show, add_params_get, add_params_set, add_params_profiles, add_params_rename,
+        add_params_backup, add_params_restore, add_params_diff, add_params_reset}) {
+    add(*params, context);
+  }
   params->footer(
       "A parameter is named by its path (axes.pitch.p), by the end of it (pitch.p), or as in the "
       "specification. Some parameters are general: they apply to the whole board, are stored in "

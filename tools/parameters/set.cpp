@@ -11,9 +11,9 @@
 
 #include <sbgc/validate.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/arming.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"

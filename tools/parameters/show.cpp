@@ -13,8 +13,8 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/colors.hpp"
 #include "command/commands.hpp"

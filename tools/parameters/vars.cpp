@@ -16,8 +16,8 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
-#include "board/arming.hpp"
 #include "board/connection.hpp"
+#include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/commands.hpp"
 #include "command/interruption.hpp"
@@ -194,8 +194,7 @@ std::vector<std::string> variable_names() {
 }
 
 void add_vars(CLI::App& app, CommandContext& context) {
-  auto* const vars = app.add_subcommand("vars", "Show and set the adjustable variables")
-                         ->group(heading::parameters);
+  auto* const vars = app.add_subcommand("vars", "Show and set the adjustable variables");
   vars->require_subcommand(1);
   const auto add = [&](const char* name, const char* help) {
     auto* const command = vars->add_subcommand(name, help);

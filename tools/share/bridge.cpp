@@ -196,8 +196,7 @@ void choose_token(BridgeOptions& options) {
 }  // namespace
 
 void add_bridge(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("bridge", "Share one gimbal between several programs")
-                            ->group(heading::share);
+  auto* const command = app.add_subcommand("bridge", "Share one gimbal between several programs");
   auto options = std::make_shared<BridgeOptions>();
   command->add_option("address", options->address, "The address of the gimbal, as for --port")
       ->type_name("ADDRESS");

@@ -57,8 +57,7 @@ int run_replay(const ReplayOptions& options) {
 }  // namespace
 
 void add_replay(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("replay", "Serve a capture in place of a board")->group(heading::bytes);
+  auto* const command = app.add_subcommand("replay", "Serve a capture in place of a board");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("file", options->file, "A capture, or the raw bytes of a board")->required();
   command->add_option("--speed", options->speed, "How many times as fast as recorded")

@@ -11,18 +11,19 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/io/open.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
 
 #include "board/configuration.hpp"
+#include "board/listed_ports.hpp"
 #include "care/calibrations.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/wording.hpp"
-#include "line/listed_ports.hpp"
 #include "line/stream_type.hpp"
-#include "shell/command_line_facts.hpp"
 #include "shell/scripts.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
@@ -55,8 +56,8 @@ Candidates addresses() {
   for (const io::PortInfo& port : listed_ports().ports) {
     result.push_back({port.name, port.description});
   }
-  for (const char* const kind : {"serial:", "tcp:", "udp:", "capture:"}) {
-    result.push_back({kind, ""});
+  for (const io::AddressKind& kind : io::address_kinds) {
+    if (kind.leads_to_gimbal) result.push_back({std::string(kind.name) + ':', ""});
   }
   return result;
 }
@@ -305,8 +306,7 @@ struct CompletionOptions {
 }  // namespace
 
 void add_completion(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell")
-                            ->group(heading::shell);
+  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell");
   auto options = std::make_shared<CompletionOptions>();
   command->add_option("shell", options->shell, "The shell")
       ->required()

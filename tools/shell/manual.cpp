@@ -13,10 +13,10 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/version.hpp>
 
+#include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
 #include "command/usage.hpp"
 #include "command/wording.hpp"
-#include "shell/command_line_facts.hpp"
 
 namespace sbgc::tools {
 
@@ -188,8 +188,7 @@ int print_manual(const CLI::App& app, const ManualOptions& options) {
 }  // namespace
 
 void add_manual(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("manual", "Print a manual page in the format of man")
-                            ->group(heading::shell);
+  auto* const command = app.add_subcommand("manual", "Print a manual page in the format of man");
   auto options = std::make_shared<ManualOptions>();
   command->add_option("command", options->command, "The command; without it, sbgc itself")
       ->type_name("COMMAND");

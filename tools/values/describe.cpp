@@ -572,8 +572,7 @@ std::vector<std::string> described_words() { return all_words(); }
 
 void add_describe(CLI::App& app, CommandContext& context) {
   auto* const command =
-      app.add_subcommand("describe", "Explain a command, message, field, enum or variable")
-          ->group(heading::look);
+      app.add_subcommand("describe", "Explain a command, message, field, enum or variable");
   auto options = std::make_shared<DescribeOptions>();
   command
       ->add_option("name", options->word,

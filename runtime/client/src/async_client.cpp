@@ -50,10 +50,10 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
     });
   }
 
-  Stop run(const detail::Conversation& conversation, std::shared_ptr<TaskMachine> task,
+  Stop run(const detail::Conversation& conversation, TaskMachine& task,
            std::function<void()> done) {
-    const auto driver = std::make_shared<detail::AsioDriver>(executor_, conversation,
-                                                             std::move(task), std::move(done));
+    const auto driver =
+        std::make_shared<detail::AsioDriver>(executor_, conversation, task, std::move(done));
     {
       const std::lock_guard lock(mutex_);
       std::erase_if(drivers_, [](const auto& one) { return one.expired(); });
@@ -61,7 +61,7 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
     }
     driver->start();
     return [weak = std::weak_ptr(driver)] {
-      if (const auto running = weak.lock()) running->cancel();
+      if (const auto running = weak.lock()) running->put(cancel);
     };
   }
 
@@ -77,7 +77,7 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
     }
     conversation.close();
     for (const auto& weak : drivers) {
-      if (const auto driver = weak.lock()) driver->cancel();
+      if (const auto driver = weak.lock()) driver->put(cancel);
     }
   }
 
@@ -92,6 +92,8 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   }
 
  private:
+  static void cancel(TaskMachine& task) { task.cancel(); }
+
   void adopt(const detail::Conversation& begun) {
     bool is_closed = false;
     {
@@ -135,9 +137,9 @@ Result<detail::Conversation> AsyncClient::conversation_of(const Impl& impl) {
   return impl.conversation();
 }
 
-auto AsyncClient::run(Impl& impl, const detail::Conversation& conversation,
-                      std::shared_ptr<TaskMachine> task, std::function<void()> done) -> Stop {
-  return impl.run(conversation, std::move(task), std::move(done));
+auto AsyncClient::run(Impl& impl, const detail::Conversation& conversation, TaskMachine& task,
+                      std::function<void()> done) -> Stop {
+  return impl.run(conversation, task, std::move(done));
 }
 
 Subscription AsyncClient::subscribe_to(detail::MessageKey key,

@@ -60,16 +60,15 @@ Result<Client> Client::connect(const std::string& address, const ConnectOptions&
   return detail::connect_client(detail::opener_of(address, options), options);
 }
 
-Result<std::optional<AnyMessage>> Client::call(const AnyMessage& request,
-                                               const CallOptions& options) {
-  const Result<Reply> reply = transact(request, options);
+template <>
+Result<std::optional<AnyMessage>> detail::read_any(const Result<Reply>& reply) {
   if (!reply) return reply.error();
   const MessageType* const type =
       find_message(Direction::from_board, reply->id, reply->body.size());
   if (type == nullptr) return std::optional<AnyMessage>();
   AnyMessage message = type->make();
   const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
-  const Status status = message.decode({reply->body.data(), reply->body.size()}, contexts);
+  const Status status = message.decode(reply->body, contexts);
   if (!status) return detail::decode_error(status, *reply);
   return std::optional(std::move(message));
 }

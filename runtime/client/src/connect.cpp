@@ -108,15 +108,13 @@ class Connector {
 
   Result<void> detect_line() {
     if (!has_line_to_find_) return {};
-    const auto waiter = std::make_shared<Waiter<LineSearch::Outcome>>();
-    state_->detect_line([waiter](const LineSearch::Outcome& outcome) { waiter->put(outcome); });
-    const auto ended = waiter->wait_until(io::to_chrono(deadline_));
-    if (ended && ended->found) return {};
+    const auto waiter = std::make_shared<Waiter<bool>>();
+    state_->detect_line([waiter](bool is_found) { waiter->put(is_found); });
+    if (waiter->wait_until(io::to_chrono(deadline_)).value_or(false)) return {};
     const std::string description = state_->description();
     if (auto reason = state_->end_reason()) return *std::move(reason);
-    const LineSearch::Outcome search = ended ? *ended : state_->line_search();
     return ClientError{ErrorCode::not_found,
-                       "no board found on " + description + ": " + tried(search.trials)};
+                       "no board found on " + description + ": " + tried(state_->trials())};
   }
 
   Result<void> introduce() {

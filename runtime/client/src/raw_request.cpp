@@ -30,13 +30,10 @@ ResponsePolicy cautious_policy(std::uint8_t id) {
 }  // namespace
 
 Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body) {
-  RawRequest request;
-  if (!check_frame(id, body.size(), max_frame_size) || !request.body.resize(body.size())) {
+  if (!check_frame(id, body.size(), max_frame_size) || body.size() > max_body_size) {
     return ClientError{ErrorCode::invalid, "not a request that a frame can carry"};
   }
-  request.id = id;
-  std::ranges::copy(body, request.body.begin());
-  request.policy = cautious_policy(id);
+  RawRequest request{id, {body.begin(), body.end()}, cautious_policy(id)};
   static_cast<void>(visit_received(id, body, Direction::to_board, [&]<class M>(const M& message) {
     if constexpr (requires { response_policy(message); }) request.policy = response_policy(message);
   }));

@@ -14,9 +14,8 @@ namespace sbgc::detail {
 
 template <class M>
 Status decode_in_context(const Reply& reply, M& out) noexcept {
-  const std::span<const std::uint8_t> body(reply.body.data(), reply.body.size());
-  if (reply.contexts == nullptr) return decode(body, out, Contexts{}.of(out));
-  return decode(body, out, reply.contexts->of(out));
+  if (reply.contexts == nullptr) return decode(reply.body, out, Contexts{}.of(out));
+  return decode(reply.body, out, reply.contexts->of(out));
 }
 
 namespace {
@@ -50,9 +49,9 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
 }
 
 ClientError decode_error(Status status, const Reply& reply) {
-  const std::span<const std::uint8_t> body(reply.body.data(), reply.body.size());
   const Contexts contexts = reply.contexts == nullptr ? Contexts{} : *reply.contexts;
-  return {ErrorCode::bad_response, "the response " + undecodable(status, reply.id, body, contexts)};
+  return {ErrorCode::bad_response,
+          "the response " + undecodable(status, reply.id, reply.body, contexts)};
 }
 
 ClientError missing_response(const Reply& reply) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
@@ -82,14 +82,14 @@ Result<Request> prepare(const M& message, const Availability& versions, bool val
   Request request{.id = static_cast<std::uint8_t>(M::command),
                   .policy = response_policy(message),
                   .command = Meta<M>::info.command};
-  static_cast<void>(request.body.resize(max_body_size));
-  const WriteResult written = encode(message, {request.body.begin(), request.body.end()});
+  request.body.resize(max_body_size);
+  const WriteResult written = encode(message, request.body);
   if (!written) {
     Status status = written.status;
     if (status.code == Code::buffer_too_small) status.code = Code::too_long;
     return ClientError{ErrorCode::invalid, "the request cannot be encoded: " + to_string(status)};
   }
-  static_cast<void>(request.body.resize(written.size));
+  request.body.resize(written.size);
   if constexpr (Contexts::learns_from<M>) {
     request.teach = [message](Contexts& contexts) { contexts.learn(message); };
   }
@@ -104,8 +104,10 @@ Result<Request> prepare(const AnyMessage& message, const Availability& versions,
       if (request == nullptr) return;
       result = prepare(without_surplus(*request), versions, validate);
       if constexpr (takes_surplus<M>) {
-        for (const std::uint8_t byte : request->tail) {
-          if (!result || result->body.push_back(byte)) continue;
+        if (!result) return;
+        std::vector<std::uint8_t>& body = result->body;
+        body.insert(body.end(), request->tail.begin(), request->tail.end());
+        if (body.size() > max_body_size) {
           result = ClientError{ErrorCode::invalid, "the tail is too long"};
         }
       }

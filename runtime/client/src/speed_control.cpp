@@ -6,7 +6,7 @@
 #include <sbgc/io/clock.hpp>
 
 #include "connect.hpp"
-#include "driving/blocking_driver.hpp"
+#include "driving/task_driver.hpp"
 #include "tasks/hold_speed.hpp"
 
 namespace sbgc {
@@ -21,15 +21,16 @@ class SpeedControl::Worker {
         speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
             milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
         task_(detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead))),
-        driver_(detail::ClientMaker::conversation(client), clock_),
-        thread_([this, &machine = task_.begin(client.identity())] { driver_.run(machine); }) {}
+        driver_(std::make_shared<detail::TaskDriver>(detail::ClientMaker::conversation(client),
+                                                     task_.begin(client.identity()))),
+        thread_([this] { driver_->run(clock_); }) {}
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   Worker(Worker&&) = delete;
   Worker& operator=(Worker&&) = delete;
   ~Worker() {
     speed_->close();
-    driver_.wake();
+    wake();
     thread_.join();
   }
 
@@ -37,7 +38,7 @@ class SpeedControl::Worker {
   template <class Change>
   Result<void> with(const Change& change) {
     Result<void> changed = speed_->with(change);
-    driver_.wake();
+    wake();
     return changed;
   }
   Result<void> wait() {
@@ -47,10 +48,14 @@ class SpeedControl::Worker {
   Instant now() { return io::from_chrono(clock_.now()); }
 
  private:
+  void wake() {
+    driver_->put([](TaskMachine& task) { task.wake(); });
+  }
+
   Clock& clock_;
   std::shared_ptr<detail::HeldSpeed> speed_;
   Task<Result<void>> task_;
-  detail::BlockingDriver driver_;
+  std::shared_ptr<detail::TaskDriver> driver_;
   std::thread thread_;
 };
 

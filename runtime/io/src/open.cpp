@@ -25,13 +25,6 @@ struct Malformed {
   std::string reason;
 };
 
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
-
 /// Parses a decimal number from 1 to `max`.
 std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {
   std::uint32_t value = 0;
@@ -93,8 +86,7 @@ void reject_port_of_windows(std::string_view path) {
       "port as /dev/ttyUSB0 or /dev/ttyACM0 once usbipd attaches it"};
 }
 
-SerialAddress parse_serial(std::string_view text) {
-  SerialAddress result;
+void parse_rest(std::string_view text, SerialAddress& result) {
   const auto take = [&](std::string_view key, std::string_view value) {
     const std::string word = lower_case(value);
     if (key == "baud") {
@@ -113,11 +105,9 @@ SerialAddress parse_serial(std::string_view text) {
   };
   result.path = split_options(text, "baud=NUMBER and parity=none|even", take);
   reject_port_of_windows(result.path);
-  return result;
 }
 
-CaptureAddress parse_capture(std::string_view text) {
-  CaptureAddress result;
+void parse_rest(std::string_view text, CaptureAddress& result) {
   const auto take = [&](std::string_view key, std::string_view value) {
     const std::string word = lower_case(value);
     if (key != "timing") return false;
@@ -128,11 +118,15 @@ CaptureAddress parse_capture(std::string_view text) {
     return true;
   };
   result.file = split_options(text, "timing=original|fast", take);
-  return result;
 }
 
+void parse_rest(std::string_view text, PtyAddress&) {
+  if (!text.empty()) throw Malformed{"nothing may follow 'pty:'"};
+}
+
+/// Of TCP and UDP.
 template <class T>
-T parse_host_and_port(std::string_view text) {
+void parse_rest(std::string_view text, T& result) {
   if (text.starts_with("//")) throw Malformed{"slashes before the host are not allowed"};
   const std::size_t colon = text.rfind(':');
   const bool bracketed = text.starts_with('[');
@@ -151,7 +145,17 @@ T parse_host_and_port(std::string_view text) {
   if (!port) {
     throw Malformed{quoted(text.substr(colon + 1)) + " is not a port; ports are 1 to 65535"};
   }
-  return {std::string(host), static_cast<std::uint16_t>(*port)};
+  result = {std::string(host), static_cast<std::uint16_t>(*port)};
+}
+
+std::string kind_names() {
+  std::string result;
+  for (const AddressKind& kind : address_kinds) {
+    const bool is_last = &kind == &address_kinds.back();
+    if (!result.empty()) result += is_last ? " and " : ", ";
+    result += kind.name;
+  }
+  return result;
 }
 
 /// Says what to write in place of an address without a known kind.
@@ -172,11 +176,24 @@ T parse_host_and_port(std::string_view text) {
       text.find_first_not_of("0123456789abcdefABCDEF:") == std::string_view::npos &&
       text.find(':', colon + 1) != std::string_view::npos;
   if (text.starts_with('[') || is_ipv6 || is_number(text.substr(colon + 1))) {
-    static_cast<void>(parse_host_and_port<TcpAddress>(text));  // says what else is wrong
+    TcpAddress ignored;
+    parse_rest(text, ignored);  // says what else is wrong
     throw Malformed{"the kind is missing; write tcp:" + given + " or udp:" + given};
   }
-  throw Malformed{"unknown kind " + quoted(text.substr(0, colon)) +
-                  "; kinds are serial, tcp, udp, pty and capture"};
+  throw Malformed{"unknown kind " + quoted(text.substr(0, colon)) + "; kinds are " + kind_names()};
+}
+
+/// Parses what follows the kind, if it is that of T.
+template <class T>
+bool parse_kind(std::string_view kind, std::string_view rest, Address& result) {
+  if (kind != T::kind.name) return false;
+  parse_rest(rest, result.emplace<T>());
+  return true;
+}
+
+template <class... Ts>
+bool parse_any_kind(std::string_view kind, std::string_view rest, std::variant<Ts...>& result) {
+  return (parse_kind<Ts>(kind, rest, result) || ...);
 }
 
 Address parse(std::string_view text) {
@@ -184,18 +201,33 @@ Address parse(std::string_view text) {
   const std::string kind = lower_case(text.substr(0, colon));
   if (text.empty()) throw Malformed{"it is empty"};
   reject_port_of_windows(text);
-  if (kind.find('/') != std::string::npos) return parse_serial(text);
-  if (colon == std::string_view::npos) fail_without_kind(text);
-  const std::string_view rest = text.substr(colon + 1);
-  if (kind == "serial") return parse_serial(rest);
-  if (kind == "tcp") return parse_host_and_port<TcpAddress>(rest);
-  if (kind == "udp") return parse_host_and_port<UdpAddress>(rest);
-  if (kind == "capture") return parse_capture(rest);
-  if (kind == "pty") {
-    if (!rest.empty()) throw Malformed{"nothing may follow 'pty:'"};
-    return PtyAddress{};
+  Address result;
+  if (kind.find('/') != std::string::npos) {
+    parse_rest(text, std::get<SerialAddress>(result));
+  } else if (colon == std::string_view::npos ||
+             !parse_any_kind(kind, text.substr(colon + 1), result)) {
+    fail_without_kind(text);
   }
-  fail_without_kind(text);
+  return result;
+}
+
+using Executor = asio::any_io_executor;
+
+OpenResult open_at(const Executor& executor, const SerialAddress& at, const OpenOptions&) {
+  return open_serial(executor, at.path, at.line);
+}
+OpenResult open_at(const Executor& executor, const TcpAddress& at, const OpenOptions& options) {
+  return open_tcp(executor, at.host, at.port, options.timeout);
+}
+OpenResult open_at(const Executor& executor, const UdpAddress& at, const OpenOptions& options) {
+  return open_udp(executor, at.host, at.port, options.timeout);
+}
+OpenResult open_at(const Executor& executor, const PtyAddress&, const OpenOptions&) {
+  PseudoTerminalResult result = open_pseudo_terminal(executor, {.stays_open = true});
+  return {std::move(result.transport), std::move(result.error)};
+}
+OpenResult open_at(const Executor& executor, const CaptureAddress& at, const OpenOptions&) {
+  return open_replay(executor, at.file, at.timing);
 }
 
 }  // namespace
@@ -219,21 +251,7 @@ OpenResult open(const asio::any_io_executor& executor, std::string_view address,
 
 OpenResult open(const asio::any_io_executor& executor, const Address& address,
                 const OpenOptions& options) {
-  return std::visit(
-      Overloaded{
-          [&](const SerialAddress& at) { return open_serial(executor, at.path, at.line); },
-          [&](const TcpAddress& at) {
-            return open_tcp(executor, at.host, at.port, options.timeout);
-          },
-          [&](const UdpAddress& at) {
-            return open_udp(executor, at.host, at.port, options.timeout);
-          },
-          [&](const PtyAddress&) {
-            PseudoTerminalResult result = open_pseudo_terminal(executor, {.stays_open = true});
-            return OpenResult{std::move(result.transport), std::move(result.error)};
-          },
-          [&](const CaptureAddress& at) { return open_replay(executor, at.file, at.timing); }},
-      address);
+  return std::visit([&](const auto& at) { return open_at(executor, at, options); }, address);
 }
 
 OpenResult adopt(const asio::any_io_executor& executor, int descriptor) {

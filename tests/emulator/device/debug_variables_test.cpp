@@ -1,6 +1,6 @@
 // Tests of debug variables: their announcement, and that their values change.
 
-#include "device/parts/debug_variables.hpp"
+#include "device/debug/debug_variables.hpp"
 
 #include <array>
 #include <set>

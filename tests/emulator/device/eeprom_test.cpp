@@ -1,6 +1,6 @@
 // Tests of the EEPROM, as accessed by CMD_EEPROM_READ and CMD_EEPROM_WRITE, and of its records.
 
-#include "device/parts/eeprom.hpp"
+#include "device/storage/eeprom.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/parts/eeprom_records.hpp"
+#include "device/storage/eeprom_records.hpp"
 #include "memory_bytes.hpp"
 
 namespace {

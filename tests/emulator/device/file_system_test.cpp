@@ -1,6 +1,6 @@
 // Tests of the board's files, as accessed by CMD_READ_FILE and CMD_WRITE_FILE.
 
-#include "device/parts/file_system.hpp"
+#include "device/storage/file_system.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Tests of the effect of parameters on the mechanics.
 
-#include "device/parts/gimbal_tuning.hpp"
+#include "device/parameters/gimbal_tuning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Tests of I2C buses: which devices respond, and their registers.
 
-#include "device/parts/i2c_bus.hpp"
+#include "device/peripherals/i2c_bus.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -47,17 +47,17 @@ TEST(Servos, OnlyTheSelectedOnesChange) {
   first.servo_time = {msg::ServoPulse(1000), msg::ServoPulse(1100), msg::ServoPulse(-1),
                       msg::ServoPulse(-1),   msg::ServoPulse(-1),   msg::ServoPulse(-1),
                       msg::ServoPulse(-1),   msg::ServoPulse(-1)};
-  ASSERT_TRUE(device.outputs.set_servos(device, first));
+  ASSERT_TRUE(device.outputs.set_servos(device.parameters, first));
   msg::ServoOutExt request;
   request.servo_bits = msg::ServoOutput::servo2 | msg::ServoOutput::can_drv7_servo2;
   request.servo_time.push_back(msg::ServoPulse(1500));
   request.servo_time.push_back(msg::ServoPulse(1600));
-  EXPECT_TRUE(device.outputs.set_servos(device, request));
+  EXPECT_TRUE(device.outputs.set_servos(device.parameters, request));
   EXPECT_EQ(device.outputs.servo(0), msg::ServoPulse(1000));
   EXPECT_EQ(device.outputs.servo(1), msg::ServoPulse(1500));
   EXPECT_EQ(device.outputs.driver_servo(13), msg::ServoPulse(1600));
   request.servo_time[0] = msg::ServoPulse(20'000);
-  EXPECT_FALSE(device.outputs.set_servos(device, request)) << "longer than the period";
+  EXPECT_FALSE(device.outputs.set_servos(device.parameters, request)) << "longer than the period";
   EXPECT_EQ(device.outputs.servo(1), msg::ServoPulse(1500));
 }
 

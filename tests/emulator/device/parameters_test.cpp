@@ -1,6 +1,6 @@
 // Tests of the board's parameters: written values are read back, per profile, also after a restart.
 
-#include "device/parts/parameters.hpp"
+#include "device/parameters/parameters.hpp"
 
 #include <algorithm>
 #include <array>

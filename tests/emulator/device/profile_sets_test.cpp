@@ -7,7 +7,7 @@
 
 #include <sbgc/parameters.hpp>
 
-#include "device/parts/eeprom_records.hpp"
+#include "device/storage/eeprom_records.hpp"
 #include "replies.hpp"
 
 namespace sbgc::test {

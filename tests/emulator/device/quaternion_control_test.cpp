@@ -1,6 +1,6 @@
 // Tests of control with quaternions.
 
-#include "device/parts/quaternion_control.hpp"
+#include "device/control/quaternion_control.hpp"
 
 #include <array>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include <sbgc/meta/all.hpp>
 
-#include "device/parts/parameters.hpp"
+#include "device/parameters/parameters.hpp"
 
 namespace sbgc::test {
 

@@ -108,7 +108,6 @@ const sbgc::TransportFactory nowhere = [](const asio::any_io_executor&) {
   return std::unique_ptr<sbgc::io::Transport>();
 };
 const sbgc::Backup backup;
-const sbgc::ProfileNames names{{"one", "two"}};
 const std::vector<std::uint8_t> data{1, 2, 3};
 const std::vector<std::string> variables{"LPF_FREQ_ROLL", "LPF_FREQ_PITCH"};
 const std::vector<sbgc::VariableValue> values{{"LPF_FREQ_ROLL", 60}};
@@ -135,46 +134,18 @@ int main() {
   OPERATION(async_stream<Live>(
       Interval{}, [](const Live&) {}, {}, token));
   OPERATION(async_run(sbgc::tasks::stop({.timeout = 9s}), token));
-  OPERATION(async_move_to({.pitch = 30_deg}, token));
-  OPERATION(async_move_to({.pitch = 30_deg}, {.speed = 10_deg_per_s}, token));
-  OPERATION(async_begin_move({.pitch = 30_deg}, token));
-  OPERATION(async_begin_move({.pitch = 30_deg}, {.speed = 10_deg_per_s}, token));
-  OPERATION(async_stop(token));
-  OPERATION(async_stop({.timeout = 9s}, token));
-  OPERATION(async_release(token));
-  OPERATION(async_set_control_timeout(500ms, token));
-  OPERATION(async_calibrate(sbgc::Sensor::gyroscope, token));
-  OPERATION(async_calibrate(sbgc::Sensor::gyroscope, {.timeout = 9s}, token));
-  OPERATION(async_run_calibration(sbgc::msg::CalibGyro{}, token));
-  OPERATION(async_run_calibration(sbgc::msg::CalibGyro{}, {.timeout = 9s}, token));
-  OPERATION(async_read_parameters(token));
-  OPERATION(async_read_parameters({.timeout = 9s}, token));
-  OPERATION(async_write_parameters({}, token));
-  OPERATION(async_write_parameters(sbgc::ParameterSet{}, {.dry_run = true}, token));
-  OPERATION(async_make_backup(token));
-  OPERATION(async_make_backup({.timeout = 9s}, token));
-  OPERATION(async_restore(backup, {.dry_run = true}, token));
-  OPERATION(async_download_eeprom(0, 64, token));
-  OPERATION(async_download_eeprom(0, 64, {.timeout = 9s}, token));
-  OPERATION(async_upload_eeprom(0, data, token));
-  OPERATION(async_upload_eeprom(0, data, {.timeout = 9s}, token));
-  OPERATION(async_file_size(1, token));
-  OPERATION(async_download_file(1, token));
-  OPERATION(async_download_file(1, {.timeout = 9s}, token));
-  OPERATION(async_upload_file(1, data, token));
-  OPERATION(async_upload_file(1, data, {.timeout = 9s}, token));
-  OPERATION(async_delete_file(1, token));
-  OPERATION(async_delete_all_files(token));
-  OPERATION(async_download_user_data(token));
-  OPERATION(async_upload_user_data(0, data, token));
-  OPERATION(async_active_profile(token));
-  OPERATION(async_profile_names(token));
-  OPERATION(async_rename_profile(1, "A name that does not fit into 15 bytes", token));
-  OPERATION(async_rename_profiles(names, token));
-  OPERATION(async_get_variables(variables, token));
-  OPERATION(async_get_variable("LPF_FREQ_ROLL", token));
-  OPERATION(async_set_variables(values, token));
-  OPERATION(async_set_variable("LPF_FREQ_ROLL", 60, token));
-  OPERATION(async_save_variables(token));
+  OPERATION(async_run(sbgc::tasks::move_to({.pitch = 30_deg}), token));
+  OPERATION(async_run(sbgc::tasks::move_to({.pitch = 30_deg}, {.speed = 10_deg_per_s}), token));
+  OPERATION(async_run(sbgc::tasks::release(), token));
+  OPERATION(
+      async_run(sbgc::tasks::run_calibration(sbgc::msg::CalibGyro{}, {.timeout = 9s}), token));
+  OPERATION(async_run(sbgc::tasks::read_parameters({.timeout = 9s}), token));
+  OPERATION(async_run(sbgc::tasks::write_parameters({}, {.dry_run = true}), token));
+  OPERATION(async_run(sbgc::tasks::restore(backup, {.dry_run = true}), token));
+  OPERATION(async_run(sbgc::tasks::upload_file(1, data), token));
+  OPERATION(
+      async_run(sbgc::tasks::rename_profile(1, "A name that does not fit into 15 bytes"), token));
+  OPERATION(async_run(sbgc::tasks::get_variables(variables), token));
+  OPERATION(async_run(sbgc::tasks::set_variables(values), token));
   return failures == 0 ? 0 : 1;
 }

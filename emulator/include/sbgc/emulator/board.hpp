@@ -15,8 +15,8 @@
 
 namespace sbgc::emulator {
 
-/// How the board handled a frame from a host.
-enum class Outcome : std::uint8_t {
+/// What the board did with a frame from a host.
+enum class Verdict : std::uint8_t {
   executed,
   refused,       ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
   unknown,       ///< not a command that this board and firmware know
@@ -99,12 +99,12 @@ class Board {
   std::uint32_t baud_rate() const;
 
   /// Called for each frame from a host after it was handled, and for each frame to a host, without
-  /// `outcome`.
+  /// `verdict`.
   struct Traffic {
     Instant at{};
     std::size_t port{};
     Frame frame{};
-    std::optional<Outcome> outcome{};
+    std::optional<Verdict> verdict{};
   };
   std::function<void(const Traffic&)> on_traffic{};
 

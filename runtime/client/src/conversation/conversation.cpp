@@ -23,37 +23,40 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
     return handler_waits_error();
   }
   const auto waiter = std::make_shared<Waiter<Result<T>>>();
-  const auto [ticket, deadline] =
-      begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
+  const CallId id = next_call_id();
+  const Instant deadline =
+      begin(id, [waiter](Result<T> result) { waiter->put(std::move(result)); });
   if (auto result = waiter->wait_until(io::to_chrono(deadline))) return *std::move(result);
-  state.end_overdue(ticket);
+  state.end_overdue(id);
   // A result is on its way from some thread: this one, or another that came first.
   return waiter->wait();
 }
 
 }  // namespace
 
-Request Conversation::prepare(const RawRequest& request) {
+Request Conversation::prepare(RawRequest request) {
   return {.id = request.id,
-          .body = request.body,
+          .body = std::move(request.body),
           .policy = request.policy,
           .host = request.host,
           .command = raw_name,
-          .on_frame = request.on_frame};
+          .on_frame = std::move(request.on_frame)};
 }
 
-auto Conversation::start(Result<Request> request, const CallOptions& options,
-                         ReplyHandler handler) const -> Ticket {
-  return state_->start(std::move(request), options, std::move(handler)).ticket;
+CallId Conversation::start(Result<Request> request, const CallOptions& options,
+                           ReplyHandler handler) const {
+  const CallId id = next_call_id();
+  state_->start(id, std::move(request), options, std::move(handler));
+  return id;
 }
 
-void Conversation::cancel(Ticket ticket) const {
-  state_->end(ticket, {ErrorCode::cancelled, "the call was canceled"});
+void Conversation::cancel(CallId id) const {
+  state_->end(id, {ErrorCode::cancelled, "the call was canceled"});
 }
 
 Result<Reply> Conversation::call(Result<Request> request, const CallOptions& options) const {
-  return wait_for<Reply>(*state_, [&](ReplyHandler handler) {
-    return state_->start(std::move(request), options, std::move(handler));
+  return wait_for<Reply>(*state_, [&](CallId id, ReplyHandler handler) {
+    return state_->start(id, std::move(request), options, std::move(handler));
   });
 }
 
@@ -69,18 +72,18 @@ Subscription Conversation::on_frame(std::function<void(const BoardFrame&)> handl
   return state_->on_frame(std::move(handler));
 }
 
-auto Conversation::start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
-                                const CallOptions& options, StreamHandler done) const -> Ticket {
-  return state_
-      ->start_stream(std::move(requests), key, std::move(handler), options, std::move(done))
-      .ticket;
+CallId Conversation::start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
+                                  const CallOptions& options, StreamHandler done) const {
+  const CallId id = next_call_id();
+  state_->start_stream(id, std::move(requests), key, std::move(handler), options, std::move(done));
+  return id;
 }
 
 Result<Subscription> Conversation::stream(StreamRequests requests, MessageKey key,
                                           MessageHandler handler,
                                           const CallOptions& options) const {
-  return wait_for<Subscription>(*state_, [&](StreamHandler done) {
-    return state_->start_stream(std::move(requests), key, std::move(handler), options,
+  return wait_for<Subscription>(*state_, [&](CallId id, StreamHandler done) {
+    return state_->start_stream(id, std::move(requests), key, std::move(handler), options,
                                 std::move(done));
   });
 }

@@ -43,7 +43,7 @@ bool needs_context(const Frame& frame) {
 
 }  // namespace
 
-Dialogue::Dialogue(const ConnectOptions& options, PendingCalls& calls, Delivery& delivery)
+Dialogue::Dialogue(const ConnectOptions& options, SharedCalls& calls, Delivery& delivery)
     : calls_(calls), delivery_(delivery), session_(session_options(options)) {}
 
 Output Dialogue::advance(Instant now, bool can_write) {
@@ -57,7 +57,7 @@ Output Dialogue::advance(Instant now, bool can_write) {
     output = session_.poll(now, [this](const Event& event) { handle(event); });
   } while (has_room_ && output.bytes.empty());
   if (has_room_) send_waiting();
-  output.deadline = earlier(output.deadline, calls_.deadline());
+  output.deadline = earlier(output.deadline, calls_->deadline());
   return output;
 }
 
@@ -67,20 +67,19 @@ void Dialogue::feed(std::span<const std::uint8_t> bytes, Instant now) {
 
 void Dialogue::send_waiting() {
   while (const CallPointer call =
-             calls_.next_waiting([this](const Call& next) { return has_room(next); })) {
+             calls_->next_waiting([this](const Call& next) { return has_room(next); })) {
     const Request& request = call->request;
-    const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
-    const SendResult sent = request.tried_framing
-                                ? session_.try_framing(*request.tried_framing, request.id, body,
-                                                       request.policy, call->send)
-                                : session_.send(request.id, body, request.policy, call->send);
+    const SendResult sent =
+        request.tried_framing ? session_.try_framing(*request.tried_framing, request.id,
+                                                     request.body, request.policy, call->send)
+                              : session_.send(request.id, request.body, request.policy, call->send);
     if (sent) {
       call->handle = sent.handle;
       call->was_sent = true;
       in_session_.emplace(sent.handle.number, call);
       const bool starts_stream = request.policy.stream.command != 0;
       if (starts_stream && request.teach) request.teach(delivery_.contexts());
-    } else if (calls_.take(call->ticket)) {
+    } else if (calls_->take(call->id)) {
       calls_.complete(*call, refusal(*call, sent));
     }
   }
@@ -120,7 +119,7 @@ void Dialogue::forget(const Call& call) {
 }
 
 void Dialogue::end_overdue(Instant now) {
-  while (const CallPointer call = calls_.take_overdue(now)) {
+  while (const CallPointer call = calls_->take_overdue(now)) {
     forget(*call);
     calls_.complete(*call, overdue_error(*call));
   }
@@ -177,13 +176,11 @@ void Dialogue::handle_completion(const Event& event) {
   if (place == in_session_.end()) return;
   const CallPointer call = std::move(place->second);
   in_session_.erase(place);
-  if (calls_.take(call->ticket)) calls_.complete(*call, result_of(*call, event));
+  if (calls_->take(call->id)) calls_.complete(*call, result_of(*call, event));
 }
 
 Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
-  Reply reply{kind, frame.id, {}, nullptr, frame.framing};
-  static_cast<void>(reply.body.resize(frame.body.size()));  // the body of a frame always fits
-  std::ranges::copy(frame.body, reply.body.begin());
+  Reply reply{kind, frame.id, {frame.body.begin(), frame.body.end()}, nullptr, frame.framing};
   if (needs_context(frame)) {
     const auto contexts = std::make_shared<Contexts>(delivery_.contexts());
     if (call.request.teach) call.request.teach(*contexts);

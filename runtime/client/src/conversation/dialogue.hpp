@@ -10,7 +10,7 @@
 #include <sbgc/session.hpp>
 
 #include "delivery.hpp"
-#include "pending_calls.hpp"
+#include "shared_calls.hpp"
 
 namespace sbgc::detail {
 
@@ -18,7 +18,7 @@ namespace sbgc::detail {
 /// calls are shared with other threads.
 class Dialogue {
  public:
-  Dialogue(const ConnectOptions& options, PendingCalls& calls, Delivery& delivery);
+  Dialogue(const ConnectOptions& options, SharedCalls& calls, Delivery& delivery);
 
   /// Sets the settings of the line that carries the bytes.
   void set_line(const LineSettings& line) { session_.set_line(line); }
@@ -56,7 +56,7 @@ class Dialogue {
   Reply reply_to(const Call& call, ReplyKind kind, const Frame& frame) const;
   ClientError refusal(const Call& call, const SendResult& refused) const;
 
-  PendingCalls& calls_;
+  SharedCalls& calls_;
   Delivery& delivery_;
   BasicSession<capacity> session_;
   std::unordered_map<std::uint64_t, CallPointer> in_session_;  // keyed by the number of the handle

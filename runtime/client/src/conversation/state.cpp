@@ -19,8 +19,7 @@ ClientError closed_error() { return {ErrorCode::cancelled, "the client was close
 
 std::vector<std::uint8_t> frame_of(const Request& request, Framing framing) {
   std::vector<std::uint8_t> frame(max_frame_size);
-  const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
-  frame.resize(write_frame(framing, request.id, body, frame).size);
+  frame.resize(write_frame(framing, request.id, request.body, frame).size);
   return frame;
 }
 
@@ -79,37 +78,34 @@ void Conversation::State::wake() {
 
 // Calls and subscriptions.
 
-auto Conversation::State::start(Result<Request> request, const CallOptions& options,
-                                ReplyHandler handler) -> StartedCall {
-  if (request) return begin(*std::move(request), options, std::move(handler));
-  calls_.count_failure();
-  handler(std::move(request).error());
-  return {};
-}
-
-auto Conversation::State::begin(Request request, const CallOptions& options, ReplyHandler handler)
-    -> StartedCall {
+Instant Conversation::State::start(CallId id, Result<Request> request, const CallOptions& options,
+                                   ReplyHandler handler) {
+  calls_->count_begun();
+  if (!request) {
+    calls_->count_failed();
+    handler(std::move(request).error());
+    return Instant::never;
+  }
   const CallPointer call =
-      make_call(std::move(request), options, options_, io::now(), std::move(handler));
+      make_call(id, *std::move(request), options, options_, io::now(), std::move(handler));
   std::vector<CallPointer> older;
-  if (auto refusal = calls_.add(call, older)) {
+  if (auto refusal = calls_->add(call, older)) {
     calls_.complete(*call, *std::move(refusal));
-    return {};
+    return Instant::never;
   }
   for (const CallPointer& superseded : older) {
     calls_.complete(*superseded, superseded_error(*superseded));
   }
-  const StartedCall begun{call->ticket, call->deadline};
   wake();
-  return begun;
+  return call->deadline;
 }
 
-void Conversation::State::end(Ticket ticket, ClientError error) {
-  if (const CallPointer call = calls_.take(ticket)) complete(call, std::move(error));
+void Conversation::State::end(CallId id, ClientError error) {
+  if (const CallPointer call = calls_->take(id)) complete(call, std::move(error));
 }
 
-void Conversation::State::end_overdue(Ticket ticket) {
-  const CallPointer call = calls_.take(ticket);
+void Conversation::State::end_overdue(CallId id) {
+  const CallPointer call = calls_->take(id);
   if (call) complete(call, is_stuck() ? stuck_error() : overdue_error(*call));
 }
 
@@ -159,9 +155,9 @@ class Conversation::State::StreamHold : public Subscription::Registration {
   StreamListeners::Key key_;
 };
 
-auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
-                                       MessageHandler handler, const CallOptions& options,
-                                       StreamHandler done) -> StartedCall {
+Instant Conversation::State::start_stream(CallId id, StreamRequests requests, MessageKey key,
+                                          MessageHandler handler, const CallOptions& options,
+                                          StreamHandler done) {
   Result<Request>& start = requests.start;
   if (start && start->policy.stream.command == 0) {
     start = ClientError{ErrorCode::invalid,
@@ -170,34 +166,35 @@ auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
   if (start && !requests.end) start = requests.end.error();
   if (!start) {
     done(std::move(start).error());
-    return {};
+    return Instant::never;
   }
   const StreamListeners::Key stream = StreamListeners::key_of(*start);
-  streams_.join(stream, *std::move(requests.end));
+  streams_->join(stream, *std::move(requests.end));
   // Subscribe before the first sample can arrive.
   auto hold = std::make_unique<StreamHold>(delivery_.subscribe(key, std::move(handler)),
                                            weak_from_this(), stream);
-  return begin(*std::move(start), options,
-               [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
-                done = std::move(done)](Result<Reply> reply) {
-                 const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
-                                         reply.error().code != ErrorCode::cancelled;
-                 // The board may have received the request, so the stream must be ended as well.
-                 if (!is_unheard) streams_.set_running(stream);
-                 if (reply) return done(Subscription(std::move(*hold)));
-                 hold->reset();
-                 done(std::move(reply).error());
-               });
+  return this->start(
+      id, std::move(start), options,
+      [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
+       done = std::move(done)](Result<Reply> reply) {
+        const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
+                                reply.error().code != ErrorCode::cancelled;
+        // The board may have received the request, so the stream must be ended as well.
+        if (!is_unheard) streams_->set_running(stream);
+        if (reply) return done(Subscription(std::move(*hold)));
+        hold->reset();
+        done(std::move(reply).error());
+      });
 }
 
 void Conversation::State::leave_stream(const StreamListeners::Key& key) {
-  std::optional<Request> end = streams_.leave(key);
+  std::optional<Request> end = streams_->leave(key);
   if (!end) return;
-  begin(*std::move(end), {}, [this, key](const Result<Reply>& reply) {
+  start(next_call_id(), *std::move(end), {}, [this, key](const Result<Reply>& reply) {
     // A conversation that has ended also ends its streams.
     const bool is_over = !reply && (reply.error().code == ErrorCode::cancelled ||
                                     reply.error().code == ErrorCode::not_connected);
-    if (!is_over) streams_.end_sent(key);
+    if (!is_over) streams_->end_sent(key);
   });
 }
 
@@ -205,10 +202,7 @@ void Conversation::State::leave_stream(const StreamListeners::Key& key) {
 
 void Conversation::State::advance() {
   if (!channel_.is_open()) return;
-  if (search_.is_active()) {
-    if (search_.advance(channel_, io::now())) end_search();
-    return;
-  }
+  if (is_searching_) return search();
   const Busy busy(*this);
   const Output output = dialogue_.advance(io::now(), channel_.can_write());
   if (!output.bytes.empty()) channel_.write(output.bytes);
@@ -221,7 +215,7 @@ void Conversation::State::advance() {
 }
 
 void Conversation::State::received(std::span<const std::uint8_t> bytes) {
-  if (search_.is_active()) return search_.feed(bytes);
+  if (is_searching_) return detector_->feed(bytes);
   const Busy busy(*this);
   dialogue_.feed(bytes, io::now());
 }
@@ -231,24 +225,59 @@ void Conversation::State::written() {
   advance();
 }
 
-void Conversation::State::detect_line(LineSearch::Done done) {
-  search_.on_done(std::move(done));
-  if (!is_open()) return search_.report({});
+// The search for the line.
+
+void Conversation::State::detect_line(std::function<void(bool is_found)> done) {
+  {
+    const std::lock_guard lock(mutex_);
+    on_search_end_ = std::move(done);
+  }
+  if (!is_open()) return report_search(false);
   post([this] {
-    if (!channel_.is_open() || channel_.transport().line() == nullptr) return search_.report({});
-    search_.begin();
+    if (!channel_.is_open() || channel_.transport().line() == nullptr) return report_search(false);
+    is_searching_ = true;
     advance();
   });
 }
 
-void Conversation::State::end_search() {
-  const LineSearch::Outcome outcome = search_.take_outcome();
-  if (outcome.found) dialogue_.set_line(search_.line());
+auto Conversation::State::trials() const -> Trials {
+  Trials trials;
+  const auto detector = detector_.lock();
+  std::ranges::copy(detector->trials(), trials.begin());
+  return trials;
+}
+
+void Conversation::State::search() {
+  while (channel_.can_write()) {
+    const DetectorStep step = detector_->next(io::now());
+    switch (step.kind) {
+      case DetectorStep::Kind::set_line:
+        if (channel_.transport().line()->set(step.line)) detector_->refuse();
+        break;
+      case DetectorStep::Kind::write: channel_.write(step.bytes); break;
+      case DetectorStep::Kind::wait: return channel_.wake_at(step.until);
+      case DetectorStep::Kind::found: dialogue_.set_line(step.line); return end_search(true);
+      case DetectorStep::Kind::failed: return end_search(false);
+    }
+  }
+}
+
+void Conversation::State::end_search(bool is_found) {
+  is_searching_ = false;
   {
     const std::lock_guard lock(mutex_);
     description_ = channel_.transport().description();
   }
-  search_.report(outcome);
+  report_search(is_found);
+}
+
+void Conversation::State::report_search(bool is_found) {
+  std::function<void(bool)> done;
+  {
+    const std::lock_guard lock(mutex_);
+    done = std::exchange(on_search_end_, nullptr);
+  }
+  if (done) done(is_found);
 }
 
 // The end.
@@ -269,7 +298,7 @@ void Conversation::State::line_failed(const std::error_code& reason) {
     }
   }
   if (!loss.empty()) {
-    for (const CallPointer& call : calls_.take_all({ErrorCode::not_connected, loss})) {
+    for (const CallPointer& call : calls_->take_all({ErrorCode::not_connected, loss})) {
       const std::string text = std::string(call->request.command) + ": " + loss;
       calls_.complete(*call, ClientError{ErrorCode::link_lost, text});
     }
@@ -285,9 +314,9 @@ void Conversation::State::close() {
     if (phase_ == Phase::closed) return;
     phase_ = Phase::closed;
   }
-  const auto ended = calls_.take_all({ErrorCode::not_connected, "the client is closed"});
+  const auto ended = calls_->take_all({ErrorCode::not_connected, "the client is closed"});
   // Also report here: the caller may be the thread that runs the strand.
-  search_.report({});
+  report_search(false);
   for (const CallPointer& call : ended) calls_.complete(*call, closed_error());
   post([this] { begin_close(); });
 }
@@ -302,7 +331,7 @@ void Conversation::State::abandon() {
 
 /// Starts to end all operations of Asio for this conversation.
 void Conversation::State::begin_close() {
-  if (search_.is_active()) end_search();
+  if (is_searching_) end_search(false);
   dialogue_.forget_all();
   const auto [is_closed, is_abandoned] = [&] {
     const std::lock_guard lock(mutex_);
@@ -314,7 +343,7 @@ void Conversation::State::begin_close() {
   }
   std::vector<Channel::Frame> last_frames;
   if (is_closed && !is_abandoned) {
-    for (const Request& end : streams_.take_running()) {
+    for (const Request& end : streams_->take_running()) {
       last_frames.push_back(frame_of(end, dialogue_.framing()));
     }
   }
@@ -332,8 +361,8 @@ ClientStatistics Conversation::State::statistics() const {
     const std::lock_guard lock(mutex_);
     result = statistics_;
   }
-  result.calls = calls_.begun();
-  result.failures = calls_.failed();
+  result.calls = calls_->begun();
+  result.failures = calls_->failed();
   result.unreadable = delivery_.unreadable();
   return result;
 }

@@ -1,6 +1,7 @@
 /// The implementation of Conversation: a dialogue over a channel, and its participants.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -14,14 +15,14 @@
 
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/conversation.hpp>
+#include <sbgc/detector.hpp>
 #include <sbgc/io/transport.hpp>
 
+#include "calls/stream_listeners.hpp"
 #include "channel.hpp"
 #include "delivery.hpp"
 #include "dialogue.hpp"
-#include "line_search.hpp"
-#include "pending_calls.hpp"
-#include "stream_listeners.hpp"
+#include "shared_calls.hpp"
 
 namespace sbgc::detail {
 
@@ -38,33 +39,33 @@ class Conversation::State : public Channel::User,
   /// Starts the conversation over a transport whose executor is the strand. Must be called once.
   void attach(std::unique_ptr<io::Transport> transport);
 
-  /// Searches for the line settings at which a board responds, and keeps them. Requires attach()
-  /// and a transport with a LineControl; must precede all calls. close() ends the search.
-  void detect_line(LineSearch::Done done);
-  /// The outcome of the search so far.
-  LineSearch::Outcome line_search() const { return search_.so_far(); }
+  /// Searches for the line settings at which a board responds, keeps them, and calls `done`.
+  /// Requires attach() and a transport with a LineControl; must precede all calls. close() ends the
+  /// search.
+  void detect_line(std::function<void(bool is_found)> done);
+  using Trials = std::array<Trial, Detector::lines>;
+  /// The trials of the search so far.
+  Trials trials() const;
 
   /// Sets the identity of the board; must precede the use of the conversation by others.
   void set_identity(const BoardIdentity& board) { board_ = board; }
   const BoardIdentity& identity() const noexcept { return board_; }
 
-  struct StartedCall {
-    Ticket ticket{};
-    Instant deadline = Instant::never;  ///< the call ends by then
-  };
-  StartedCall start(Result<Request> request, const CallOptions& options, ReplyHandler handler);
+  /// Starts a call; returns when it ends at the latest.
+  Instant start(CallId id, Result<Request> request, const CallOptions& options,
+                ReplyHandler handler);
   /// Ends a call with this error, unless it has already ended.
-  void end(Ticket ticket, ClientError error);
+  void end(CallId id, ClientError error);
   /// Ends a call whose deadline has passed, unless it has already ended. The thread that waits for
   /// a call does this itself: to wait for the strand would cost another delay of the scheduler, and
   /// a handler may block the strand.
-  void end_overdue(Ticket ticket);
+  void end_overdue(CallId id);
 
   Subscription subscribe(MessageKey key, MessageHandler handler);
   Subscription on_notice(std::function<void(const Notice&)> handler);
   Subscription on_frame(std::function<void(const BoardFrame&)> handler);
-  StartedCall start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
-                           const CallOptions& options, StreamHandler done);
+  Instant start_stream(CallId id, StreamRequests requests, MessageKey key, MessageHandler handler,
+                       const CallOptions& options, StreamHandler done);
 
   std::string description() const;
   ClientStatistics statistics() const;
@@ -84,7 +85,6 @@ class Conversation::State : public Channel::User,
   /// Marks the strand as busy as long as it lives.
   class Busy;
 
-  StartedCall begin(Request request, const CallOptions& options, ReplyHandler handler);
   void complete(const CallPointer& call, ClientError error);
   /// True if the strand has been busy for so long that a handler must be blocking it.
   bool is_stuck() const;
@@ -99,14 +99,18 @@ class Conversation::State : public Channel::User,
   void woken() override { advance(); }
   void line_failed(const std::error_code& reason) override;
   void advance();
-  void end_search();
+  void search();
+  void end_search(bool is_found);
+  /// Reports the end of the search, once. On any thread.
+  void report_search(bool is_found);
   void begin_close();
 
   const ConnectOptions options_;
   BoardIdentity board_;
-  PendingCalls calls_;
-  StreamListeners streams_;
-  LineSearch search_;
+  SharedCalls calls_;
+  Guarded<StreamListeners> streams_;
+  Guarded<Detector> detector_;
+  bool is_searching_ = false;  // only on the strand
   Delivery delivery_;
   Dialogue dialogue_;
   Channel channel_;
@@ -115,6 +119,7 @@ class Conversation::State : public Channel::User,
   Phase phase_ = Phase::open;
   std::string description_;
   std::string loss_;  // why the line was lost
+  std::function<void(bool)> on_search_end_;
   bool is_woken_ = false;
   bool is_abandoned_ = false;
   ClientStatistics statistics_;  // of the session and its streams

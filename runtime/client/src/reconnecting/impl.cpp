@@ -6,7 +6,6 @@
 #include <asio/error.hpp>
 
 #include "conversation/state.hpp"
-#include "reconnecting/same_board.hpp"
 
 namespace sbgc {
 
@@ -152,7 +151,7 @@ Result<Reply> ReconnectingClient::Impl::use(
   }
 }
 
-void ReconnectingClient::Impl::start_raw(const RawRequest& request, const CallOptions& options,
+void ReconnectingClient::Impl::start_raw(RawRequest request, const CallOptions& options,
                                          std::function<void(const Result<Reply>&)> handler) {
   ClientPointer client;
   Result<Reply> refusal = ClientError{};
@@ -162,7 +161,7 @@ void ReconnectingClient::Impl::start_raw(const RawRequest& request, const CallOp
     if (!client) refusal = no_connection();
   }
   if (!client) return handler(refusal);
-  client->start_raw(request, options, std::move(handler));
+  client->start_raw(std::move(request), options, std::move(handler));
 }
 
 // Handlers.
@@ -185,10 +184,7 @@ Subscription ReconnectingClient::Impl::hold(
 
 void ReconnectingClient::Impl::drop(const Kept& kept) noexcept {
   const std::lock_guard lock(mutex_);
-  kept->is_cancelled = true;
-  std::erase(kept_, kept);
-  // Releasing it waits for a handler that may be waiting for its turn, so another thread does it.
-  if (kept->current) dropped_.push_back(std::move(kept->current));
+  kept_.drop(kept);
   changed_.notify_all();
 }
 
@@ -204,7 +200,7 @@ Subscription ReconnectingClient::Impl::keep(Begin begin, MessageHandler handler)
   auto membership = kept->handlers->add({}, std::move(handler));
   const std::lock_guard lock(mutex_);
   if (client_) subscribe(kept);
-  kept_.push_back(kept);
+  kept_.add(kept);
   return hold(kept, std::move(membership));
 }
 
@@ -222,11 +218,10 @@ Result<Subscription> ReconnectingClient::Impl::keep_stream(Begin begin, MessageH
   auto begun = kept->begin(**client, passer_to(kept), with_time_left(options, deadline));
   if (!begun) return std::move(begun).error();
   const std::lock_guard lock(mutex_);
-  kept->current = *std::move(begun);
   // If the connection was lost meanwhile, the stream is started again with the next one.
-  kept->connection = client_ == *client ? connections_ : 0;
-  kept->changed = options_.clock->now();
-  kept_.push_back(kept);
+  const std::uint64_t connection = client_ == *client ? connections_ : 0;
+  kept_.set(kept, *std::move(begun), connection, options_.clock->now());
+  kept_.add(kept);
   changed_.notify_all();
   return hold(kept, std::move(membership));
 }
@@ -303,8 +298,8 @@ void ReconnectingClient::Impl::run() {
     if (is_closing_) break;
     if (loss_) {
       recover(lock);
-    } else if (next_to_restore() != nullptr) {
-      restore(lock);
+    } else if (const Kept kept = kept_.next_to_restore(connections_)) {
+      begin_again(lock, kept, false);
     } else if (is_check_wanted_) {
       shows_life(lock);
     } else if (options_.clock->now() >= next_look_) {
@@ -322,24 +317,11 @@ void ReconnectingClient::Impl::run() {
 }
 
 void ReconnectingClient::Impl::release_dropped(Lock& lock) {
-  while (!dropped_.empty()) {
-    std::vector<Subscription> dropped = std::exchange(dropped_, {});
+  for (auto dropped = kept_.take_dropped(); !dropped.empty(); dropped = kept_.take_dropped()) {
     lock.unlock();
     dropped.clear();
     lock.lock();
   }
-}
-
-/// Returns a handler that is not registered with the current connection; null if there is none.
-ReconnectingClient::Impl::Kept ReconnectingClient::Impl::next_to_restore() const {
-  const auto place = std::ranges::find_if(kept_, [this](const Kept& kept) {
-    return kept->connection != connections_ && kept->refused != connections_;
-  });
-  return place == kept_.end() ? nullptr : *place;
-}
-
-void ReconnectingClient::Impl::restore(Lock& lock) {
-  if (const Kept kept = next_to_restore()) begin_again(lock, kept, false);
 }
 
 /// Registers a handler with the current connection. If it is registered already, it stays so if
@@ -369,12 +351,8 @@ void ReconnectingClient::Impl::begin_again(Lock& lock, const Kept& kept, bool is
   }
   lock.lock();
   kept->changed = options_.clock->now();
-  if (!begun) return;
   // Both exist for a moment, so that the board does not end a running stream.
-  std::swap(kept->current, *begun);
-  kept->connection = connection;
-  if (*begun) dropped_.push_back(*std::move(begun));
-  if (kept->is_cancelled) dropped_.push_back(std::move(kept->current));
+  if (begun) kept_.set(kept, *std::move(begun), connection, kept->changed);
 }
 
 /// Asks for a sign of life if a data stream is silent. Power that fails for a moment ends the
@@ -383,18 +361,7 @@ void ReconnectingClient::Impl::look_after_streams(Lock& lock) {
   const Time now = options_.clock->now();
   next_look_ = now + look_interval;
   if (options_.longest_silence.count() == 0 || !client_) return;
-  Kept silent;
-  for (const Kept& kept : kept_) {
-    if (kept->interval.count() == 0 || kept->connection != connections_) continue;
-    const std::int64_t messages = kept->messages;
-    if (messages != kept->counted) {
-      kept->counted = messages;
-      kept->changed = now;
-    }
-    const auto longest =
-        std::max<std::chrono::microseconds>(options_.longest_silence, 3 * kept->interval);
-    if (now - kept->changed > longest) silent = kept;
-  }
+  const Kept silent = kept_.silent_stream(connections_, options_.longest_silence, now);
   if (!silent) return;
   if (shows_life(lock)) begin_again(lock, silent, true);
 }
@@ -426,7 +393,6 @@ void ReconnectingClient::Impl::recover(Lock& lock) {
   enter(lock, {LinkState::lost, problem_, {}});
   disconnect(lock);
   if (is_restarting && !pause(lock, restart_time)) return;
-  other_board_.reset();
   enter(lock, {LinkState::searching, "searching for the board", {}});
   if (is_closing_ || search(lock) || is_closing_) return;
   enter(lock, {LinkState::given_up,
@@ -436,11 +402,7 @@ void ReconnectingClient::Impl::recover(Lock& lock) {
 
 /// Releases the current connection and everything that belongs to it.
 void ReconnectingClient::Impl::disconnect(Lock& lock) {
-  std::vector<Subscription> old = std::exchange(dropped_, {});
-  for (const Kept& kept : kept_) {
-    kept->connection = 0;
-    if (kept->current) old.push_back(std::move(kept->current));
-  }
+  std::vector<Subscription> old = kept_.take_all();
   ClientPointer client = std::move(client_);
   if (client) statistics_ = client->statistics();
   Subscription notices = std::move(client_notices_);
@@ -454,10 +416,10 @@ void ReconnectingClient::Impl::disconnect(Lock& lock) {
 }
 
 bool ReconnectingClient::Impl::search(Lock& lock) {
-  std::chrono::milliseconds wait = options_.first_pause;
-  for (unsigned attempt = 1; !is_closing_; ++attempt) {
+  detail::Search search(options_);
+  while (!is_closing_) {
     lock.unlock();
-    Result<Client> found = dial_same_board();
+    Result<Client> found = dial_same_board(search);
     lock.lock();
     if (is_closing_) return false;
     if (found) {
@@ -466,9 +428,8 @@ bool ReconnectingClient::Impl::search(Lock& lock) {
       return true;
     }
     problem_ = found.error().message;
-    if (attempt == options_.attempts) return false;
-    if (!pause(lock, wait)) return false;
-    wait = std::min(wait * 2, options_.longest_pause);
+    const auto wait = search.failed();
+    if (!wait || !pause(lock, *wait)) return false;
   }
   return false;
 }
@@ -516,17 +477,14 @@ Result<Client> ReconnectingClient::Impl::dial() {
   return client;
 }
 
-Result<Client> ReconnectingClient::Impl::dial_same_board() {
+Result<Client> ReconnectingClient::Impl::dial_same_board(detail::Search& search) {
   Result<Client> client = dial();
   if (!client) return client;
   const BoardIdentity& board = client->identity();
   if (detail::is_same_board(board, board_)) return client;
   const std::string text = "found another board, " + detail::words_for(board) + ", instead of " +
                            detail::words_for(board_);
-  if (!other_board_ || !detail::is_same_board(board, *other_board_)) {
-    other_board_ = board;
-    tell({LinkState::other_board, text, board});
-  }
+  if (search.is_news(board)) tell({LinkState::other_board, text, board});
   if (options_.other_board == OtherBoard::accept) return client;
   return ClientError{ErrorCode::mismatch, text};
 }
@@ -546,9 +504,7 @@ void ReconnectingClient::Impl::adopt(Lock&, Client client) {
         if (const auto self = weak.lock()) self->noticed(notice, connection);
       });
   // Before anyone knows of the connection, so that they miss no answer; streams follow in run().
-  for (const Kept& kept : kept_) {
-    if (kept->interval.count() == 0) subscribe(kept);
-  }
+  for (const Kept& kept : kept_.without_request()) subscribe(kept);
   // A loss before there was a handler for it.
   if (const auto ended = detail::ClientMaker::conversation(*client_).state()->end_reason()) {
     loss_ = ended->message;

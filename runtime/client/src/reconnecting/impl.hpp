@@ -8,14 +8,14 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include <sbgc/client/own_transport.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
 
 #include "connect.hpp"
 #include "reconnecting/adapter.hpp"
-#include "reconnecting/kept_handler.hpp"
+#include "reconnecting/kept_subscriptions.hpp"
+#include "reconnecting/search.hpp"
 
 namespace sbgc {
 
@@ -23,7 +23,7 @@ namespace sbgc {
 class ReconnectingClient::Impl : public std::enable_shared_from_this<ReconnectingClient::Impl> {
  public:
   using ClientPointer = std::shared_ptr<Client>;
-  using Kept = std::shared_ptr<detail::KeptHandler>;
+  using Kept = detail::KeptSubscriptions::Kept;
 
   /// Without a factory, connects to the address.
   Impl(std::string address, TransportFactory make, ReconnectOptions options);
@@ -40,7 +40,7 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   Result<ClientPointer> current(const CallOptions& options);
   Result<Reply> use(const CallOptions& options,
                     const std::function<Result<Reply>(Client&, const CallOptions&)>& call);
-  void start_raw(const RawRequest& request, const CallOptions& options,
+  void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler);
 
   Subscription keep(Begin begin, MessageHandler handler);
@@ -76,8 +76,6 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
 
   // On the thread that connects.
   void run();
-  void restore(Lock& lock);
-  Kept next_to_restore() const;
   void begin_again(Lock& lock, const Kept& kept, bool is_running);
   void look_after_streams(Lock& lock);
   bool shows_life(Lock& lock);
@@ -87,7 +85,7 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   bool search(Lock& lock);
   bool pause(Lock& lock, std::chrono::milliseconds time);
   Result<Client> dial();
-  Result<Client> dial_same_board();
+  Result<Client> dial_same_board(detail::Search& search);
   void adopt(Lock& lock, Client client);
   void enter(Lock& lock, const LinkChange& change);
   void tell(const LinkChange& change);
@@ -116,10 +114,8 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   std::string description_;
   ClientStatistics statistics_;  // of the last connection
   std::string problem_;          // of the last attempt
-  std::vector<Kept> kept_;
-  std::vector<Subscription> dropped_;
+  detail::KeptSubscriptions kept_;
   Time next_look_{};
-  std::optional<BoardIdentity> other_board_;  // reported last
 
   std::thread thread_;
 };

@@ -55,9 +55,9 @@ Result<Reply> ReconnectingClient::use(
   return impl_->use(options, call);
 }
 
-void ReconnectingClient::start_raw(const RawRequest& request, const CallOptions& options,
+void ReconnectingClient::start_raw(RawRequest request, const CallOptions& options,
                                    std::function<void(const Result<Reply>&)> handler) {
-  impl_->start_raw(request, options, std::move(handler));
+  impl_->start_raw(std::move(request), options, std::move(handler));
 }
 
 Subscription ReconnectingClient::keep(Begin begin, MessageHandler handler) {

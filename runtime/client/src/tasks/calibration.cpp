@@ -19,18 +19,16 @@ msg::SelectedImu selected(msg::CalibImu imu) noexcept {
 class CalibrationCall {
  public:
   CalibrationCall(TaskMachine& task, const detail::StartCalibration& start)
-      : task_(task), number_(start(task)) {}
+      : task_(task), id_(start(task)) {}
   CalibrationCall(const CalibrationCall&) = delete;
   CalibrationCall& operator=(const CalibrationCall&) = delete;
-  ~CalibrationCall() { task_.end(number_); }
+  ~CalibrationCall() { task_.end(id_); }
 
-  bool has_started() const { return task_.has_started(number_); }
-  const Result<Reply>* end() const { return task_.reply(number_); }
+  bool has_started() const { return task_.has_started(id_); }
+  const Result<Reply>* end() const { return task_.reply(id_); }
 
-  detail::Waiting wait_for_start(Instant until) const {
-    return tasks::wait_for_start(number_, until);
-  }
-  detail::Waiting wait_for_end(Instant until) const { return tasks::wait_for_call(number_, until); }
+  detail::Waiting wait_for_start(Instant until) const { return tasks::wait_for_start(id_, until); }
+  detail::Waiting wait_for_end(Instant until) const { return tasks::wait_for_call(id_, until); }
 
   ClientError error(ClientError reason) const {
     return detail::during(
@@ -40,7 +38,7 @@ class CalibrationCall {
 
  private:
   TaskMachine& task_;
-  std::uint32_t number_;
+  CallId id_;
 };
 
 template <class Simple, class Extended>

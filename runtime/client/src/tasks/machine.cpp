@@ -27,14 +27,14 @@ bool TaskMachine::is_ready() {
   return call->second.reply || (wait_.start_is_enough && call->second.confirmations != 0);
 }
 
-void TaskMachine::replied(std::uint32_t number, Result<Reply> reply) {
+void TaskMachine::replied(CallId id, Result<Reply> reply) {
   if (reply && reply->id != 0) framing_ = reply->framing;
-  const auto call = calls_.find(number);
+  const auto call = calls_.find(id);
   if (call != calls_.end()) call->second.reply = std::move(reply);
 }
 
-void TaskMachine::confirmed(std::uint32_t number) {
-  const auto call = calls_.find(number);
+void TaskMachine::confirmed(CallId id) {
+  const auto call = calls_.find(id);
   if (call != calls_.end()) ++call->second.confirmations;
 }
 
@@ -42,31 +42,31 @@ void TaskMachine::notice(const Notice& notice) {
   for (const NoticeHandler& handler : listeners_) handler(notice);
 }
 
-std::uint32_t TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options) {
-  const std::uint32_t number = ++last_call_;
-  calls_.emplace(number, Call{});
+CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options) {
+  const CallId id = detail::next_call_id();
+  calls_.emplace(id, Call{});
   steps_.push_back({.kind = TaskStep::Kind::call,
-                    .number = number,
+                    .call = id,
                     .request = std::move(request),
                     .options = options});
-  return number;
+  return id;
 }
 
-bool TaskMachine::has_started(std::uint32_t number) const {
-  const auto call = calls_.find(number);
+bool TaskMachine::has_started(CallId id) const {
+  const auto call = calls_.find(id);
   return call != calls_.end() && call->second.confirmations != 0;
 }
 
-const Result<Reply>* TaskMachine::reply(std::uint32_t number) const {
-  const auto call = calls_.find(number);
+const Result<Reply>* TaskMachine::reply(CallId id) const {
+  const auto call = calls_.find(id);
   return call != calls_.end() && call->second.reply ? &*call->second.reply : nullptr;
 }
 
-void TaskMachine::end(std::uint32_t number) {
-  const auto call = calls_.find(number);
+void TaskMachine::end(CallId id) {
+  const auto call = calls_.find(id);
   if (call == calls_.end()) return;
   if (!call->second.reply) {
-    steps_.push_back({.kind = TaskStep::Kind::cancel, .number = number});
+    steps_.push_back({.kind = TaskStep::Kind::cancel, .call = id});
   }
   calls_.erase(call);
 }

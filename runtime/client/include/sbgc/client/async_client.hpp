@@ -29,9 +29,9 @@
 #include <asio/post.hpp>
 #include <asio/prefer.hpp>
 
-#include <sbgc/client/async_task_calls.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/client/tasks.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc {
@@ -51,12 +51,13 @@ namespace sbgc {
 /// `{.speed = 10_deg_per_s}`, but handlers, names of files and lambdas that own something are freed
 /// twice. Put them into variables, or start the operation in a statement of its own:
 ///
-///     auto move = client.async_move_to(target, {.progress = show}, asio::use_awaitable);
+///     auto move = client.async_run(tasks::move_to(target, {.progress = show}),
+///                                  asio::use_awaitable);
 ///     auto moved = co_await std::move(move);
 ///
 /// Destroying the client ends all operations with ErrorCode::cancelled. The execution context must
 /// outlive the client, and must run for operations to make progress.
-class AsyncClient : public AsyncTaskCalls<AsyncClient> {
+class AsyncClient {
  public:
   explicit AsyncClient(const asio::any_io_executor& executor);
   AsyncClient(AsyncClient&&) noexcept = default;
@@ -96,7 +97,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   }
 
   /// Like Client::call(). Handler: void(CallResult<M>).
-  template <Message M, class Token>
+  template <Callable M, class Token>
   auto async_call(const M& request, const CallOptions& options, Token&& token) {
     return initiate<CallResult<M>>(
         token, [&impl = *impl_, request, options](Completion<CallResult<M>> done) -> Stop {
@@ -106,20 +107,20 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                             });
         });
   }
-  template <Message M, class Token>
+  template <Callable M, class Token>
   auto async_call(const M& request, Token&& token) {
     return async_call(request, CallOptions(), std::forward<Token>(token));
   }
 
   /// Like Client::transact(). Handler: void(Result<Reply>).
-  template <Message M, class Token>
+  template <Callable M, class Token>
   auto async_transact(const M& request, const CallOptions& options, Token&& token) {
     return initiate<Result<Reply>>(
         token, [&impl = *impl_, request, options](Completion<Result<Reply>> done) -> Stop {
           return begin_call(impl, request, options, std::move(done));
         });
   }
-  template <Message M, class Token>
+  template <Callable M, class Token>
   auto async_transact(const M& request, Token&& token) {
     return async_transact(request, CallOptions(), std::forward<Token>(token));
   }
@@ -148,7 +149,9 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                            std::forward<Token>(token));
   }
 
-  /// Like Client::run(). Handler: void(R). Cancellation calls TaskMachine::cancel().
+  /// Like Client::run(): drives any of sbgc::tasks, or a task of your own, for example
+  /// `client.async_run(tasks::move_to(target), token)`. Handler: void(R). Cancellation calls
+  /// TaskMachine::cancel().
   template <class R, class Token>
   auto async_run(Task<R> task, Token&& token) {
     return initiate<R>(token,
@@ -156,9 +159,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                            const Completion<R>& done) -> Stop {
                          const auto conversation = conversation_of(impl);
                          if (!conversation) return done(conversation.error()), Stop{};
-                         const std::shared_ptr<TaskMachine> machine(
-                             shared, &shared->begin(conversation->identity()));
-                         return run(impl, *conversation, machine,
+                         return run(impl, *conversation, shared->begin(conversation->identity()),
                                     [shared, done] { done(std::move(*shared).result()); });
                        });
   }
@@ -197,21 +198,21 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
           if (!request) return done(request.error()), Stop{};
           const auto conversation = conversation_of(impl);
           if (!conversation) return done(conversation.error()), Stop{};
-          const auto ticket = conversation->start_stream(
+          const CallId id = conversation->start_stream(
               detail::stream_requests<M>(*conversation, *std::move(request), options),
               detail::key_of<M>, detail::typed_handler<M>(std::move(handler)), options, done);
-          return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
+          return [conversation = *conversation, id] { conversation.cancel(id); };
         });
   }
 
-  template <Message M>
+  template <Callable M>
   static Stop begin_call(Impl& impl, const M& request, const CallOptions& options,
                          Completion<Result<Reply>> done) {
     const auto conversation = conversation_of(impl);
     if (!conversation) return done(conversation.error()), Stop{};
     Result<detail::Request> prepared = conversation->prepare(request, options);
-    const auto ticket = conversation->start(std::move(prepared), options, std::move(done));
-    return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
+    const CallId id = conversation->start(std::move(prepared), options, std::move(done));
+    return [conversation = *conversation, id] { conversation.cancel(id); };
   }
 
   /// Starts an operation with `begin(completion)`; the completion calls the token's handler.
@@ -257,8 +258,8 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   static Stop begin_connect(Impl& impl, const TransportFactory& make, const ConnectOptions& options,
                             const Completion<Result<void>>& done);
   static Result<detail::Conversation> conversation_of(const Impl& impl);
-  static Stop run(Impl& impl, const detail::Conversation& conversation,
-                  std::shared_ptr<TaskMachine> task, std::function<void()> done);
+  static Stop run(Impl& impl, const detail::Conversation& conversation, TaskMachine& task,
+                  std::function<void()> done);
   Subscription subscribe_to(detail::MessageKey key, detail::Conversation::MessageHandler handler);
 
   std::shared_ptr<Impl> impl_;

@@ -50,7 +50,7 @@ enum class CalibrationEnd : std::uint8_t {
 namespace detail {
 
 /// Starts the request of a calibration; returns the number of the call.
-using StartCalibration = std::function<std::uint32_t(TaskMachine& task)>;
+using StartCalibration = std::function<CallId(TaskMachine& task)>;
 
 Task<Result<CalibrationEnd>> run_calibration(StartCalibration start, bool reports_end,
                                              CalibrationOptions options);

@@ -1,16 +1,20 @@
 /// The result type of a call.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <type_traits>
 #include <variant>
 
 #include <sbgc/client/result.hpp>
+#include <sbgc/message.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/type_list.hpp>
 
 namespace sbgc {
+
+class AnyMessage;
 
 namespace detail {
 
@@ -42,11 +46,22 @@ struct Delivered<Maybe<Response>> {
   using type = std::optional<typename Delivered<Response>::type>;
 };
 
+template <class M>
+struct ResponseTo : Delivered<typename M::Response> {};
+template <>
+struct ResponseTo<AnyMessage> {
+  using type = std::optional<AnyMessage>;
+};
+
 /// What a successful call with the request M delivers.
 template <class M>
-using CallResponse = typename Delivered<typename M::Response>::type;
+using CallResponse = typename ResponseTo<M>::type;
 
 }  // namespace detail
+
+/// What can be sent as a request: a message, also one whose type is known only at run time.
+template <class M>
+concept Callable = Message<M> || std::same_as<M, AnyMessage>;
 
 /// The result of a call with the request M: the response; void if the protocol has none; an
 /// optional response if it depends on the values of the request.

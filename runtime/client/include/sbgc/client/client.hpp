@@ -68,24 +68,17 @@ class Client : public TaskCalls<Client> {
   ~Client() = default;
 
   /// Sends a request and waits for the response that the protocol specifies: a message,
-  /// confirmations or nothing.
-  template <Message M>
+  /// confirmations or nothing. The result of an AnyMessage, see <sbgc/any.hpp>, is the response or
+  /// confirmation, or nothing if the protocol has none.
+  template <Callable M>
   CallResult<M> call(const M& request, const CallOptions& options = {}) {
     return detail::read_response<M>(transact(request, options));
   }
 
   /// Like call(), but also reports how the request ended, and does not decode the response,
   /// which may not be decodable.
-  template <Message M>
+  template <Callable M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
-    return conversation_.call(conversation_.prepare(request, options), options);
-  }
-
-  // The same for messages whose type is known at run time; see <sbgc/any.hpp>. call() returns the
-  // response or confirmation, or nothing if the protocol has none.
-  Result<std::optional<AnyMessage>> call(const AnyMessage& request,
-                                         const CallOptions& options = {});
-  Result<Reply> transact(const AnyMessage& request, const CallOptions& options = {}) {
     return conversation_.call(conversation_.prepare(request, options), options);
   }
 
@@ -100,11 +93,15 @@ class Client : public TaskCalls<Client> {
     return conversation_.on_notice(std::move(handler));
   }
 
+  /// Like transact(), for a request that is encoded already; see raw_request().
+  Result<Reply> call_raw(RawRequest request, const CallOptions& options = {}) {
+    return conversation_.call(conversation_.prepare(std::move(request)), options);
+  }
   /// Sends a request that is encoded already, without waiting. `handler` is called exactly once: on
   /// the client's thread, or, if the request cannot be sent, at once.
-  void start_raw(const RawRequest& request, const CallOptions& options,
+  void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler) {
-    conversation_.start(conversation_.prepare(request), options, std::move(handler));
+    conversation_.start(conversation_.prepare(std::move(request)), options, std::move(handler));
   }
 
   /// Calls `handler` with every frame that the board sends, also with those of unknown messages.

@@ -43,7 +43,6 @@ class Conversation {
   using ReplyHandler = std::function<void(Result<Reply>)>;
   /// Takes the decoded message of the subscribed key.
   using MessageHandler = std::function<void(const void* message)>;
-  using Ticket = std::uint64_t;
 
   class State;
 
@@ -68,13 +67,13 @@ class Conversation {
   }
 
   /// Prepares a request that is sent as it is.
-  static Request prepare(const RawRequest& request);
+  static Request prepare(RawRequest request);
 
   /// Starts a call, or fails with the error of `request`. The handler may run before start()
   /// returns.
-  Ticket start(Result<Request> request, const CallOptions& options, ReplyHandler handler) const;
+  CallId start(Result<Request> request, const CallOptions& options, ReplyHandler handler) const;
   /// Ends a call with ErrorCode::cancelled, unless it has already ended.
-  void cancel(Ticket ticket) const;
+  void cancel(CallId id) const;
   /// Makes a call and waits for its reply. Must not be called from a handler.
   Result<Reply> call(Result<Request> request, const CallOptions& options) const;
 
@@ -89,7 +88,7 @@ class Conversation {
   };
   using StreamHandler = std::function<void(Result<Subscription>)>;
   /// Registers a data stream and subscribes to its messages.
-  Ticket start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
+  CallId start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
                       const CallOptions& options, StreamHandler done) const;
   Result<Subscription> stream(StreamRequests requests, MessageKey key, MessageHandler handler,
                               const CallOptions& options) const;

@@ -4,18 +4,18 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include <sbgc/client/result.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
-#include <sbgc/types.hpp>
 
 namespace sbgc {
 
 /// A request whose body is encoded already.
 struct RawRequest {
   std::uint8_t id{};
-  BoundedBytes<max_body_size> body{};
+  std::vector<std::uint8_t> body{};  ///< at most max_body_size bytes
   ResponsePolicy policy{};
   std::uint16_t host{};  ///< whose request it is; see SendOptions::host
   /// Called on the client's thread with each frame from the board that belongs to this request: its

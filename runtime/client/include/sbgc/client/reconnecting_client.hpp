@@ -51,19 +51,19 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   ~ReconnectingClient();
 
   /// Like Client::call().
-  template <Message M>
+  template <Callable M>
   CallResult<M> call(const M& request, const CallOptions& options = {}) {
     return detail::read_response<M>(transact(request, options));
   }
   /// Like Client::transact().
-  template <Message M>
+  template <Callable M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
     return use(options, [&](Client& client, const CallOptions& left) {
       return client.transact(request, left);
     });
   }
   /// Like Client::start_raw(); never waits for a connection.
-  void start_raw(const RawRequest& request, const CallOptions& options,
+  void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler);
 
   /// Like Client::subscribe(), also during an outage.

@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <vector>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/frame.hpp>
-#include <sbgc/types.hpp>
 
 namespace sbgc {
 
@@ -24,8 +23,8 @@ enum class ReplyKind : std::uint8_t {
 /// The reply to a request.
 struct Reply {
   ReplyKind kind{};
-  std::uint8_t id{};  ///< of the response, or of the last confirmation; otherwise 0
-  BoundedBytes<max_body_size> body{};  ///< the body of that message
+  std::uint8_t id{};                 ///< of the response, or of the last confirmation; otherwise 0
+  std::vector<std::uint8_t> body{};  ///< of that message
   /// The context from earlier messages that decoding needs, if any.
   std::shared_ptr<const Contexts> contexts{};
   Framing framing = basic_framing;  ///< of that message
@@ -42,7 +41,7 @@ Status read(const Reply& reply, M& out) noexcept {
   if constexpr (requires { typename M::Context; }) {
     return decode_in_context(reply, out);
   } else {
-    return decode(std::span<const std::uint8_t>(reply.body.data(), reply.body.size()), out);
+    return decode(reply.body, out);
   }
 }
 

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include <sbgc/client/result.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/response_policy.hpp>
-#include <sbgc/types.hpp>
 
 namespace sbgc {
 
@@ -17,12 +17,17 @@ class AnyMessage;
 struct Availability;
 struct Contexts;
 
+/// Identifies a call, from the task that begins it to its end. Unique in the process, from 1.
+using CallId = std::uint64_t;
+
 namespace detail {
+
+CallId next_call_id() noexcept;
 
 /// An encoded request and its metadata.
 struct Request {
   std::uint8_t id{};
-  BoundedBytes<max_body_size> body{};
+  std::vector<std::uint8_t> body{};
   ResponsePolicy policy{};
   std::uint16_t host{};
   const char* command = "";  ///< for example "CMD_CONTROL"

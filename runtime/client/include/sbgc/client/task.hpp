@@ -42,13 +42,13 @@ namespace sbgc {
 struct TaskStep {
   enum class Kind : std::uint8_t {
     call,    ///< start `request`; pass its result to TaskMachine::replied()
-    cancel,  ///< cancel the call `number`; its result no longer matters
+    cancel,  ///< cancel `call`; its result no longer matters
     wait,    ///< call step() again on the next event, at the latest at `until`
     done,    ///< the task is over
   };
 
   Kind kind{};
-  std::uint32_t number{};  ///< the number of the call, from 1
+  CallId call{};
   Result<detail::Request> request = ClientError{};
   CallOptions options{};
   Instant until = Instant::never;
@@ -69,9 +69,9 @@ class TaskMachine {
   /// Runs the task as far as possible. `now` must not decrease.
   TaskStep step(Instant now);
   /// Reports that a call has ended.
-  void replied(std::uint32_t number, Result<Reply> reply);
+  void replied(CallId id, Result<Reply> reply);
   /// Reports a confirmation of a call that has not ended yet.
-  void confirmed(std::uint32_t number);
+  void confirmed(CallId id);
   void notice(const Notice& notice);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
@@ -85,18 +85,18 @@ class TaskMachine {
   /// The framing of the board's last answer.
   Framing framing() const noexcept { return framing_; }
 
-  /// Starts a call that runs concurrently with the task; returns its number.
+  /// Starts a call that runs concurrently with the task.
   template <Message M>
-  std::uint32_t begin(const M& request, const CallOptions& options) {
+  CallId begin(const M& request, const CallOptions& options) {
     static_assert(M::direction != Direction::from_board, "only the board sends this message");
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
   /// True if the call was confirmed at least once.
-  bool has_started(std::uint32_t number) const;
+  bool has_started(CallId id) const;
   /// Returns the result of a call; null while it is running.
-  const Result<Reply>* reply(std::uint32_t number) const;
+  const Result<Reply>* reply(CallId id) const;
   /// Drops a call; cancels it if it is running.
-  void end(std::uint32_t number);
+  void end(CallId id);
 
   using NoticeHandler = std::function<void(const Notice&)>;
   using Listener = std::list<NoticeHandler>::iterator;
@@ -105,7 +105,7 @@ class TaskMachine {
 
   /// The events that a coroutine waits for. The first one resumes it.
   struct Wait {
-    std::uint32_t call{};          ///< the end of this call
+    CallId call{};                 ///< the end of this call
     bool start_is_enough = false;  ///< also its first confirmation
     Instant until = Instant::never;
     bool for_wake = false;  ///< also wake()
@@ -123,7 +123,7 @@ class TaskMachine {
     std::optional<Result<Reply>> reply{};
   };
 
-  std::uint32_t begin_call(Result<detail::Request> request, const CallOptions& options);
+  CallId begin_call(Result<detail::Request> request, const CallOptions& options);
   bool is_ready();
 
   BoardIdentity board_;
@@ -132,8 +132,7 @@ class TaskMachine {
   std::coroutine_handle<> coroutine_{};  // the coroutine to resume next
   Wait wait_{.until = Instant{std::numeric_limits<std::int64_t>::min()}};
   std::deque<TaskStep> steps_{};
-  std::uint32_t last_call_{};
-  std::unordered_map<std::uint32_t, Call> calls_{};
+  std::unordered_map<CallId, Call> calls_{};
   std::list<NoticeHandler> listeners_{};
   bool is_cancelled_ = false;
   bool was_cancelled_ = false;
@@ -258,22 +257,22 @@ struct Calling {
   M request;
   CallOptions options;
   TaskMachine* machine{};
-  std::uint32_t number{};
+  CallId id{};
 
   bool await_ready() const noexcept { return false; }
   template <class Promise>
   void await_suspend(std::coroutine_handle<Promise> coroutine) {
     machine = coroutine.promise().machine;
-    number = machine->begin(request, options);
-    machine->wait(coroutine, {.call = number});
+    id = machine->begin(request, options);
+    machine->wait(coroutine, {.call = id});
   }
   CallResult<M> await_resume() {
-    const Result<Reply>* const reply = machine->reply(number);
+    const Result<Reply>* const reply = machine->reply(id);
     CallResult<M> result =
         reply != nullptr
             ? read_response<M>(*reply)
             : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was canceled"});
-    machine->end(number);
+    machine->end(id);
     return result;
   }
 };
@@ -298,12 +297,12 @@ inline detail::Waiting wait_for_wake(Instant until) noexcept {
   return {{.until = until, .for_wake = true}};
 }
 /// Waits for the end of a call started with TaskMachine::begin(), at the latest until `until`.
-inline detail::Waiting wait_for_call(std::uint32_t number, Instant until) noexcept {
-  return {{.call = number, .until = until}};
+inline detail::Waiting wait_for_call(CallId id, Instant until) noexcept {
+  return {{.call = id, .until = until}};
 }
 /// Waits for the first confirmation or the end of a call, at the latest until `until`.
-inline detail::Waiting wait_for_start(std::uint32_t number, Instant until) noexcept {
-  return {{.call = number, .start_is_enough = true, .until = until}};
+inline detail::Waiting wait_for_start(CallId id, Instant until) noexcept {
+  return {{.call = id, .start_is_enough = true, .until = until}};
 }
 
 }  // namespace tasks

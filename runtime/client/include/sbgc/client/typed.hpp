@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -21,6 +22,10 @@ namespace sbgc::detail {
 
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_response(const Reply& reply);
+/// Decodes a reply as a message whose type is known only at run time. A template, because
+/// AnyMessage is not complete here.
+template <std::same_as<AnyMessage> Any>
+Result<std::optional<Any>> read_any(const Result<Reply>& reply);
 /// Converts the interval of a data stream to the counts of the protocol, at most `most`.
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most);
 
@@ -48,7 +53,9 @@ template <class M>
 Result<CallResponse<M>> read_response(const Result<Reply>& reply) {
   using Answer = CallResponse<M>;
   if (!reply) return reply.error();
-  if constexpr (std::is_void_v<Answer>) {
+  if constexpr (std::same_as<M, AnyMessage>) {
+    return read_any<M>(reply);
+  } else if constexpr (std::is_void_v<Answer>) {
     return {};
   } else {
     const bool is_answered = reply->kind == ReplyKind::answered;

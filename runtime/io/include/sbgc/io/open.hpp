@@ -1,6 +1,7 @@
 /// Addresses of gimbals as text.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -16,9 +17,17 @@
 
 namespace sbgc::io {
 
+/// What begins an address, and how the whole is written. Help and completion read it, too.
+struct AddressKind {
+  const char* name = "";    ///< "tcp"
+  const char* syntax = "";  ///< "tcp:HOST:PORT"
+  bool leads_to_gimbal = true;
+};
+
 /// "/dev/ttyUSB0", "serial:/dev/ttyUSB0?baud=57600&parity=even". A path without "serial:" has a
 /// '/'.
 struct SerialAddress {
+  static constexpr AddressKind kind{"serial", "serial:PATH?baud=NUMBER&parity=none|even"};
   std::string path;
   LineSettings line = default_line;
   bool operator==(const SerialAddress&) const = default;
@@ -26,6 +35,7 @@ struct SerialAddress {
 
 /// "tcp:gimbal.local:5000", "tcp:[fe80::1]:5000".
 struct TcpAddress {
+  static constexpr AddressKind kind{"tcp", "tcp:HOST:PORT"};
   std::string host;
   std::uint16_t port{};
   bool operator==(const TcpAddress&) const = default;
@@ -33,6 +43,7 @@ struct TcpAddress {
 
 /// "udp:192.168.0.7:14550".
 struct UdpAddress {
+  static constexpr AddressKind kind{"udp", "udp:HOST:PORT"};
   std::string host;
   std::uint16_t port{};
   bool operator==(const UdpAddress&) const = default;
@@ -40,17 +51,24 @@ struct UdpAddress {
 
 /// "pty:", a new pseudo-terminal that stays open; description() contains its path.
 struct PtyAddress {
+  static constexpr AddressKind kind{"pty", "pty:", false};
   bool operator==(const PtyAddress&) const = default;
 };
 
 /// "capture:flight.sbgc", "capture:flight.sbgc?timing=fast" (or timing=original).
 struct CaptureAddress {
+  static constexpr AddressKind kind{"capture", "capture:FILE"};
   std::string file;
   ReplayTiming timing = ReplayTiming::original;
   bool operator==(const CaptureAddress&) const = default;
 };
 
 using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, PtyAddress, CaptureAddress>;
+
+/// All kinds.
+inline constexpr auto address_kinds = []<class... Ts>(const std::variant<Ts...>*) {
+  return std::array{Ts::kind...};
+}(static_cast<const Address*>(nullptr));
 
 struct AddressResult {
   Address address{};

@@ -1,0 +1,154 @@
+// spec/adjustable_variables.yaml: variable values and slot states. parameters/access.hpp handles
+// CMD_READ_ADJ_VARS_CFG and CMD_WRITE_ADJ_VARS_CFG.
+
+#include "device/handlers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/meta/adjustable_variables.hpp>
+#include <sbgc/meta/variables.hpp>
+#include <sbgc/validate.hpp>
+
+#include "physics/quantities.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+Verdict report(RequestContext& context, Device& device, std::uint8_t trigger, std::uint8_t analog) {
+  if (trigger >= Slots::triggers || analog >= Slots::analogs) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  return context.answer(device.slots.state(device, trigger, analog));
+}
+
+/// The signal of an input in the widest range. Assumption: a missing one is reported as centered.
+msg::FineRcSignal fine_signal(std::optional<double> signal) {
+  return saturated<msg::FineRcSignal>(std::clamp(signal.value_or(0), -1.0, 1.0));
+}
+
+std::optional<double> signal_of(const Device& device, std::uint16_t source) {
+  using Raw = msg::RcMap::raw_type;
+  if (source > std::numeric_limits<Raw>::max()) return {};
+  return device.remote.signal(msg::RcMap(static_cast<Raw>(source)));
+}
+
+/// Describes as many variables as fit into one body, from this one on.
+Verdict describe(RequestContext& context, Parameters& parameters, msg::VariableId first) {
+  msg::AdjVarsInfo answer;
+  answer.total_number = parameters.variable_count();
+  std::array<std::uint8_t, max_body_size> body{};
+  for (const VariableInfo& variable : variables) {
+    const auto value = parameters.variable(variable.id);
+    if (variable.id < first || !value) continue;
+    msg::AdjVarInfo one;
+    one.var_id = variable.id;
+    constexpr std::size_t longest_name = 16;
+    one.name.assign(std::string_view(variable.name).substr(0, longest_name));
+    one.range_min = saturated_raw<std::int16_t>(variable.range.lowest);
+    one.range_max = saturated_raw<std::int16_t>(variable.range.highest);
+    one.value = *value;
+    msg::AdjVarsInfo more = answer;
+    if (!more.vars.push_back(one) || !encode(more, body)) break;
+    answer = more;
+  }
+  return context.answer(answer);
+}
+
+}  // namespace
+
+Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request, Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::SetAdjVarsVal answer;
+  for (const msg::VariableId id : request.param_id) {
+    const auto value = parameters.variable(id);
+    if (!value)
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
+    answer.params.push_back({id, *value});
+  }
+  return context.answer(answer);
+}
+
+/// Sets all variables or none.
+Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request, Device& device) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  const auto refused =
+      device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
+  if (refused)
+    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
+  device.apply_parameters(context.now);
+  return context.confirm();
+}
+
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request, Device& device) {
+  return report(context, device, request.trigger_slot, request.analog_slot);
+}
+/// The bytes of the analog value are a floating-point number here (E208).
+Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
+               Device& device) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  const auto analog = device.parameters.variable(request.analog_var_id);
+  const auto table = device.parameters.variable(request.lut_var_id);
+  if (!analog || !table) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::AdjVarsState state = device.slots.state(device, request.trigger_slot, 0);
+  const auto trigger = device.slots.signal(device, request.trigger_slot);
+  state.trigger_rc_data = msg::CentredRcSignal(fine_signal(trigger).raw());
+  state.analog_rc_data =
+      msg::CentredRcSignal(fine_signal(signal_of(device, request.analog_src_id)).raw());
+  state.analog_value = std::bit_cast<std::int32_t>(static_cast<float>(*analog));
+  state.lut_src_value = fine_signal(signal_of(device, request.lut_src_id));
+  state.lut_var_value = static_cast<float>(*table);
+  return context.answer(state);
+}
+
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
+               Parameters& parameters) {
+  return describe(context, parameters, request.start_id);
+}
+Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&, Parameters& parameters) {
+  return describe(context, parameters, msg::VariableId{});
+}
+
+/// Sets all variables or none.
+Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request, Device& device) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  std::vector<msg::AdjVarValue> values;
+  for (const msg::AdjVarFloat& one : request.params) {
+    const auto value = static_cast<double>(one.value);
+    // Larger than the range of any variable.
+    constexpr double largest = 1e9;
+    if (!(std::abs(value) <= largest)) {
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(one.id));
+    }
+    // Assumption: the variables remain integers.
+    values.push_back({one.id, static_cast<std::int32_t>(std::lround(value))});
+  }
+  if (const auto refused = device.parameters.set_variables(values)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
+  }
+  device.apply_parameters(context.now);
+  return context.confirm();
+}
+
+Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request,
+               Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::SetAdjVarsValF answer;
+  for (const msg::VariableId id : request.id) {
+    const auto value = parameters.variable(id);
+    if (!value)
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
+    answer.params.push_back({id, static_cast<float>(*value)});
+  }
+  return context.answer(answer);
+}
+
+}  // namespace sbgc::emulator

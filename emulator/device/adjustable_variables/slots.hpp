@@ -1,0 +1,53 @@
+/// RC signals that trigger actions and change adjustable variables.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+#include <sbgc/messages/adjustable_variables.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Implements the configuration of CMD_WRITE_ADJ_VARS_CFG.
+class Slots {
+ public:
+  static constexpr std::size_t triggers =
+      std::tuple_size_v<decltype(msg::ReadAdjVarsCfg::trigger_slots)>;
+  static constexpr std::size_t analogs =
+      std::tuple_size_v<decltype(msg::ReadAdjVarsCfg::analog_slots)>;
+
+  /// Takes the configuration from the parameters; called by Device::apply_parameters().
+  void apply_parameters(const Device& device, Instant now);
+  /// The current state of two slots. Precondition: trigger < triggers, analog < analogs.
+  msg::AdjVarsState state(const Device& device, std::size_t trigger, std::size_t analog) const;
+
+  /// The signal of a trigger slot. Same precondition.
+  std::optional<double> signal(const Device& device, std::size_t trigger) const;
+
+  Instant next() const { return next_; }
+  void advance(Device& device, Instant now);
+
+ private:
+  struct Trigger {
+    msg::TriggerSlot config{};
+    std::optional<unsigned> level{};  ///< of the signal, if any
+    msg::MenuCommand action{};        ///< last started
+  };
+  struct Analog {
+    msg::AnalogSlot config{};
+    std::optional<std::int32_t> value{};  ///< last set
+  };
+
+  std::array<Trigger, triggers> triggers_{};
+  std::array<Analog, analogs> analogs_{};
+  std::uint8_t profile_{};  ///< the profile in which the values were set
+  Instant next_ = Instant::never;
+};
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,315 @@
+// spec/calibration.yaml: calibration and tuning.
+
+#include "device/handlers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <sbgc/meta/calibration.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/parameters.hpp>
+#include <sbgc/validate.hpp>
+
+#include "device/calibration/actions.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+using Kind = Calibrations::Kind;
+
+/// Returns the index of an IMU in Memory::imus; nothing if the board does not have it.
+std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
+  switch (imu) {
+    case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
+    case msg::CalibImu::main: return 0;
+    case msg::CalibImu::frame: break;
+    default: return {};
+  }
+  return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
+}
+
+/// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
+Verdict begin(RequestContext& context, Device& device, Kind kind, std::size_t imu,
+              bool confirms_end, Duration length = {}) {
+  std::optional<Calibrations::Requester> requester;
+  if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
+  if (!device.calibrations.start(device, kind, imu, requester, context.now, length)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+/// Starts a calibration that is confirmed only at its end.
+Verdict begin_silently(RequestContext& context, Device& device, Kind kind) {
+  const Calibrations::Requester requester{context.port, context.command};
+  if (!device.calibrations.start(device, kind, 0, requester, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return Verdict::executed;
+}
+
+/// The duration that a host requests; 0 is the usual one.
+template <class Request>
+Duration length_of(const Request& request) {
+  return milliseconds(request.time_ms.raw());
+}
+
+/// True if the model names the value.
+template <class E>
+bool is_known(E value) {
+  return std::ranges::any_of(EnumMeta<E>::values, [value](const ValueInfo& info) {
+    return info.value == static_cast<std::int64_t>(value);
+  });
+}
+
+Verdict restart(RequestContext& context, Device& device) {
+  ++device.memory.revision;
+  const Verdict verdict = context.confirm();
+  device.restarts.announce(device, context.now);
+  return verdict;
+}
+
+/// The actions of CMD_CALIB_ACC and CMD_CALIB_GYRO on one sensor of an IMU.
+struct Sensor {
+  Kind regular, temperature, from_sensor, to_sensor;
+  void (*forget)(ImuCalibration& imu);
+  /// Enables or disables the temperature calibration, if there is one.
+  void (*use_temperature)(ImuCalibration& imu, bool used);
+};
+
+/// The options of CMD_AUTO_PID that correspond to a later configuration; nothing if it enables no
+/// axis. Assumption: later firmware tunes in the same way.
+std::optional<msg::AutoPidFlags> tuning_flags(const msg::AutoPid2Config& config) {
+  constexpr std::array axis_flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
+                                  msg::AutoPidFlag::yaw};
+  msg::AutoPidFlags flags;
+  bool has_axis = false;
+  for (std::size_t axis = 0; axis < axis_flags.size(); ++axis) {
+    const msg::AxisTuningOptions options = config.axes[axis].axis_flags;
+    if (!options.enabled()) continue;
+    has_axis = true;
+    flags.set(axis_flags[axis]);
+    if (options.tune_lpf()) flags.set(msg::AutoPidFlag::tune_lpf_freq);
+  }
+  if (!has_axis) return {};
+  if (config.general_flags.has(msg::AutoPid2Flag::start_from_current)) {
+    flags.set(msg::AutoPidFlag::keep_current);
+  }
+  if (config.general_flags.has(msg::AutoPid2Flag::all_profiles)) {
+    flags.set(msg::AutoPidFlag::all_profiles);
+  }
+  return flags;
+}
+
+constexpr Sensor gyro{Kind::gyro,
+                      Kind::gyro_temperature,
+                      Kind::gyro_from_sensor,
+                      Kind::gyro_to_sensor,
+                      [](ImuCalibration& imu) {
+                        imu.gyro_is_calibrated = imu.gyro_temperature_enabled = false;
+                        imu.gyro_temperature_min = imu.gyro_temperature_max = 0;
+                        imu.gyro_offset = {};
+                      },
+                      [](ImuCalibration& imu, bool used) {
+                        // Assumption: a range of 0 to 0 degrees means that there is none.
+                        const bool exists =
+                            imu.gyro_temperature_min != 0 || imu.gyro_temperature_max != 0;
+                        imu.gyro_temperature_enabled = used && exists;
+                      }};
+
+constexpr Sensor acc{Kind::acc,
+                     Kind::acc_temperature,
+                     Kind::acc_from_sensor,
+                     Kind::acc_to_sensor,
+                     [](ImuCalibration& imu) {
+                       imu.acc_limits = 0;
+                       imu.acc_temperature_enabled = false;
+                       imu.acc_temperature_min = imu.acc_temperature_max = 0;
+                       imu.acc_slots = {};
+                     },
+                     [](ImuCalibration& imu, bool used) {
+                       const bool exists =
+                           std::any_of(imu.acc_slots.begin(), imu.acc_slots.end(),
+                                       [](std::uint8_t slots) { return slots != 0; });
+                       imu.acc_temperature_enabled = used && exists;
+                     }};
+
+Verdict carry_out(RequestContext& context, Device& device, const Sensor& sensor,
+                  msg::CalibImu which, msg::CalibAction action, Duration length = {}) {
+  const auto imu = index_of(device, which);
+  if (!imu) return RequestContext::ignore();
+  ImuCalibration& memory = device.memory.imus[*imu];
+  const bool changes_at_once = action == msg::CalibAction::reset ||
+                               action == msg::CalibAction::enable_temperature ||
+                               action == msg::CalibAction::disable_temperature;
+  if (changes_at_once && device.calibrations.under_way()) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  switch (action) {
+    case msg::CalibAction::regular:
+      return begin(context, device, sensor.regular, *imu, true, length);
+    case msg::CalibAction::temperature:
+      return begin(context, device, sensor.temperature, *imu, true);
+    case msg::CalibAction::restore_factory:
+      return begin(context, device, sensor.from_sensor, *imu, true);
+    case msg::CalibAction::store_in_sensor:
+      return begin(context, device, sensor.to_sensor, *imu, true);
+    case msg::CalibAction::reset: sensor.forget(memory); return restart(context, device);
+    case msg::CalibAction::enable_temperature:
+      sensor.use_temperature(memory, true);
+      return restart(context, device);
+    case msg::CalibAction::disable_temperature:
+      sensor.use_temperature(memory, false);
+      return restart(context, device);
+  }
+  return RequestContext::ignore();
+}
+
+}  // namespace
+
+Verdict handle(RequestContext& context, const msg::CalibAcc&, Device& device) {
+  return carry_out(context, device, acc, msg::CalibImu::active, msg::CalibAction::regular);
+}
+Verdict handle(RequestContext& context, const msg::CalibAccExt& request, Device& device) {
+  return carry_out(context, device, acc, request.imu_idx, request.action);
+}
+Verdict handle(RequestContext& context, const msg::CalibGyro&, Device& device) {
+  return carry_out(context, device, gyro, msg::CalibImu::active, msg::CalibAction::regular);
+}
+Verdict handle(RequestContext& context, const msg::CalibGyroExt& request, Device& device) {
+  return carry_out(context, device, gyro, request.imu_idx, request.action, length_of(request));
+}
+
+Verdict handle(RequestContext& context, const msg::CalibMag&, Device& device) {
+  return begin(context, device, Kind::mag, 0, false);
+}
+/// Assumption: a magnetometer has no temperature calibration and no memory of its own.
+Verdict handle(RequestContext& context, const msg::CalibMagExt& request, Device& device) {
+  const auto imu = index_of(device, request.imu_idx);
+  if (!imu) return RequestContext::ignore();
+  switch (request.action) {
+    case msg::CalibAction::regular: return begin(context, device, Kind::mag, *imu, false);
+    case msg::CalibAction::reset:
+    case msg::CalibAction::enable_temperature:
+    case msg::CalibAction::disable_temperature:
+      if (device.calibrations.under_way()) {
+        return context.refuse(msg::BoardErrorCode::wrong_state);
+      }
+      return restart(context, device);
+    case msg::CalibAction::temperature:
+    case msg::CalibAction::restore_factory:
+    case msg::CalibAction::store_in_sensor:
+      return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  return RequestContext::ignore();
+}
+Verdict handle(RequestContext& context, const msg::CalibExtGain&, Device& device) {
+  return begin_silently(context, device, Kind::ext_gain);
+}
+Verdict handle(RequestContext& context, const msg::CalibPoles&, Device& device) {
+  return begin_silently(context, device, Kind::poles);
+}
+
+Verdict handle(RequestContext& context, const msg::CalibOrientCorr&, Device& device) {
+  return begin_silently(context, device, Kind::orientation);
+}
+Verdict handle(RequestContext& context, const msg::CalibCogging& request, Device& device) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  switch (request.action) {
+    case msg::CoggingAction::calibrate: return begin_silently(context, device, Kind::cogging);
+    case msg::CoggingAction::erase: return context.confirm();
+  }
+  return context.refuse(msg::BoardErrorCode::wrong_params);
+}
+Verdict handle(RequestContext& context, const msg::CalibAccExtRef&, Device& device) {
+  return begin_silently(context, device, Kind::acc_reference);
+}
+
+Verdict handle(RequestContext& context, const msg::CalibOffset&, Device& device) {
+  if (!Calibrations::store_follow_offsets(device, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+Verdict handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
+  if (!device.has_battery_meter()) return context.refuse(msg::BoardErrorCode::not_supported);
+  const double measured = device.gimbal.sample(context.now).battery;
+  // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
+  constexpr double lowest = 0.5;
+  constexpr double highest = 2;
+  const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;
+  if (!(factor >= lowest && factor <= highest))
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  device.memory.battery_factor = factor;
+  ++device.memory.revision;
+  device.apply_parameters(context.now);
+  return context.confirm();
+}
+
+Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
+  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  const bool is_motor = !request.for_motor || is_known(*request.for_motor);
+  if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
+  return begin(context, device, Kind::encoder_offset, 0, false);
+}
+Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
+  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  return begin(context, device, Kind::encoder_field, 0, false);
+}
+
+Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request, Device& device) {
+  const bool is_frame = request.imu_type == msg::SelectedImu::frame;
+  if (!is_frame && request.imu_type != msg::SelectedImu::main) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (is_frame && !device.has_frame_imu())
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
+}
+
+Verdict handle(RequestContext& context, const msg::AutoPidRequest& request, Device& device) {
+  if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
+    device.auto_tuning.stop();
+    return context.confirm();
+  }
+  const msg::AutoPidFlags flags = request.cfg_flags;
+  const bool names_axis = flags.has(msg::AutoPidFlag::roll) || flags.has(msg::AutoPidFlag::pitch) ||
+                          flags.has(msg::AutoPidFlag::yaw);
+  if (request.profile_id >= ParametersOf<msg::ReadParams3>::copies || !names_axis) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (!device.auto_tuning.start(device, request.profile_id, flags, request.gain_vs_stability,
+                                context.port, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+Verdict handle(RequestContext& context, const msg::AutoPid2& request, Device& device) {
+  switch (request.action) {
+    case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
+    case msg::AutoPid2Action::read:
+    case msg::AutoPid2Action::save: return context.confirm();
+    case msg::AutoPid2Action::start:
+    case msg::AutoPid2Action::start_save: break;
+    default: return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (!request.config) return context.refuse(msg::BoardErrorCode::cmd_size);
+  const auto flags = tuning_flags(*request.config);
+  if (!flags) return context.refuse(msg::BoardErrorCode::wrong_params);
+  if (!device.auto_tuning.start(device, device.parameters.profile(), *flags,
+                                request.config->axes.roll.gain, context.port, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+Verdict calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+                       msg::CalibAction action, Duration length) {
+  return carry_out(context, device, gyro, which, action, length);
+}
+
+}  // namespace sbgc::emulator

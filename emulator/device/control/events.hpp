@@ -1,0 +1,40 @@
+/// Events that hosts want to hear of.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/messages/control.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Watches the state of the board and sends CMD_EVENT when it changes, to the hosts that have
+/// started a stream of such events.
+class Events {
+ public:
+  /// Sends an event now.
+  static void emit(Device& device, msg::EventId id, msg::EventType type, Instant now);
+  /// Sends the events of the changes since the last call.
+  void watch(Device& device, Instant now);
+
+  Instant next() const { return next_; }
+  void advance(Device& device, Instant now);
+
+ private:
+  struct State {
+    bool motors_on{}, stopped{}, retracted{};
+    std::optional<std::uint8_t> script{};
+  };
+
+  static State state_of(const Device& device);
+
+  State state_{};
+  Instant next_ = Instant::never;
+};
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,54 @@
+/// Control of the camera by quaternions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/messages/control.hpp>
+#include <sbgc/time.hpp>
+
+#include "physics/quaternion.hpp"
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// CMD_CONTROL_QUAT. Assumption: speeds are rotation vectors in space, and the attitude of the
+/// camera is that of its Euler angles.
+class QuaternionControl {
+ public:
+  struct Target {
+    msg::ControlQuatMode mode{};
+    msg::ControlQuatFlags flags{};
+    std::optional<Rotation> attitude{};
+    Vector speed{};  ///< deg/s about the axes of the world
+  };
+
+  /// Follows a new target, or none if its mode is DISABLED.
+  void command(Device& device, const Target& target, Instant now);
+  /// Another command controls the axes from now on.
+  void end();
+  void configure(const msg::ControlQuatConfig& config);
+  msg::ControlQuatStatus status(Device& device, msg::ControlQuatStatusFields fields, Instant now);
+  /// True if the camera is within 1 degree of the target attitude.
+  bool has_arrived(Device& device, Instant now) const;
+
+  Instant next() const { return next_; }
+  void advance(Device& device, Instant now);
+
+ private:
+  void turn(Device& device, Instant now) const;
+  double limited(double speed, std::size_t direction) const;
+
+  Target target_{};
+  Xyz<double> max_speed_{};  ///< deg/s; 0: no limit
+  Instant next_ = Instant::never;
+};
+
+/// Conversions of packed quaternions. Four components of 0 do not occur.
+msg::PackedQuaternion packed(const Quaternion& quaternion);
+Quaternion unpacked(msg::PackedQuaternion packed);
+
+}  // namespace sbgc::emulator

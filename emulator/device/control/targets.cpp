@@ -1,0 +1,111 @@
+#include "device/control/targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "device/device.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+/// Returns the mode that a command sets. MODE_IGNORE sets none and is handled before.
+std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
+  switch (kind) {
+    case msg::ControlModeKind::no_control: return AxisMode::remote;
+    case msg::ControlModeKind::speed: return AxisMode::speed;
+    case msg::ControlModeKind::angle: return AxisMode::angle;
+    case msg::ControlModeKind::speed_angle: return AxisMode::speed_angle;
+    case msg::ControlModeKind::rc: return AxisMode::signal;
+    case msg::ControlModeKind::angle_rel_frame: return AxisMode::relative_angle;
+    case msg::ControlModeKind::rc_high_res: return AxisMode::signal;
+    case msg::ControlModeKind::ignore: return AxisMode::remote;
+    case msg::ControlModeKind::angle_shortest: return AxisMode::angle;
+  }
+  return {};
+}
+
+/// Sets the signal of modes that control an axis like a receiver.
+void set_signal(const Device& device, std::size_t axis, const AxisTarget& target,
+                AxisCommand& command) {
+  const auto raw =
+      static_cast<std::int16_t>(std::clamp<std::int32_t>(target.signal, -32768, 32767));
+  const bool is_fine = target.mode.mode() == msg::ControlModeKind::rc_high_res;
+  const double signal =
+      is_fine ? msg::FineRcSignal(raw).fraction() : msg::CentredRcSignal(raw).fraction();
+  // The same values as those of virtual channels.
+  command.is_lost =
+      raw == (is_fine ? msg::ApiVirtChHighRes::undefined : msg::ApiVirtChControl::undefined);
+  // "Should be in range -500...500": like the signal of a receiver, it saturates.
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  command.signal = RemoteControl::shaped(parameters, axis, std::clamp(signal, -1.0, 1.0));
+  // FORCE_RC_SPEED, which has the bit of AUTO_TASK.
+  if (!target.mode.flags().has(msg::ControlFlag::auto_task) || command.is_lost) return;
+  command.mode = AxisMode::speed;
+  command.speed = command.signal * parameters.rc[axis].rc_speed;
+}
+
+/// One axis of CMD_CONTROL_EXT; nothing if the request has no data for it.
+template <class Speed, class Speed32, class Angle, class Angle32>
+std::optional<AxisTarget> target_of(const Optional<msg::ControlMode>& mode, const Speed& speed,
+                                    const Speed32& speed_32, const Angle& angle,
+                                    const Angle32& angle_32) {
+  if (!mode) return {};
+  AxisTarget target{.mode = *mode};
+  if (speed) {
+    target.speed = mode->flags().has(msg::ControlFlag::high_res_speed)
+                       ? msg::FineSpeed(speed->raw()).degrees_per_second()
+                       : speed->degrees_per_second();
+  }
+  if (speed_32) target.speed = speed_32->degrees_per_second();
+  if (angle) {
+    target.angle = angle->degrees();
+    target.signal = angle->raw();
+  }
+  if (angle_32) {
+    target.angle = angle_32->degrees();
+    target.signal = angle_32->raw();
+  }
+  return target;
+}
+
+}  // namespace
+
+AxisTargets targets_of(const msg::ControlExtCommand& r) {
+  return {target_of(r.roll_mode, r.roll_speed, r.roll_speed_32, r.roll_angle, r.roll_angle_32),
+          target_of(r.pitch_mode, r.pitch_speed, r.pitch_speed_32, r.pitch_angle, r.pitch_angle_32),
+          target_of(r.yaw_mode, r.yaw_speed, r.yaw_speed_32, r.yaw_angle, r.yaw_angle_32)};
+}
+
+std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const AxisTarget& target,
+                                      Instant now) {
+  const auto axis_mode = mode_of(target.mode.mode());
+  if (!axis_mode) return {};
+  AxisCommand command{*axis_mode};
+  command.speed = target.speed;
+  command.angle = target.angle;
+  if (target.mode.mode() == msg::ControlModeKind::angle_shortest) {
+    constexpr double turn = 360;
+    const double from = device.gimbal.sample(now).targets[axis];
+    command.angle = from + std::remainder(target.angle - from, turn);
+  }
+  // In servo mode, angles are those of the motors.
+  if (command.mode == AxisMode::angle && device.modes.servo)
+    command.mode = AxisMode::relative_angle;
+  // The angle determines the direction, so the sign of the speed is ignored.
+  if (command.mode == AxisMode::angle || command.mode == AxisMode::relative_angle) {
+    command.speed = std::abs(command.speed);
+    if (target.mode.flags().has(msg::ControlFlag::auto_task)) {
+      command.speed = device.parameters.of<msg::ReadParamsExt2>().auto_speed;
+    }
+  }
+  if (command.mode == AxisMode::signal) set_signal(device, axis, target, command);
+  return command;
+}
+
+bool is_task(const AxisTarget& target) {
+  const msg::ControlModeKind mode = target.mode.mode();
+  return target.mode.flags().has(msg::ControlFlag::auto_task) &&
+         (mode == msg::ControlModeKind::angle || mode == msg::ControlModeKind::angle_rel_frame);
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,119 @@
+#include "device/control/tasks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "device/device.hpp"
+#include "device/request_context.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+/// Assumption: how often the board checks its tasks.
+constexpr Duration check_period = milliseconds(20);
+/// Assumption: the longest safe stop.
+constexpr Duration longest_stop = seconds(3);
+/// An axis has arrived if it is nearer to its target than this, in degrees.
+constexpr double arrival_tolerance = 1;
+
+/// The time after which the board gives a task up.
+Duration longest(Tasks::Kind kind) {
+  return kind == Tasks::Kind::action ? seconds(59) : seconds(10);
+}
+
+bool has_arrived(Device& device, Instant now) {
+  const Sample sample = device.gimbal.sample(now);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (sample.target_speeds[axis] != 0) return false;
+    if (std::abs(sample.angles[axis] - sample.targets[axis]) > arrival_tolerance) return false;
+  }
+  return true;
+}
+
+bool has_stopped(Device& device, Instant now) {
+  const Axes<double> speeds = device.gimbal.sample(now).target_speeds;
+  return speeds == Axes<double>{};
+}
+
+bool has_ended(Device& device, Tasks::Kind kind, Instant now) {
+  switch (kind) {
+    case Tasks::Kind::motion: return has_arrived(device, now);
+    case Tasks::Kind::attitude: return device.quaternions.has_arrived(device, now);
+    case Tasks::Kind::action: break;
+  }
+  return !device.calibrations.under_way() && !device.auto_tuning.is_running() &&
+         !device.scripts.running() && !device.tasks.is_stopping() && has_arrived(device, now);
+}
+
+void report_end(Device& device, std::size_t port, std::uint8_t command, bool is_success,
+                Instant now) {
+  RequestContext context(device, port, command, Confirmed::always, now);
+  constexpr std::array<std::uint8_t, 1> complete{1};
+  if (is_success) {
+    context.confirm(complete);
+  } else {
+    context.refuse(msg::BoardErrorCode::operation_failed);
+  }
+}
+
+}  // namespace
+
+void Tasks::plan(Instant now) {
+  const bool has_work = !tasks_.empty() || stop_ != Instant::never || off_ != Instant::never;
+  next_ = has_work ? earlier(now + check_period, off_) : Instant::never;
+}
+
+void Tasks::confirm_end(std::size_t port, std::uint8_t command, Kind kind, Instant now) {
+  std::erase_if(tasks_,
+                [&](const Task& task) { return task.port == port && task.command == command; });
+  tasks_.push_back({port, command, kind, now + longest(kind)});
+  plan(now);
+}
+
+void Tasks::stop_safely(Device& device, Instant now) {
+  if (!device.gimbal.motors_on()) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    device.gimbal.command(axis, {.mode = AxisMode::speed}, now);
+  }
+  stop_ = now + longest_stop;
+  plan(now);
+  if (has_stopped(device, now)) device.set_motors(false, now);
+}
+
+void Tasks::synchronize(Device& device, std::size_t axis, double degrees, Duration time,
+                        Instant now) {
+  device.set_motors(true, now);
+  const double angle = device.gimbal.sample(now).angles[axis] + degrees;
+  const double seconds = std::max(static_cast<double>(time.us) * 1e-6, 1e-3);
+  device.gimbal.command(axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle},
+                        now);
+  off_ = now + time;
+  plan(now);
+}
+
+void Tasks::advance(Device& device, Instant now) {
+  if (next_ > now) return;
+  if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device, now))) {
+    device.set_motors(false, now);
+  }
+  const std::vector<Task> before = std::move(tasks_);
+  tasks_.clear();
+  for (const Task& task : before) {
+    if (has_ended(device, task.kind, now)) {
+      report_end(device, task.port, task.command, true, now);
+    } else if (task.deadline <= now) {
+      if (task.kind == Kind::attitude) device.quaternions.end();
+      report_end(device, task.port, task.command, false, now);
+    } else {
+      tasks_.push_back(task);
+    }
+  }
+  plan(now);
+}
+
+void Tasks::drop_port(std::size_t port) {
+  std::erase_if(tasks_, [port](const Task& task) { return task.port == port; });
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,32 @@
+/// Copies of the messages on other ports, for hosts that request them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <sbgc/emulator/board.hpp>
+#include <sbgc/enums.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// CMD_SET_DEBUG_PORT. Assumption: a copy is lost if there is no room for it.
+class DebugCopies {
+ public:
+  /// Starts or, without a filter, ends the copies to a port. Messages in the filter are left out.
+  void set(std::size_t port, std::optional<msg::DebugPortCommands> filter) {
+    filters_[port] = filter;
+  }
+  /// Copies a message on a port to the others.
+  void copy(Device& device, std::size_t port, const Frame& frame, bool is_to_host, Instant now);
+  void drop_port(std::size_t port) { filters_[port].reset(); }
+
+ private:
+  std::array<std::optional<msg::DebugPortCommands>, Board::max_ports> filters_{};
+};
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,79 @@
+// spec/modules.yaml: modules on the CAN bus.
+
+#include "device/handlers.hpp"
+
+#include <array>
+
+#include <sbgc/framing.hpp>
+#include <sbgc/roles.hpp>
+
+#include "device/modules/modules.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+constexpr msg::ModuleVersion hardware_version(100);
+
+/// The only request that the emulated modules answer: who they are.
+Verdict introduce(RequestContext& context, const BoardOptions& options,
+                  const msg::TransparentSapiRequest& request, std::uint16_t firmware) {
+  msg::BoardInfo info;
+  info.board_ver = options.board;
+  info.firmware_ver = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware * 10U));
+  std::array<std::uint8_t, max_frame_size> frame{};
+  const WriteResult written = encode_frame(info, frame);
+  msg::TransparentSapi answer;
+  answer.target = request.target;
+  for (std::size_t i = 0; i < written.size; ++i) answer.payload.push_back(frame[i]);
+  return context.answer(answer);
+}
+
+}  // namespace
+
+Verdict handle(RequestContext& context, const msg::ModuleListRequest&, Device& device) {
+  msg::ModuleList list;
+  for (const Module& module : modules_of(device)) {
+    msg::ModuleInfo info;
+    info.id = module.id;
+    info.board_ver = info.bootloader_ver = hardware_version;
+    info.firmware_ver = msg::ModuleVersion(module.firmware);
+    list.modules.push_back(info);
+  }
+  return context.answer(list);
+}
+
+Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device& device) {
+  if (!device.features().has(msg::BoardFeature::can_port)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  msg::CanDeviceScan scan;
+  for (const Module& module : modules_of(device)) {
+    msg::CanDevice one;
+    // Derived from the id of the board, so that no two emulated boards have the same device.
+    one.uid = device.options.mcu_id;
+    one.uid[0] = static_cast<std::uint8_t>(module.can_id);
+    one.id = module.can_id;
+    static_cast<void>(one.type.set_kind(module.kind));
+    scan.devices.push_back(one);
+  }
+  return context.answer(scan);
+}
+
+/// Assumption: data for a device that does not exist are lost.
+Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request,
+               Device& device) {
+  for (const Module& module : modules_of(device)) {
+    if (module.transparent == msg::TransparentDevice{}) continue;
+    if (module.transparent != request.target.device()) continue;
+    Verdict verdict = Verdict::executed;
+    Parser parser;
+    parser.feed(std::span(request.payload.data(), request.payload.size()), [&](const Frame& frame) {
+      if (frame.id != roles::introduction_request_id) return;
+      verdict = introduce(context, device.options, request, module.firmware);
+    });
+    return verdict;
+  }
+  return RequestContext::ignore();
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,89 @@
+#include "device/modules/modules.hpp"
+
+#include <cmath>
+
+#include "device/device.hpp"
+#include "physics/attitude.hpp"
+#include "physics/quantities.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+constexpr std::uint16_t imu_firmware = 120;
+constexpr std::uint16_t driver_firmware = 142;
+
+template <class E>
+E counted(E first, std::size_t index) {
+  return static_cast<E>(static_cast<std::size_t>(first) + index);
+}
+
+}  // namespace
+
+std::size_t can_drivers(const Device& device) {
+  if (!device.features().has(msg::BoardFeature::can_port)) return 0;
+  return ExternalMotors::are_supported(device) ? ExternalMotors::count : 3;
+}
+
+std::vector<Module> modules_of(const Device& device) {
+  using Kind = msg::CanDeviceKind;
+  std::vector<Module> modules;
+  if (!device.features().has(msg::BoardFeature::can_port)) return modules;
+  modules.push_back({msg::ModuleId::imu_main, msg::CanDeviceId::can_imu_main, Kind::imu,
+                     msg::TransparentDevice::can_imu_main, imu_firmware});
+  if (device.options.has_frame_imu) {
+    modules.push_back({msg::ModuleId::imu_frame, msg::CanDeviceId::can_imu_frame, Kind::imu,
+                       msg::TransparentDevice::can_imu_frame, imu_firmware});
+  }
+  constexpr std::size_t reachable = 4;
+  for (std::size_t i = 0; i < can_drivers(device); ++i) {
+    const auto transparent =
+        i < reachable ? counted(msg::TransparentDevice::can_drv1, i) : msg::TransparentDevice{};
+    modules.push_back({counted(msg::ModuleId::can_drv1, i), counted(msg::CanDeviceId::can_drv1, i),
+                       Kind::motor_driver, transparent, driver_firmware});
+  }
+  return modules;
+}
+
+void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
+             msg::CanDrvTelemetry& data) {
+  using enum msg::CanDrvTelemetryFlag;
+  const Sample sample = device.gimbal.sample(now);
+  // Assumption: the drivers are those of the external motors, or of the axes without them.
+  ExternalMotors::Motion motion;
+  if (ExternalMotors::are_supported(device)) {
+    motion = device.external_motors.motion(driver, now);
+  } else {
+    motion = {sample.speeds[driver] - turning(sample.frame_speed)[driver], sample.power[driver]};
+  }
+  const double milliamperes = 50 + 2000 * std::abs(motion.load);
+  constexpr double degrees_per_turn = 360;
+  data.drv_id = static_cast<std::uint8_t>(driver);
+  data.timestamp_ms = msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  if (fields.has(can_bus_flags)) data.can_bus_flags = std::uint8_t{0};
+  if (fields.has(can_bus_err_cnt)) data.can_bus_err_cnt = std::uint16_t{0};
+  if (fields.has(temp_board)) data.temp_board = saturated<msg::Temperature>(sample.temperature + 2);
+  if (fields.has(temp_motor)) data.temp_motor = saturated<msg::Temperature>(sample.temperature);
+  if (fields.has(avg_current)) data.avg_current = saturated<msg::Current>(milliamperes);
+  if (fields.has(bus_voltage)) data.bus_voltage = saturated<msg::Millivolts>(sample.battery);
+  if (fields.has(pin_state)) data.pin_state.emplace();
+  if (fields.has(phase_current)) {
+    auto& phases = data.phase_current.emplace();
+    phases[0] = saturated<msg::SignedCurrent>(milliamperes);
+    phases[1] = phases[2] = saturated<msg::SignedCurrent>(-milliamperes / 2);
+  }
+  if (fields.has(encoder_error_cnt)) data.encoder_error_cnt = std::uint16_t{0};
+  if (fields.has(iq_id_current)) {
+    data.iq_current = saturated<msg::SignedCurrent>(2000 * motion.load);
+    data.id_current = msg::SignedCurrent{};
+  }
+  if (fields.has(motor_speed)) {
+    data.motor_speed = saturated<msg::RevolutionsPerMinute>(motion.speed * 60 / degrees_per_turn);
+  }
+  if (fields.has(pid_pos_err)) data.pid_pos_err = std::int16_t{0};
+  if (fields.has(pid_speed_err)) data.pid_speed_err = std::int16_t{0};
+  if (fields.has(iq_ref)) data.iq_ref = saturated<msg::CurrentShare>(100 * motion.load);
+  if (fields.has(pid_current_err)) data.pid_current_err = std::int16_t{0};
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,86 @@
+/// Handles every request that reads or writes parameters.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <sbgc/parameters.hpp>
+
+#include "device/device.hpp"
+#include "device/request_context.hpp"
+
+namespace sbgc::emulator {
+
+namespace detail {
+
+template <class M, class List>
+inline constexpr bool is_one_of = false;
+template <class M, class... Others>
+inline constexpr bool is_one_of<M, TypeList<Others...>> = (std::is_same_v<M, Others> || ...);
+
+template <class Request, class Parameters>
+inline constexpr bool reads = is_one_of<Request, typename ParametersOf<Parameters>::Readers>;
+template <class Request, class Parameters>
+inline constexpr bool writes = is_one_of<Request, typename ParametersOf<Parameters>::Writers>;
+
+template <class Request, class List>
+inline constexpr bool accesses_one = false;
+template <class Request, class... Parameters>
+inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
+    ((reads<Request, Parameters> || writes<Request, Parameters>) || ...);
+
+/// Returns the copy that a request selects; nothing if there is no such copy.
+template <class S, class Request>
+std::optional<std::uint8_t> copy_of(const Device& device, const Request& request) {
+  if constexpr (ParametersOf<S>::copies == 1) {
+    return std::uint8_t{0};
+  } else {
+    const std::uint8_t copy = ParametersOf<S>::copy(request);
+    if (copy == Request::active_profile) return device.parameters.profile();
+    if (copy < ParametersOf<S>::copies) return copy;
+    return {};
+  }
+}
+
+/// Sets the fields that hold state of the board.
+template <class S>
+void fill_state(const Device& device, S& parameters) {
+  if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.cur_imu;
+  if constexpr (requires { parameters.cur_profile_id; }) {
+    parameters.cur_profile_id = device.parameters.profile();
+  }
+}
+
+}  // namespace detail
+
+/// True if a request reads or writes parameters.
+template <class Request>
+inline constexpr bool accesses_parameters = detail::accesses_one<Request, ParameterMessages>;
+
+/// Handles such a request. Stores any values: the specification does not say that the board checks
+/// them, and it must keep values that it does not understand.
+template <class Request>
+Verdict access_parameters(RequestContext& context, const Request& request, Device& device) {
+  Verdict verdict = Verdict::refused;
+  ParameterMessages::for_each([&]<class S>(Type<S>) {
+    if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
+      const auto copy = detail::copy_of<S>(device, request);
+      if (!copy) {
+        verdict = context.refuse(msg::BoardErrorCode::wrong_params);
+      } else if constexpr (detail::reads<Request, S>) {
+        S answer = device.parameters.read<S>(*copy);
+        detail::fill_state(device, answer);
+        verdict = context.answer_anyway(answer);
+      } else if (device.parameters.write<S>(*copy, request)) {
+        device.apply_parameters(context.now);
+        verdict = context.confirm();
+      } else {
+        verdict = context.refuse(msg::BoardErrorCode::operation_failed);
+      }
+    }
+  });
+  return verdict;
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,291 @@
+#include "device/realtime/live_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/meta/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
+
+#include "device/device.hpp"
+#include "device/modules/modules.hpp"
+#include "device/realtime/custom_data.hpp"
+#include "physics/attitude.hpp"
+#include "physics/quantities.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+/// Assumption: the sensors of an axis measure along the direction about which it turns: forward,
+/// right and up, and its gyroscope counts as its angle. The specification names only axes.
+constexpr std::size_t sensor_axis(std::size_t axis) { return turning_axes[axis].direction; }
+
+/// Converts an RC signal to a pulse in the specified range.
+msg::RcSignal pulse(std::optional<double> signal) {
+  if (!signal) return msg::RcSignal(msg::RealtimeData3::no_signal);
+  constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
+  constexpr double middle = (range.lowest + range.highest) / 2;
+  constexpr double half = (range.highest - range.lowest) / 2;
+  return saturated<msg::RcSignal>(middle + half * *signal);
+}
+
+/// Returns the signal for a flight controller; 0 if no input is assigned to it.
+msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
+  if (source == msg::RcInput::input_no) return msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
+  return pulse(device.remote.signal(source));
+}
+
+msg::FineRcSignal fine(std::optional<double> signal) {
+  return signal ? saturated<msg::FineRcSignal>(*signal)
+                : msg::FineRcSignal(msg::RealtimeDataCustom::undefined);
+}
+
+Xyz<float> vector(const Vector& from) {
+  return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
+}
+
+Axes<msg::Acceleration> accelerations(const Sample& sample) {
+  Axes<msg::Acceleration> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+Axes<msg::GyroRate> rates(const Axes<double>& from) {
+  Axes<msg::GyroRate> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated<msg::GyroRate>(from[axis]);
+  }
+  return to;
+}
+
+Axes<msg::Angle14> angles(const Axes<double>& from) {
+  return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
+}
+
+/// Sets the initial fields that both long messages share.
+template <class M>
+void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  const Axes<msg::Acceleration> acceleration = accelerations(sample);
+  const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].acc_data = acceleration[axis];
+    data.axes[axis].gyro_data = gyro[axis];
+    data.rc[axis] = pulse(device.remote.own(device, axis));
+    data.motor_power[axis] =
+        saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
+  }
+  // The counter wraps.
+  data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
+  data.system_error = device.errors(now);
+  data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
+  data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
+  data.ext_fc_roll = controller_pulse(device, parameters.rc_map_fc_roll);
+  data.ext_fc_pitch = controller_pulse(device, parameters.rc_map_fc_pitch);
+  data.angle = angles(sample.angles);
+  data.rc_angle = angles(sample.targets);
+  if (device.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
+  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
+  data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
+  if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
+  data.cur_imu = device.cur_imu;
+  data.cur_profile = device.parameters.profile();
+}
+
+template <class M, class Use>
+bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& use) {
+  if (static_cast<std::uint8_t>(request.cmd_id) != static_cast<std::uint8_t>(M::command)) {
+    return false;
+  }
+  return is_supported<M>(device.versions()) && use();
+}
+
+msg::RealtimeDataCustomFlags blocks_of(const msg::DataStreamInterval& request) {
+  return request.config.flags ? *request.config.flags : msg::RealtimeDataCustomFlags{};
+}
+
+bool is_of_frame(const msg::DataStreamInterval& request) {
+  return request.config.imu_type && *request.config.imu_type == msg::ImuIndex::frame;
+}
+
+}  // namespace
+
+bool knows_frame(Device& device, Instant now) {
+  return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
+}
+
+bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
+
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
+  measure_common(device, port, now, device.gimbal.sample(now), data);
+}
+
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data) {
+  const Sample sample = device.gimbal.sample(now);
+  measure_common(device, port, now, sample, data);
+  if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
+  for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
+    data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
+    // Assumption: the scale of the raw data depends on the sensor.
+    data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
+  }
+  if (device.options.features.has(msg::BoardFeature::current_sensor)) {
+    data.current = saturated<msg::Current>(1000 * sample.current);
+  }
+  data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
+  if (device.has_frame_imu()) {
+    data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
+  }
+  const bool is_frame = device.cur_imu == msg::SelectedImu::frame;
+  data.imu_g_err =
+      saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
+  data.imu_h_err =
+      saturated<msg::AngleError>(is_frame ? sample.frame_heading_error : sample.heading_error);
+  constexpr double full_output = 10000;
+  for (std::size_t axis = 0; axis < data.motor_out.size(); ++axis) {
+    data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
+  }
+  data.calib_mode = calibration_mode(device);
+  data.actual_angle = angles(sample.angles);
+  data.system_state_flags = state_flags(device, now);
+}
+
+std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
+                                                         msg::RealtimeDataCustomFlags blocks) {
+  msg::RealtimeDataCustomRequest request{.flags = blocks};
+  limit_to(device.versions(), request);
+  // A message of this size, whatever its values.
+  msg::RealtimeDataCustom data;
+  std::array<std::uint8_t, max_body_size> body{};
+  std::array<std::uint8_t, max_body_size> empty{};
+  std::size_t size = 0;
+  Code code = Code::too_short;
+  while (size <= empty.size() && code == Code::too_short) {
+    code = decode(std::span(empty).first(size), data, {request.flags}).code;
+    ++size;
+  }
+  if (code != Code::ok || !encode(data, body)) return {};
+  return request.flags;
+}
+
+void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks, Instant now,
+             msg::RealtimeDataCustom& data) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  const Sample sample = device.gimbal.sample(now);
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  // The 16-bit clock wraps every 65.5 s.
+  data.timestamp_ms = msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
+  if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
+  if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
+  if (blocks.has(Flag::stator_rotor_angle)) {
+    data.stator_rotor_angle = knows_joints(device) ? angles(sample.joints) : Axes<msg::Angle14>{};
+  }
+  if (blocks.has(Flag::gyro_data)) data.gyro_data = rates(turning(sample.gyro));
+  if (blocks.has(Flag::rc_data)) {
+    auto& signals = data.rc_data.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      signals[axis] = fine(device.remote.own(device, axis));
+    }
+    signals[3] = fine(device.remote.signal(parameters.rc_map_cmd));
+    signals[4] = fine(device.remote.signal(parameters.rc_map_fc_roll));
+    signals[5] = fine(device.remote.signal(parameters.rc_map_fc_pitch));
+  }
+  if (blocks.has(Flag::z1_h1_vectors)) {
+    data.z1_vector = vector(sample.up);
+    data.h1_vector = vector(sample.north);
+  }
+  // No receiver is connected.
+  if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
+  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample);
+  measure_later(device, port, blocks, now, data);
+}
+
+void measure(Device& device, Instant now, msg::GetAngles& data) {
+  const Sample sample = device.gimbal.sample(now);
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
+    data.axes[axis].rc_speed = saturated<msg::ControlSpeed>(sample.target_speeds[axis]);
+  }
+}
+
+void measure(Device& device, Instant now, msg::GetAnglesExt& data) {
+  const Sample sample = device.gimbal.sample(now);
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
+    if (knows_joints(device)) {
+      data.axes[axis].stator_rotor_angle = saturated<msg::LongAngle14>(sample.joints[axis]);
+    }
+  }
+}
+
+void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data) {
+  const Sample sample = device.gimbal.sample(now);
+  data.z1_vector = vector(of_frame ? sample.frame_up : sample.up);
+  data.h1_vector = vector(of_frame ? sample.frame_north : sample.north);
+}
+
+bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now) {
+  const auto yes = [] { return true; };
+  return use_if<msg::RealtimeData3>(device, request, yes) ||
+         use_if<msg::RealtimeData4>(device, request, yes) ||
+         use_if<msg::RealtimeDataCustom>(
+             device, request,
+             [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
+         use_if<msg::Event>(device, request, yes) ||
+         use_if<msg::CanDrvTelemetry>(
+             device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
+         use_if<msg::ExtMotorsState>(device, request,
+                                     [&] {
+                                       return ExternalMotors::are_supported(device) &&
+                                              *request.config.motor < ExternalMotors::count;
+                                     }) ||
+         use_if<msg::AhrsHelper>(device, request, [&] {
+           if (is_of_frame(request)) return knows_frame(device, now);
+           return !request.config.imu_type || *request.config.imu_type == msg::ImuIndex::main;
+         });
+}
+
+bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
+                  Instant now) {
+  // Checking the room first saves a measurement.
+  const std::size_t size = frame_size(device.ports.framing(port), stream_change(request).size);
+  if (device.ports.room(port) < size) return false;
+  const auto offer = [&]<class M>(M data, auto&&... what) {
+    measure(device, what..., now, data);
+    limit_to(device.versions(), data);
+    return device.ports.offer(port, data);
+  };
+  return use_if<msg::RealtimeData3>(device, request,
+                                    [&] { return offer(msg::RealtimeData3{}, port); }) ||
+         use_if<msg::RealtimeData4>(device, request,
+                                    [&] { return offer(msg::RealtimeData4{}, port); }) ||
+         use_if<msg::RealtimeDataCustom>(
+             device, request,
+             [&] {
+               const auto blocks = known_blocks(device, blocks_of(request));
+               return blocks && offer(msg::RealtimeDataCustom{}, port, *blocks);
+             }) ||
+         use_if<msg::CanDrvTelemetry>(device, request,
+                                      [&] {
+                                        return offer(msg::CanDrvTelemetry{},
+                                                     std::size_t{*request.config.drv_id},
+                                                     *request.config.telemetry_flags);
+                                      }) ||
+         use_if<msg::ExtMotorsState>(
+             device, request,
+             [&] {
+               return device.ports.offer(
+                   port, device.external_motors.state(device.gimbal, *request.config.motor,
+                                                      *request.config.data_set, now));
+             }) ||
+         use_if<msg::AhrsHelper>(device, request,
+                                 [&] { return offer(msg::AhrsHelper{}, is_of_frame(request)); });
+}
+
+}  // namespace sbgc::emulator

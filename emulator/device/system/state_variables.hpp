@@ -1,0 +1,41 @@
+/// Statistics of the board's whole life.
+#pragma once
+
+#include <sbgc/messages/system.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// CMD_READ_STATE_VARS. The board counts in its memory, but stores the counters only when a host
+/// writes them or, each minute, with SAVE_SYSTEM_STAT.
+class StateVariables {
+ public:
+  static bool are_supported(const Device& device);
+
+  /// The current values.
+  msg::ReadStateVars values(Gimbal& gimbal, Instant now);
+  void write(Memory& memory, const msg::ReadStateVars& values, Instant now);
+
+  Instant next() const { return next_; }
+  void advance(Device& device, Instant now);
+  /// The board has started.
+  void start(Device& device, Instant now);
+
+ private:
+  void set(const msg::ReadStateVars& values, Instant now);
+  void count(Gimbal& gimbal, Instant now);
+  void store(Memory& memory) const;
+
+  msg::ReadStateVars values_{};
+  double work_time_{};  ///< seconds; the wire has whole ones
+  double energy_time_{}, current_time_{};
+  double energy_{};   ///< watt hours
+  double current_{};  ///< average, milliamperes
+  Instant counted_{};
+  Instant stored_{};
+  Instant next_ = Instant::never;
+};
+
+}  // namespace sbgc::emulator

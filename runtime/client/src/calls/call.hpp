@@ -1,0 +1,42 @@
+/// A call and its deadline.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/request.hpp>
+#include <sbgc/session.hpp>
+
+namespace sbgc::detail {
+
+using ReplyHandler = std::function<void(Result<Reply>)>;
+
+struct Call {
+  CallId id{};
+  Request request{};
+  SendOptions send{};
+  Instant deadline = Instant::never;
+  Duration allowed{};  ///< from its start to the deadline
+  std::function<void(unsigned)> on_confirmation{};
+  ReplyHandler handler{};
+  Handle handle{};  ///< in the session, once sent; only Dialogue uses it
+  std::atomic<bool> was_sent = false;
+};
+
+using CallPointer = std::shared_ptr<Call>;
+
+/// Creates a call that starts at `now`. `options` override `defaults`.
+CallPointer make_call(CallId id, Request request, const CallOptions& options,
+                      const ConnectOptions& defaults, Instant now, ReplyHandler handler);
+/// Returns whole milliseconds, rounded up: "150 ms".
+std::string milliseconds_text(Duration duration);
+/// The error of a call that a stop has superseded.
+ClientError superseded_error(const Call& call);
+/// The error of a call whose deadline has passed.
+ClientError overdue_error(const Call& call);
+
+}  // namespace sbgc::detail

@@ -1,0 +1,113 @@
+#include "driving/task_driver.hpp"
+
+#include <utility>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/io/clock.hpp>
+
+#include "conversation/state.hpp"
+
+namespace sbgc::detail {
+
+TaskDriver::TaskDriver(Conversation conversation, TaskMachine& task)
+    : conversation_(std::move(conversation)), task_(task) {}
+
+void TaskDriver::put(Input input) {
+  {
+    const std::lock_guard lock(mutex_);
+    inputs_.push_back(std::move(input));
+  }
+  changed_.notify_all();
+  input_arrived();
+}
+
+void TaskDriver::listen() {
+  notices_ = conversation_.on_notice([weak = weak_from_this()](const Notice& notice) {
+    const auto self = weak.lock();
+    if (self) self->put([notice](TaskMachine& task) { task.notice(notice); });
+  });
+}
+
+void TaskDriver::run(Clock& clock) {
+  struct End {
+    TaskDriver& driver;
+    ~End() { driver.end(); }
+  };
+  const End end{*this};
+  listen();
+  for (TaskStep step = advance(clock); step.kind != TaskStep::Kind::done; step = advance(clock)) {
+    wait(step, clock);
+  }
+}
+
+TaskStep TaskDriver::advance(Clock& clock) {
+  while (true) {
+    take_inputs();
+    TaskStep step = task_.step(io::from_chrono(clock.now()));
+    if (step.kind == TaskStep::Kind::call) {
+      begin_call(std::move(step));
+    } else if (step.kind == TaskStep::Kind::cancel) {
+      if (deadlines_.erase(step.call) != 0) conversation_.cancel(step.call);
+    } else {
+      return step;
+    }
+  }
+}
+
+void TaskDriver::take_inputs() {
+  std::vector<Input> inputs;
+  {
+    const std::lock_guard lock(mutex_);
+    inputs.swap(inputs_);
+  }
+  for (Input& input : inputs) input(task_);
+}
+
+void TaskDriver::begin_call(TaskStep step) {
+  const CallId id = step.call;
+  Conversation::State& state = *conversation_.state();
+  if (state.runs_in_this_thread()) return task_.replied(id, handler_waits_error());
+  step.options.on_confirmation = [self = shared_from_this(), id](unsigned) {
+    self->put([id](TaskMachine& task) { task.confirmed(id); });
+  };
+  auto replied = [self = shared_from_this(), id](Result<Reply> reply) {
+    self->put([&from = *self, id, reply = std::move(reply)](TaskMachine& task) mutable {
+      from.deadlines_.erase(id);
+      task.replied(id, std::move(reply));
+    });
+  };
+  deadlines_[id] = state.start(id, std::move(step.request), step.options, std::move(replied));
+}
+
+void TaskDriver::wait(const TaskStep& step, Clock& clock) {
+  if (deadlines_.empty() && !step.can_be_woken) {
+    return clock.sleep_until(io::to_chrono(step.until));
+  }
+  Instant last = Instant::never;
+  for (const auto& [call, deadline] : deadlines_) last = earlier(last, deadline);
+  {
+    std::unique_lock lock(mutex_);
+    if (!inputs_.empty()) return;
+    if (step.until == Instant::never) {
+      changed_.wait_until(lock, io::to_chrono(last));
+    } else {
+      const Duration left = last == Instant::never ? seconds(3600) : last - io::now();
+      const Instant now = io::from_chrono(clock.now());
+      clock.wait_until(lock, changed_, io::to_chrono(earlier(step.until, now + left)));
+    }
+  }
+  for (const auto& [call, deadline] : deadlines_) {
+    if (deadline <= io::now()) conversation_.state()->end_overdue(call);
+  }
+}
+
+void TaskDriver::end() {
+  notices_.cancel();
+  for (const auto& [call, deadline] : std::exchange(deadlines_, {})) conversation_.cancel(call);
+}
+
+void drive(const Conversation& conversation, TaskMachine& task, Clock& clock) {
+  std::make_shared<TaskDriver>(conversation, task)->run(clock);
+}
+
+}  // namespace sbgc::detail

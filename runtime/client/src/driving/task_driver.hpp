@@ -1,0 +1,59 @@
+/// Drives a task: starts its calls and passes it their results.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include <sbgc/client/clock.hpp>
+#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/task.hpp>
+
+namespace sbgc::detail {
+
+/// Runs the task on the thread of run(); a derived class can do it without waiting. Everything but
+/// put() belongs to one thread or strand. The handlers of calls keep the driver alive.
+class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
+ public:
+  using Input = std::function<void(TaskMachine&)>;
+
+  /// The task must live until the driver has returned TaskStep::Kind::done, or has ended.
+  TaskDriver(Conversation conversation, TaskMachine& task);
+  TaskDriver(const TaskDriver&) = delete;
+  TaskDriver& operator=(const TaskDriver&) = delete;
+  virtual ~TaskDriver() = default;
+
+  /// Passes an input to the task before its next step. Thread-safe.
+  void put(Input input);
+  /// Runs the task to its end, and waits on `clock` meanwhile.
+  void run(Clock& clock);
+
+ protected:
+  /// An input has arrived. Called on any thread.
+  virtual void input_arrived() {}
+
+  void listen();
+  /// Runs the task as far as possible; returns a step that waits, or the last one.
+  TaskStep advance(Clock& clock);
+  /// Cancels what is left of a task that is done, or threw.
+  void end();
+
+ private:
+  void take_inputs();
+  void begin_call(TaskStep step);
+  void wait(const TaskStep& step, Clock& clock);
+
+  Conversation conversation_;
+  TaskMachine& task_;
+  Subscription notices_;
+  std::unordered_map<CallId, Instant> deadlines_{};  // of the running calls
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Input> inputs_;
+};
+
+}  // namespace sbgc::detail

@@ -1,0 +1,48 @@
+#include "command/gimbal_options.hpp"
+
+#include <vector>
+
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/io/open.hpp>
+
+#include "command/duration.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+std::string addresses() {
+  std::vector<std::string> result{"/dev/ttyUSB0"};
+  for (const io::AddressKind& kind : io::address_kinds) {
+    if (kind.leads_to_gimbal) result.emplace_back(kind.syntax);
+  }
+  return detail::alternatives(result, false);
+}
+
+}  // namespace
+
+void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
+  const auto add = [&](const char* name, auto& value, const char* type, const std::string& help) {
+    return command.add_option(name, value, help)->type_name(type)->group(gimbal_group);
+  };
+  add("-p,--port", options.port, "ADDRESS",
+      "Address of the gimbal: " + addresses() +
+          ". Without it, the only gimbal found on the serial ports");
+  add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file");
+  add_duration(command, "--timeout", options.timeout,
+               "The longest time to connect (20s), and to wait for the response to one request (as "
+               "specified for the command)")
+      ->group(gimbal_group);
+  add("--attempts", options.attempts, "NUMBER",
+      "How often a request is sent if no response arrives and it may be repeated (3)")
+      ->check(CLI::Range(1, 100).description(""));
+  add_duration(command, "--attempt-time", options.attempt_timeout,
+               "The least time to wait for the response in each attempt; a slow radio link needs "
+               "more than the protocol specifies")
+      ->group(gimbal_group);
+  add("--capture", options.capture, "FILE", "Record all traffic in this capture");
+  command.add_flag("-v,--verbose", options.verbose, "Print each frame, decoded, on standard error")
+      ->group(gimbal_group);
+}
+
+}  // namespace sbgc::tools

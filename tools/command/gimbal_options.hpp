@@ -1,0 +1,34 @@
+/// The options of commands that talk to a gimbal.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace sbgc::tools {
+
+/// How to reach the gimbal. What the command line leaves open comes from the configuration file, if
+/// it names the gimbal.
+struct GimbalOptions {
+  std::string port{};  ///< an address for sbgc::io::open(), or ""
+  std::string name{};  ///< in the configuration file, or ""
+  std::optional<std::chrono::milliseconds> timeout{};
+  std::optional<unsigned> attempts{};  ///< of a request that may be repeated
+  std::optional<std::chrono::milliseconds> attempt_timeout{};
+  std::string capture{};  ///< file to record the traffic in, or ""
+  bool verbose = false;
+  /// Set when a part of the traffic could not be recorded; all copies share it.
+  std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);
+};
+
+/// The heading of the options in the help.
+inline constexpr const char* gimbal_group = "Gimbal";
+
+/// Adds the options to a subcommand, or to `sbgc` itself.
+void add_gimbal_options(CLI::App& command, GimbalOptions& options);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,176 @@
+#include "frames/sample_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/json_dom.hpp>
+
+#include "values/leaf_value.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// The places of the fields of a sample by their paths.
+class FieldPlaces {
+ public:
+  explicit FieldPlaces(const std::vector<StreamField>& fields) {
+    for (std::size_t i = 0; i < fields.size(); ++i) places_[fields[i].path] = i;
+  }
+
+  /// Calls `use(place, leaf)` for the values of a sample that have a place.
+  template <class Use>
+  void for_each(const Sample& sample, const Use& use) const {
+    sample([&](const Leaf& leaf) {
+      const auto place = places_.find(to_string(leaf.path));
+      if (place != places_.end()) use(place->second, leaf);
+    });
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
+const char* name(SampleKey key) {
+  switch (key) {
+    case SampleKey::time: return "time[s]";
+    case SampleKey::unix_time: return "unix_time[s]";
+    case SampleKey::offset: return "offset";
+  }
+  return "";
+}
+
+class CsvWriter final : public SampleWriter {
+ public:
+  CsvWriter(std::vector<StreamField> fields, SampleKey key)
+      : fields_(std::move(fields)), places_(fields_), key_(key) {}
+
+  std::string header() const override {
+    std::string text = name(key_);
+    for (const StreamField& field : fields_) {
+      text += ',' + csv_text(field.unit.empty() ? field.path
+                                                : fmt::format("{}[{}]", field.path, field.unit));
+    }
+    return text + '\n';
+  }
+  std::string line(double time, const Sample& sample) const override {
+    std::vector<std::string> cells(fields_.size());
+    places_.for_each(sample,
+                     [&](std::size_t place, const Leaf& leaf) { cells[place] = csv_cell(leaf); });
+    std::string text = fmt::format("{:.{}f}", time, key_ == SampleKey::offset ? 0 : 6);
+    for (const std::string& cell : cells) text += ',' + cell;
+    return text + '\n';
+  }
+
+ private:
+  std::vector<StreamField> fields_;
+  FieldPlaces places_;
+  SampleKey key_;
+};
+
+class JsonWriter final : public SampleWriter {
+ public:
+  JsonWriter(std::string message, const std::vector<StreamField>& fields)
+      : message_(std::move(message)), places_(fields) {}
+
+  std::string header() const override { return {}; }
+  std::string line(double time, const Sample& sample) const override {
+    Json fields = Json::object();
+    places_.for_each(sample, [&](std::size_t, const Leaf& leaf) {
+      fields[to_string(leaf.path)] = leaf_json(leaf);
+    });
+    // Microseconds suffice.
+    const Json json{{"version", 1},
+                    {"time", std::round(time * 1e6) / 1e6},
+                    {"message", message_},
+                    {"fields", fields}};
+    return detail::json_text(json) + '\n';
+  }
+
+ private:
+  std::string message_;
+  FieldPlaces places_;
+};
+
+/// A table whose columns are as wide as their names.
+class TableWriter final : public SampleWriter {
+ public:
+  TableWriter(std::vector<StreamField> fields, std::size_t width, SampleKey key)
+      : fields_(std::move(fields)),
+        places_(fields_),
+        key_(name(key)),
+        key_width_(key == SampleKey::unix_time ? 14 : 9) {
+    std::size_t used = key_width_;
+    for (const StreamField& field : fields_) {
+      const std::size_t needed = std::max(title(field).size(), least_width);
+      if (width != 0 && used + 2 + needed > width) break;
+      used += 2 + needed;
+      widths_.push_back(needed);
+    }
+    if (widths_.empty() && !fields_.empty()) widths_.push_back(title(fields_.front()).size());
+  }
+
+  std::string header() const override {
+    std::string text = fmt::format("{:>{}}", key_, key_width_);
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      text += fmt::format("  {:>{}}", title(fields_[i]), widths_[i]);
+    }
+    const std::size_t hidden = fields_.size() - widths_.size();
+    if (hidden != 0) text += fmt::format("\n({} more fields: choose with --fields)", hidden);
+    return text + '\n';
+  }
+  std::string line(double time, const Sample& sample) const override {
+    std::vector<std::string> cells(fields_.size(), "-");
+    places_.for_each(sample, [&](std::size_t place, const Leaf& leaf) {
+      if (place < widths_.size()) cells[place] = cell(leaf);
+    });
+    std::string text = fmt::format("{:>{}.3f}", time, key_width_);
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      text += fmt::format("  {:>{}}", cells[i], widths_[i]);
+    }
+    return text + '\n';
+  }
+
+ private:
+  static constexpr std::size_t least_width = 8;
+
+  static std::string title(const StreamField& field) {
+    return field.unit.empty() ? field.path : fmt::format("{}[{}]", field.path, field.unit);
+  }
+  static std::string cell(const Leaf& leaf) {
+    if (special_meaning(leaf) != nullptr) return special_meaning(leaf);
+    const bool is_scaled = leaf.unit != nullptr && !leaf.unit->is_plain();
+    if (is_scaled || leaf.kind == LeafKind::real) {
+      const std::optional<double> real = real_value(leaf);
+      return real ? fmt::format("{:.3f}", *real) : "-";
+    }
+    return leaf.unit != nullptr ? raw_text(leaf) : value_text(leaf);
+  }
+
+  std::vector<StreamField> fields_;
+  FieldPlaces places_;
+  const char* key_;
+  std::size_t key_width_;
+  std::vector<std::size_t> widths_;  // of the columns that are shown
+};
+
+}  // namespace
+
+std::unique_ptr<SampleWriter> SampleWriter::make(SampleFormat format, std::string message,
+                                                 std::vector<StreamField> fields, std::size_t width,
+                                                 SampleKey key) {
+  switch (format) {
+    case SampleFormat::csv: return std::make_unique<CsvWriter>(std::move(fields), key);
+    case SampleFormat::jsonl:
+      return std::make_unique<JsonWriter>(std::move(message), std::move(fields));
+    case SampleFormat::text: break;
+  }
+  return std::make_unique<TableWriter>(std::move(fields), width, key);
+}
+
+}  // namespace sbgc::tools

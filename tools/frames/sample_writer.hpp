@@ -1,0 +1,49 @@
+/// Text formats of the samples of a data stream.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frames/sample.hpp"
+
+namespace sbgc::tools {
+
+/// The layout of the output. All numbers are written independently of the locale.
+enum class SampleFormat : unsigned char {
+  text,   ///< a table for people
+  csv,    ///< one header line with units, one line per sample; numbers, and empty where missing
+  jsonl,  ///< one object per sample with raw values and their meanings
+};
+
+/// What the first column of a table in CSV is.
+enum class SampleKey : unsigned char {
+  time,       ///< in seconds
+  unix_time,  ///< in seconds since 1970
+  offset,     ///< of the frame, in bytes
+};
+
+/// Formats samples one by one.
+class SampleWriter {
+ public:
+  /// `width` limits the lines of a text table; 0: no limit.
+  static std::unique_ptr<SampleWriter> make(SampleFormat format, std::string message,
+                                            std::vector<StreamField> fields, std::size_t width,
+                                            SampleKey key = SampleKey::time);
+
+  SampleWriter(const SampleWriter&) = delete;
+  SampleWriter& operator=(const SampleWriter&) = delete;
+  virtual ~SampleWriter() = default;
+
+  /// Returns the lines before the first sample.
+  virtual std::string header() const = 0;
+  /// Returns the line of a sample that arrived at this time, in seconds.
+  virtual std::string line(double time, const Sample& sample) const = 0;
+
+ protected:
+  SampleWriter() = default;
+};
+
+}  // namespace sbgc::tools

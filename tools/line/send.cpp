@@ -1,0 +1,323 @@
+// sbgc send: any message to the board, with values from the command line.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/framing.hpp>
+#include <sbgc/json/hex.hpp>
+#include <sbgc/validate.hpp>
+
+#include "board/connection.hpp"
+#include "command/arming.hpp"
+#include "command/choices.hpp"
+#include "command/command_error.hpp"
+#include "command/commands.hpp"
+#include "command/help_text.hpp"
+#include "command/remark.hpp"
+#include "command/standard_output.hpp"
+#include "command/wording.hpp"
+#include "frames/decoded_frame.hpp"
+#include "frames/frame_text.hpp"
+#include "parameters/parameter_messages.hpp"
+#include "values/assignments.hpp"
+#include "values/effect_text.hpp"
+#include "values/message_names.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct SendOptions {
+  std::string name{};
+  std::optional<unsigned> id{};  ///< instead of a name
+  std::string body{};            ///< in hex, with `id`
+  std::vector<std::string> values{};
+  std::string format = "text";
+  bool dry_run = false;
+  bool no_validate = false;
+  Arming arming{};
+};
+
+/// A message with its values.
+struct Outgoing {
+  AnyMessage message;
+  std::string values{};  ///< for the user
+};
+
+/// Returns the number of values that the user can set.
+std::size_t number_of_values(const AnyMessage& message) {
+  std::size_t number = 0;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (!leaf.field.reserved && leaf.kind != LeafKind::counter) ++number;
+  });
+  return number;
+}
+
+/// Returns the values as given, and what holds for the others. A profile is also named as people
+/// count it, from 1: "profile_id = 1 (profile 2)".
+std::string values_text(const AnyMessage& message, const std::vector<Assignment>& assignments) {
+  std::vector<std::string> shown;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (!is_profile_index(leaf.field)) return;
+    const char* const special = special_meaning(leaf);
+    shown.push_back(
+        fmt::format("{} = {} ({})", to_string(leaf.path), leaf.integer,
+                    special != nullptr ? special : fmt::format("profile {}", leaf.integer + 1)));
+  });
+  for (const Assignment& one : assignments) {
+    const FieldInfo* const info = find_fields(message.type().fields(), one.name).front().type->info;
+    if (info != nullptr && is_profile_index(*info)) continue;
+    shown.push_back(fmt::format("{} = {}", one.name, one.value));
+  }
+  std::string text;
+  for (const std::string& one : shown) text += (text.empty() ? "" : ", ") + one;
+  if (!shown.empty() && number_of_values(message) > shown.size()) {
+    text += "; every other field is 0, empty or its default";
+  }
+  return text;
+}
+
+Outgoing outgoing_of(const SendOptions& options) {
+  const auto forms = messages_named(options.name, Direction::to_board);
+  if (forms.empty()) {
+    throw CommandError(fmt::format("unknown message '{}'{}", clipped(options.name),
+                                   similar_messages(options.name)),
+                       wrong_usage);
+  }
+  if (!forms.front()->is_sent_to_board()) {
+    const MessageInfo& info = *forms.front()->info;
+    const auto requests = messages_named(info.command, Direction::to_board);
+    std::string hint;
+    if (!requests.empty() && requests.front()->is_sent_to_board()) {
+      hint = fmt::format("; the request is {}", requests.front()->info->name);
+    }
+    throw CommandError(fmt::format("only the board sends {}{}", info.name, hint), wrong_usage);
+  }
+  try {
+    const std::vector<Assignment> assignments = parse_assignments(options.values);
+    std::vector<std::string> names;
+    names.reserve(assignments.size());
+    for (const Assignment& one : assignments) names.push_back(one.name);
+    const MessageType& type = form_with(forms, names);
+    Json fields = initial_fields(type.fields());
+    assign(type, assignments, fields);
+    add_demanded(type, fields);
+    AnyMessage message = message_of(type, fields);
+    std::string values = values_text(message, assignments);
+    const std::string problems = options.no_validate ? "" : violations_of(message, newest);
+    if (!problems.empty()) throw ValueError(problems);
+    static_cast<void>(encoded(message, basic_framing));
+    return {std::move(message), std::move(values)};
+  } catch (const std::runtime_error& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+}
+
+/// Returns what the request can do. A form that only reads may share its fields with one that does
+/// more, as CMD_AHRS_HELPER does: the board looks at their values, so these effects count, too,
+/// unless they are 0.
+Effects effects_of(const AnyMessage& message) {
+  Effects effects = message.type().info->effects;
+  for (const MessageType* const other :
+       messages_named(message.type().info->command, Direction::to_board)) {
+    message.for_each_leaf([&](const Leaf& leaf) {
+      const FieldPath* member = &leaf.path;
+      while (member->parent != nullptr) member = member->parent;
+      const bool is_shared = std::ranges::any_of(other->fields(), [&](const FieldType& field) {
+        return std::string_view(field.name) == member->name;
+      });
+      const bool is_zero = leaf.path.parent == nullptr && raw_text(leaf) == "0";
+      if (is_shared && !is_zero) effects = effects | other->info->effects;
+    });
+  }
+  return effects;
+}
+
+/// Prints frames as `sbgc decode` does.
+class FramePrinting {
+ public:
+  explicit FramePrinting(bool is_json) : is_json_(is_json) {}
+
+  /// Learns what the decoding of later frames needs.
+  void learn(const Frame& frame, Direction direction) { decoder_.decode(frame, direction); }
+
+  /// `more` is appended to the members of a JSON object. Throws CommandError, after printing, if
+  /// the frame cannot be decoded.
+  void print(const Frame& frame, Direction direction, const std::string& more = {}) {
+    const DecodedFrame decoded = show(frame, direction, more);
+    if (decoded.status) return;
+    throw CommandError(
+        fmt::format("{} cannot be decoded: {}", decoded.command, decoded.explanation));
+  }
+
+  /// Prints a frame that need not be of a known message.
+  void print_raw(const Frame& frame, Direction direction) { show(frame, direction, {}); }
+
+ private:
+  DecodedFrame show(const Frame& frame, Direction direction, const std::string& more) {
+    const DecodedFrame decoded = decoder_.decode(frame, direction);
+    if (is_json_) {
+      put_json(out_, decoded, nullptr, more);
+      out_.put('\n');
+    } else {
+      put_text(out_, decoded, Colors(stdout));
+    }
+    out_.flush();
+    return decoded;
+  }
+
+  bool is_json_;
+  FrameDecoder decoder_{{.json = true, .rows = true}};
+  StandardOutput out_{};
+};
+
+/// Returns the frame of `bytes`, which hold exactly one.
+Frame frame_of(std::span<const std::uint8_t> bytes, std::uint8_t id) {
+  constexpr std::size_t header = 4;
+  return {.id = id, .body = bytes.subspan(header, bytes[2]), .framing = basic_framing};
+}
+
+int dry_run(const SendOptions& options, const Outgoing& out) {
+  const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
+  const Frame frame = frame_of(bytes, out.message.type().info->id);
+  const std::string hex = detail::to_hex(bytes);
+  const Effects effects = effects_of(out.message);
+  if (options.format == "jsonl") {
+    FramePrinting(true).print(
+        frame, Direction::to_board,
+        fmt::format(R"(,"frame":"{}","effect":"{}")", hex, effect_words(effects)));
+    return success;
+  }
+  fmt::print("{}\n", hex);
+  std::fflush(stdout);
+  FramePrinting(false).print(frame, Direction::to_board);
+  fmt::print("{}\n", wrapped(effect_text(effects), line_width()));
+  return success;
+}
+
+RawRequest raw_request_of(const SendOptions& options) {
+  const auto body = detail::from_hex(options.body);
+  if (!body) throw CommandError("--body wants pairs of hex digits, such as 0e45", wrong_usage);
+  Result<RawRequest> request = raw_request(static_cast<std::uint8_t>(*options.id), *body);
+  if (!request) throw CommandError(request.error().message, wrong_usage);
+  return *std::move(request);
+}
+
+/// Sends a body under any id, also of a command that this version does not know.
+int send_raw(const SendOptions& options, const CommandContext& context) {
+  const RawRequest request = raw_request_of(options);
+  const Frame frame{.id = request.id, .body = request.body, .framing = basic_framing};
+  FramePrinting printing(options.format == "jsonl");
+  if (options.dry_run) return printing.print_raw(frame, Direction::to_board), success;
+  Client client = connect(context.gimbal);
+  arm(options.arming,
+      fmt::format("Sends command {} with {}. Its effect is not checked: it may "
+                  "move the camera or change what is stored.",
+                  request.id, options.body.empty() ? "no body" : "the body " + options.body));
+  printing.learn(frame, Direction::to_board);
+  CallOptions call = call_options(context.gimbal);
+  call.expect_confirmation = true;
+  const Reply reply = value_of(client.call_raw(request, call));
+  if (reply.id == 0) return remark("command {} is sent\n", request.id), success;
+  printing.print_raw({.id = reply.id, .body = reply.body, .framing = reply.framing},
+                     Direction::from_board);
+  return success;
+}
+
+int send(const SendOptions& options, const CommandContext& context) {
+  if (options.id) return send_raw(options, context);
+  const Outgoing out = outgoing_of(options);
+  if (options.dry_run) return dry_run(options, out);
+  const MessageInfo& info = *out.message.type().info;
+  const Effects effects = effects_of(out.message);
+  Client client = connect(context.gimbal);
+  require_possible(client, out.message, !options.no_validate);
+  if (needs_arming(info, effects)) {
+    arm(options.arming,
+        fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",
+                    out.values, effect_text(effects)));
+  }
+  FramePrinting printing(options.format == "jsonl");
+  const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
+  printing.learn(frame_of(bytes, info.id), Direction::to_board);
+  CallOptions call = call_options(context.gimbal);
+  call.expect_confirmation = true;
+  call.validate = !options.no_validate;
+  const Reply reply = value_of(client.transact(out.message, call));
+  switch (reply.kind) {
+    case ReplyKind::answered:
+    case ReplyKind::confirmed: {
+      const Frame frame{.id = reply.id,
+                        .body = {reply.body.data(), reply.body.size()},
+                        .framing = client.statistics().session.framing};
+      printing.print(frame, Direction::from_board);
+      break;
+    }
+    case ReplyKind::unconfirmed:
+      remark("{} is sent; the board did not confirm it\n", info.command);
+      break;
+    case ReplyKind::sent:
+      remark("{} is sent; the protocol has no response to it\n", info.command);
+      break;
+  }
+  return success;
+}
+
+}  // namespace
+
+void add_send(CLI::App& app, CommandContext& context) {
+  auto* const command = app.add_subcommand("send", "Send any message and print the response");
+  auto options = std::make_shared<SendOptions>();
+  command
+      ->add_option("name", options->name,
+                   "The message: our name (GetAnglesRequest) or that of the command "
+                   "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
+      ->type_name("MESSAGE");
+  command->add_option("values", options->values, "Values of fields; others are 0 or empty")
+      ->type_name("FIELD=VALUE");
+  auto* const id = command->add_option("--id", options->id,
+                                       "Send the bytes of --body as this command, also one that "
+                                       "is not known here, instead of a message");
+  id->type_name("NUMBER")->check(CLI::Range(1, 255));
+  command->add_option("--body", options->body, "The body of --id; without it, the body is empty")
+      ->type_name("HEX")
+      ->needs(id);
+  add_format(*command, options->format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
+  command->add_flag("--dry-run", options->dry_run,
+                    "Print the frame and what it does; send nothing and open no line");
+  command->add_flag("--no-validate", options->no_validate,
+                    "Also send values that the specification does not allow");
+  add_arming(*command, options->arming);
+  add_gimbal_options(*command, context.gimbal);
+  command->footer(
+      "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
+      "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
+      "which may be written after it; raw:NUMBER is the number on the wire. Enums and flags take "
+      "names, with | between flags. Bytes are hex. Lists take values with commas between them, or "
+      "one by one.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc send get_angles\n"
+      "  sbgc send CMD_CONTROL control_mode=MODE_ANGLE pitch.angle=-30deg --dry-run\n"
+      "  sbgc send CMD_SET_ADJ_VARS_VAL params[0].param_id=LPF_FREQ_ROLL "
+      "params[0].param_value=30Hz\n"
+      "  sbgc send --id 200 --body 0e45 --dry-run\n"
+      "\n"
+      "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
+      "confirmed, 2 for wrong usage.");
+  command->callback([options, &context] {
+    if (options->name.empty() != options->id.has_value()) {
+      throw CommandError("give either a message or --id", wrong_usage);
+    }
+    context.status = send(*options, context);
+  });
+}
+
+}  // namespace sbgc::tools

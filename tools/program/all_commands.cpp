@@ -1,0 +1,83 @@
+// The subcommands where sbgc::io and sbgc::client exist: all.
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "command/command_line_facts.hpp"
+#include "command/commands.hpp"
+#include "command/usage.hpp"
+#include "motion/guard.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// The subcommands by their headings in the help.
+struct Heading {
+  const char* name;
+  std::vector<AddCommand*> commands;
+};
+const std::vector<Heading> headings{
+    {"Look", {add_ports, add_info, add_monitor, add_stream, add_describe}},
+    {"Parameters", {add_params, add_vars}},
+    {"Move", {add_move, add_speed, add_jog, add_stop, add_motors, add_menu}},
+    {"Care", {add_calibrate, add_eeprom, add_files, add_script, add_reset}},
+    {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
+    {"Share", {add_bridge}},
+    {"Shell", {add_completion, add_manual}},
+};
+
+/// Options of a gimbal before the command are for commands that talk to one.
+void require_use_of_gimbal_options(const CLI::App& app) {
+  const CLI::App& command = chosen_command(app);
+  for (const CLI::Option* const option : app.get_options()) {
+    const bool is_of_gimbal = option->get_group() == gimbal_group && option->count() != 0;
+    if (is_of_gimbal && find_option(command, "--port") == nullptr) {
+      throw CommandError(fmt::format("{} is not for `{}`, which does not talk to a gimbal",
+                                     option->get_name(), full_name(command)),
+                         wrong_usage);
+    }
+  }
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, CommandContext& context) {
+  add_gimbal_options(app, context.gimbal);
+  for (const auto& [name, commands] : headings) {
+    app.group(name);  // the subcommands inherit it
+    for (AddCommand* const add : commands) add(app, context);
+  }
+  app.footer(
+      "`sbgc COMMAND --help` and the manual pages have the details; `sbgc describe` explains the "
+      "protocol. Options of a gimbal stand before or after the command.\n"
+      "\n"
+      "A command that moves the camera or writes to the board says what will happen and asks; "
+      "--yes agrees beforehand. Results go to standard output, everything else to standard "
+      "error.\n"
+      "\n"
+      "The exit status is 0 for success; 1 for a failure, a missing confirmation, or if what was "
+      "asked is not so; 2 for wrong usage; 3 if `params diff` could not compare; 130 if Ctrl-C or "
+      "another signal ended the command before it was done.\n"
+      "\n"
+      "The configuration file, ~/.config/sbgc/config.toml or $SBGC_CONFIG, names gimbals for "
+      "--gimbal:\n"
+      "  [gimbal.front]\n"
+      "  port = \"/dev/ttyUSB0\"\n"
+      "  attempts = 5\n"
+      "  attempt-time = 0.5\n"
+      "\n"
+      "SBGC_PORTS names a file with a list of ports, as `sbgc ports --format json` prints it, in "
+      "place of those of the system. SBGC_TOKEN is the token of `sbgc bridge --ws`. With NO_COLOR, "
+      "output has no colors. COLUMNS is the width of "
+      "the help.");
+  app.parse_complete_callback([&app] { require_use_of_gimbal_options(app); });
+}
+
+std::optional<int> run_helper(int argc, char** argv) {
+  if (!is_guard(argc, argv)) return std::nullopt;
+  return run_guard();
+}
+
+}  // namespace sbgc::tools

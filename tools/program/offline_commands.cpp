@@ -1,0 +1,22 @@
+// The subcommands where sbgc::io does not exist: those that need no gimbal.
+
+#include "command/commands.hpp"
+
+namespace sbgc::tools {
+
+void add_commands(CLI::App& app, CommandContext& context) {
+  app.group("Look");  // the heading in the help
+  add_describe(app, context);
+  app.group("Bytes");
+  add_decode(app, context);
+  add_encode(app, context);
+  app.footer(
+      "This program was built without the commands that talk to a gimbal.\n"
+      "\n"
+      "The exit status is 0 for success, 1 for a failure, and 2 for wrong usage. With NO_COLOR, "
+      "output has no colors. COLUMNS is the width of the help.");
+}
+
+std::optional<int> run_helper(int, char**) { return std::nullopt; }
+
+}  // namespace sbgc::tools
