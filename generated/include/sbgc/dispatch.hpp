@@ -133,7 +133,6 @@ using AllMessages = TypeList<
     msg::BodeTestStartStop,
     msg::BodeTestStartStopRequest,
     msg::BodeTestData,
-    msg::BodeTestDataRequest,
     msg::CoggingCalibInfo,
     msg::CoggingCalibInfoRequest,
     msg::CanDrvHardParams,
@@ -457,8 +456,6 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::ServoOut>{}), Code::ok;
       case 37:  // CMD_BODE_TEST_START_STOP
         return use(Type<msg::BodeTestStartStopRequest>{}), Code::ok;
-      case 38:  // CMD_BODE_TEST_DATA
-        return use(Type<msg::BodeTestDataRequest>{}), Code::ok;
       case 39:  // CMD_I2C_WRITE_REG_BUF
         return use(Type<msg::I2cWriteRegBuf>{}), Code::ok;
       case 40:  // CMD_I2C_READ_REG_BUF

@@ -56,11 +56,8 @@ enum class CommandToBoard : std::uint8_t {
   auto_pid = 35,
   /// CMD_SERVO_OUT: Send PWM signals to servos.
   servo_out = 36,
-  /// CMD_BODE_TEST_START_STOP: Undocumented; by its name, starts or stops the recording of a
-  /// frequency response.
+  /// CMD_BODE_TEST_START_STOP: Record a frequency response.
   bode_test_start_stop = 37,
-  /// CMD_BODE_TEST_DATA: Undocumented; by its name, data of a recorded frequency response.
-  bode_test_data = 38,
   /// CMD_I2C_WRITE_REG_BUF: Write to a device on an I2C bus.
   i2c_write_reg_buf = 39,
   /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
@@ -299,10 +296,9 @@ enum class CommandFromBoard : std::uint8_t {
   read_params_ext = 33,
   /// CMD_AUTO_PID: Tune the PID controllers automatically.
   auto_pid = 35,
-  /// CMD_BODE_TEST_START_STOP: Undocumented; by its name, starts or stops the recording of a
-  /// frequency response.
+  /// CMD_BODE_TEST_START_STOP: Record a frequency response.
   bode_test_start_stop = 37,
-  /// CMD_BODE_TEST_DATA: Undocumented; by its name, data of a recorded frequency response.
+  /// CMD_BODE_TEST_DATA: Samples of a frequency response.
   bode_test_data = 38,
   /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
   i2c_read_reg_buf = 40,
@@ -1754,6 +1750,49 @@ enum class ExtMotorPower : std::uint8_t {
   off_floating = 2,
   /// OFF_SAFE_STOP: It is off after a safe stop.
   off_safe_stop = 3,
+};
+
+/// Axis of a frequency response.
+/// Source: Vendor's code of 2026.
+enum class BodeAxis : std::uint8_t {
+  /// ROLL: Roll.
+  roll = 0,
+  /// PITCH: Pitch.
+  pitch = 1,
+  /// YAW: Yaw.
+  yaw = 2,
+};
+
+/// Stimulus of a frequency response.
+/// Source: Vendor's code of 2026.
+enum class BodeStimulus : std::uint8_t {
+  /// WHITE_NOISE: White noise.
+  white_noise = 1,
+  /// SINE_SWEEP: A sine with rising frequency.
+  sine_sweep = 2,
+  /// EXPONENTIAL_SWEEP: A sine with exponentially rising frequency.
+  exponential_sweep = 3,
+};
+
+/// What a frequency response describes.
+/// Source: Vendor's code of 2026.
+enum class BodeSystem : std::uint8_t {
+  /// CONTROLLER: The controller.
+  controller = 3,
+  /// OPEN_LOOP_PLANT_WITH_FILTERS: The plant with notch filters, open loop.
+  open_loop_plant_with_filters = 6,
+  /// OPEN_LOOP_CONTROLLER_AND_PLANT: Controller and plant, open loop.
+  open_loop_controller_and_plant = 7,
+  /// OVERALL: The overall response of the system.
+  overall = 11,
+  /// OPEN_LOOP_PLANT: The plant alone, open loop.
+  open_loop_plant = 70,
+  /// CLOSED_LOOP_PLANT_WITH_FILTERS: The plant with notch filters, closed loop.
+  closed_loop_plant_with_filters = 134,
+  /// CLOSED_LOOP_CONTROLLER_AND_PLANT: Controller and plant, closed loop.
+  closed_loop_controller_and_plant = 135,
+  /// CLOSED_LOOP_PLANT: The plant alone, closed loop.
+  closed_loop_plant = 198,
 };
 
 /// IMU to calibrate.

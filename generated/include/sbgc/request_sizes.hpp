@@ -50,6 +50,8 @@ constexpr std::size_t largest_request(std::uint8_t id, const Availability& versi
       return 19;
     case 36:  // CMD_SERVO_OUT
       return 16;
+    case 37:  // CMD_BODE_TEST_START_STOP
+      return 30;
     case 40:  // CMD_I2C_READ_REG_BUF
       if (is_supported<msg::I2cReadRegBufRequestWideRegister>(versions)) return 4;
       if (is_supported<msg::I2cReadRegBufRequest>(versions)) return 3;

@@ -97,7 +97,6 @@ struct CalibOrientCorr;
 struct CalibCogging;
 struct CalibAccExtRef;
 struct BodeTestStartStopRequest;
-struct BodeTestDataRequest;
 struct CoggingCalibInfoRequest;
 struct CanDrvHardParamsRequest;
 struct CanDrvCalibrateRequest;
@@ -895,18 +894,10 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Undocumented body to the board.
-  /// Effect: unknown.
+  /// Start the recording of a frequency response.
+  /// Effect: moves.
   template <class M = msg::BodeTestStartStopRequest>
   CallResult<M> bode_test_start_stop(
-      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
-    return self().call(request, options);
-  }
-
-  /// Undocumented body to the board.
-  /// Effect: unknown.
-  template <class M = msg::BodeTestDataRequest>
-  CallResult<M> bode_test_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

@@ -103,6 +103,17 @@ struct CoggingMotor {
       &CoggingMotor::period, &CoggingMotor::reserved>;
 };
 
+/// The samples.
+struct BodeSample {
+  /// Input. Range: 0 to 65534.
+  std::uint16_t input{};
+  /// Output. Range: 0 to 65534.
+  std::uint16_t output{};
+
+  bool operator==(const BodeSample&) const = default;
+  using FixedMembers = Members<&BodeSample::input, &BodeSample::output>;
+};
+
 /// Calibrate the accelerometer of the active IMU. Confirmed on reception and again at the end; not
 /// at all if a parameter is wrong. Before: Place the camera so that the sensor is exactly level, on
 /// something that does not move, and turn the motors off. To calibrate the other directions as
@@ -694,90 +705,111 @@ struct CalibAccExtRef {
   using FixedMembers = Members<&CalibAccExtRef::acc_ref, &CalibAccExtRef::reserved>;
 };
 
-/// Undocumented body from the board.
+/// End of the recording; unsolicited.
 ///
-/// CMD_BODE_TEST_START_STOP (37), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_BODE_TEST_START_STOP (37), from the board; 22 bytes, and later firmware may append more.
+/// Source: Vendor's code of 2026.
 struct BodeTestStartStop {
   static constexpr CommandFromBoard command = CommandFromBoard::bode_test_start_stop;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 255;
+  static constexpr std::size_t min_size = 22;
+  static constexpr std::size_t max_size = 22;
   static constexpr Availability since{};
 
-  /// Undocumented content.
-  BoundedBytes<255> data{};
+  /// For error_code: success.
+  static constexpr std::uint16_t bode_success{0};
+
+  /// Number of samples; some firmware sends the index of the last one.
+  std::uint32_t samples_count{};
+  /// Reason of the end.
+  std::uint16_t error_code{};
+  /// MODE of the request.
+  std::uint8_t mode{};
+  /// Reserved; kept as it is.
+  Bytes<15> reserved{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<233> tail{};
 
   bool operator==(const BodeTestStartStop&) const = default;
-  SBGC_ALWAYS_INLINE
-  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.rest(self.data, "data");
-  }
+  using FixedMembers = Members<&BodeTestStartStop::samples_count, &BodeTestStartStop::error_code,
+      &BodeTestStartStop::mode, &BodeTestStartStop::reserved>;
 };
 
-/// Undocumented body to the board.
+/// Start the recording of a frequency response. The board moves the axis with a stimulus and sends
+/// CMD_BODE_TEST_DATA until the end, which this command from the board reports. Data may come
+/// before the confirmation, which some firmware omits. No source says how to stop a recording. The
+/// board has the feature BODE_TEST.
 ///
-/// CMD_BODE_TEST_START_STOP (37), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Source: Vendor's code of
+/// 2026.
 struct BodeTestStartStopRequest {
   static constexpr CommandToBoard command = CommandToBoard::bode_test_start_stop;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 255;
+  static constexpr std::size_t min_size = 30;
+  static constexpr std::size_t max_size = 30;
   static constexpr Availability since{};
   using Response = void;
 
-  /// Undocumented content.
-  BoundedBytes<255> data{};
+  /// The axis.
+  BodeAxis axis{};
+  /// Kind of stimulus.
+  BodeStimulus stimulus_type{};
+  /// Strength of the stimulus. Range: 1 to 65535.
+  std::uint16_t stimulus_gain{};
+  /// Highest frequency. Unit: Hz.
+  Frequency end_freq{};
+  /// What is measured.
+  BodeSystem system{};
+  /// Number of samples, each of 0.8 ms.
+  std::uint32_t samples_num{};
+  /// Reserved. Always 0.
+  std::uint8_t mode{};
+  /// Lowest frequency. Unit: Hz.
+  Frequency start_freq{};
+  /// Reserved; kept as it is.
+  Bytes<16> reserved{};
 
   bool operator==(const BodeTestStartStopRequest&) const = default;
-  SBGC_ALWAYS_INLINE
-  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.rest(self.data, "data");
-  }
+  using FixedMembers = Members<&BodeTestStartStopRequest::axis,
+      &BodeTestStartStopRequest::stimulus_type, &BodeTestStartStopRequest::stimulus_gain,
+      &BodeTestStartStopRequest::end_freq, &BodeTestStartStopRequest::system,
+      &BodeTestStartStopRequest::samples_num, &BodeTestStartStopRequest::mode,
+      &BodeTestStartStopRequest::start_freq, &BodeTestStartStopRequest::reserved>;
 };
 
-/// Undocumented body from the board.
+/// Samples of a recording that runs; unsolicited. A value is MIN + raw * (MAX - MIN) / 65534, with
+/// the limits of its signal in the same message.
 ///
-/// CMD_BODE_TEST_DATA (38), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Source: Vendor's code of 2026.
 struct BodeTestData {
   static constexpr CommandFromBoard command = CommandFromBoard::bode_test_data;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 255;
+  static constexpr std::size_t min_size = 17;
+  static constexpr std::size_t max_size = 97;
   static constexpr Availability since{};
 
-  /// Undocumented content.
-  BoundedBytes<255> data{};
+  /// Index of the first sample, modulo 256.
+  std::uint8_t sample_counter{};
+  /// Input of raw value 0.
+  float input_min{};
+  /// Output of raw value 0.
+  float output_min{};
+  /// Input of raw value 65534.
+  float input_max{};
+  /// Output of raw value 65534.
+  float output_max{};
+  /// The samples. At most 20.
+  BoundedArray<BodeSample, 59> samples{};
 
   bool operator==(const BodeTestData&) const = default;
+  using FixedMembers = Members<&BodeTestData::sample_counter, &BodeTestData::input_min,
+      &BodeTestData::output_min, &BodeTestData::input_max, &BodeTestData::output_max>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.rest(self.data, "data");
-  }
-};
-
-/// Undocumented body to the board.
-///
-/// CMD_BODE_TEST_DATA (38), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
-struct BodeTestDataRequest {
-  static constexpr CommandToBoard command = CommandToBoard::bode_test_data;
-  static constexpr Direction direction = Direction::to_board;
-  static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
-  using Response = void;
-
-  /// Undocumented content.
-  BoundedBytes<255> data{};
-
-  bool operator==(const BodeTestDataRequest&) const = default;
-  SBGC_ALWAYS_INLINE
-  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.rest(self.data, "data");
+    cursor.rest(self.samples, "samples");
   }
 };
 

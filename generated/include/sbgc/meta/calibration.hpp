@@ -173,6 +173,29 @@ struct Meta<msg::CoggingMotor> {
 };
 
 template <>
+struct Meta<msg::BodeSample> {
+  static constexpr Range input_range{0, 65534};
+  static constexpr Range output_range{0, 65534};
+  static constexpr FieldInfo fields[] = {
+      {.name = "input",
+       .spec_name = "INPUT",
+       .summary = "Input.",
+       .range = &input_range},
+      {.name = "output",
+       .spec_name = "OUTPUT",
+       .summary = "Output.",
+       .range = &output_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.input);
+    visitor(fields[1], value.output);
+  }
+};
+
+template <>
 struct Meta<msg::CalibAcc> {
   static constexpr MessageInfo info{
       .name = "CalibAcc",
@@ -965,21 +988,39 @@ struct Meta<msg::BodeTestStartStop> {
   static constexpr MessageInfo info{
       .name = "BodeTestStartStop",
       .command = "CMD_BODE_TEST_START_STOP",
-      .summary = "Undocumented body from the board.",
+      .summary = "End of the recording; unsolicited.",
       .id = 37,
       .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255};
+      .min_size = 22,
+      .max_size = 22};
+  static constexpr Special error_code_special[] = {
+      {0, "success"},
+  };
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "samples_count",
+       .spec_name = "SAMPLES_COUNT",
+       .summary = "Number of samples; some firmware sends the index of the last one."},
+      {.name = "error_code",
+       .spec_name = "ERROR_CODE",
+       .summary = "Reason of the end.",
+       .special = error_code_special},
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "MODE of the request."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
-    visitor(fields[0], value.data);
+    visitor(fields[0], value.samples_count);
+    visitor(fields[1], value.error_code);
+    visitor(fields[2], value.mode);
+    visitor(fields[3], value.reserved);
+    visitor(tail_field, value.tail);
   }
 };
 
@@ -988,22 +1029,66 @@ struct Meta<msg::BodeTestStartStopRequest> {
   static constexpr MessageInfo info{
       .name = "BodeTestStartStopRequest",
       .command = "CMD_BODE_TEST_START_STOP",
-      .summary = "Undocumented body to the board.",
+      .summary = "Start the recording of a frequency response.",
       .id = 37,
       .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
-      .effects = Effects(Effect::unknown)};
+      .min_size = 30,
+      .max_size = 30,
+      .effects = Effects(Effect::moves)};
+  static constexpr Range stimulus_gain_range{1, 65535};
+  static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "axis",
+       .spec_name = "AXIS",
+       .summary = "The axis."},
+      {.name = "stimulus_type",
+       .spec_name = "STIMULUS_TYPE",
+       .summary = "Kind of stimulus."},
+      {.name = "stimulus_gain",
+       .spec_name = "STIMULUS_GAIN",
+       .summary = "Strength of the stimulus.",
+       .range = &stimulus_gain_range},
+      {.name = "end_freq",
+       .spec_name = "END_FREQ",
+       .summary = "Highest frequency.",
+       .unit = &UnitMeta<msg::Frequency>::info},
+      {.name = "system",
+       .spec_name = "SYSTEM",
+       .summary = "What is measured."},
+      {.name = "samples_num",
+       .spec_name = "SAMPLES_NUM",
+       .summary = "Number of samples, each of 0.8 ms."},
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Reserved.",
+       .range = &mode_range},
+      {.name = "start_freq",
+       .spec_name = "START_FREQ",
+       .summary = "Lowest frequency.",
+       .unit = &UnitMeta<msg::Frequency>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
-    visitor(fields[0], value.data);
+    visitor(fields[0], value.axis);
+    visitor(fields[1], value.stimulus_type);
+    visitor(fields[2], value.stimulus_gain);
+    visitor(fields[3], value.end_freq);
+    visitor(fields[4], value.system);
+    visitor(fields[5], value.samples_num);
+    visitor(fields[6], value.mode);
+    visitor(fields[7], value.start_freq);
+    visitor(fields[8], value.reserved);
+  }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[7], value.start_freq, fields[3], value.end_freq, false);
   }
 };
 
@@ -1012,45 +1097,42 @@ struct Meta<msg::BodeTestData> {
   static constexpr MessageInfo info{
       .name = "BodeTestData",
       .command = "CMD_BODE_TEST_DATA",
-      .summary = "Undocumented body from the board.",
+      .summary = "Samples of a recording that runs; unsolicited.",
       .id = 38,
       .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255};
+      .min_size = 17,
+      .max_size = 97};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "sample_counter",
+       .spec_name = "SAMPLE_COUNTER",
+       .summary = "Index of the first sample, modulo 256."},
+      {.name = "input_min",
+       .spec_name = "INPUT_MIN",
+       .summary = "Input of raw value 0."},
+      {.name = "output_min",
+       .spec_name = "OUTPUT_MIN",
+       .summary = "Output of raw value 0."},
+      {.name = "input_max",
+       .spec_name = "INPUT_MAX",
+       .summary = "Input of raw value 65534."},
+      {.name = "output_max",
+       .spec_name = "OUTPUT_MAX",
+       .summary = "Output of raw value 65534."},
+      {.name = "samples",
+       .spec_name = "samples",
+       .summary = "The samples.",
+       .max_count = 20},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
-    visitor(fields[0], value.data);
-  }
-};
-
-template <>
-struct Meta<msg::BodeTestDataRequest> {
-  static constexpr MessageInfo info{
-      .name = "BodeTestDataRequest",
-      .command = "CMD_BODE_TEST_DATA",
-      .summary = "Undocumented body to the board.",
-      .id = 38,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
-      .effects = Effects(Effect::unknown)};
-  static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
-       .summary = "Undocumented content."},
-  };
-
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
-    visitor(fields[0], value.data);
+    visitor(fields[0], value.sample_counter);
+    visitor(fields[1], value.input_min);
+    visitor(fields[2], value.output_min);
+    visitor(fields[3], value.input_max);
+    visitor(fields[4], value.output_max);
+    visitor(fields[5], value.samples);
   }
 };
 

@@ -28,8 +28,7 @@ struct EnumMeta<msg::CommandToBoard> {
       {"CMD_WRITE_PARAMS_EXT", 34, "Store more parameters of one profile."},
       {"CMD_AUTO_PID", 35, "Tune the PID controllers automatically."},
       {"CMD_SERVO_OUT", 36, "Send PWM signals to servos."},
-      {"CMD_BODE_TEST_START_STOP", 37, "Undocumented; by its name, starts or stops the recording of a frequency response."},
-      {"CMD_BODE_TEST_DATA", 38, "Undocumented; by its name, data of a recorded frequency response."},
+      {"CMD_BODE_TEST_START_STOP", 37, "Record a frequency response."},
       {"CMD_I2C_WRITE_REG_BUF", 39, "Write to a device on an I2C bus."},
       {"CMD_I2C_READ_REG_BUF", 40, "Data from a device on an I2C bus."},
       {"CMD_WRITE_EXTERNAL_DATA", 41, "Store user data in the EEPROM."},
@@ -147,8 +146,8 @@ struct EnumMeta<msg::CommandFromBoard> {
       {"CMD_SET_ADJ_VARS_VAL", 31, "Values of adjustable variables."},
       {"CMD_READ_PARAMS_EXT", 33, "More parameters of one profile: filters, encoders, magnetometer."},
       {"CMD_AUTO_PID", 35, "Tune the PID controllers automatically."},
-      {"CMD_BODE_TEST_START_STOP", 37, "Undocumented; by its name, starts or stops the recording of a frequency response."},
-      {"CMD_BODE_TEST_DATA", 38, "Undocumented; by its name, data of a recorded frequency response."},
+      {"CMD_BODE_TEST_START_STOP", 37, "Record a frequency response."},
+      {"CMD_BODE_TEST_DATA", 38, "Samples of a frequency response."},
       {"CMD_I2C_READ_REG_BUF", 40, "Data from a device on an I2C bus."},
       {"CMD_READ_EXTERNAL_DATA", 42, "User data in the EEPROM."},
       {"CMD_READ_ADJ_VARS_CFG", 43, "RC signals that trigger actions or change adjustable variables."},
@@ -1070,6 +1069,41 @@ struct EnumMeta<msg::ExtMotorPower> {
       {"OFF_SAFE_STOP", 3, "It is off after a safe stop."},
   };
   static constexpr EnumInfo info{"ExtMotorPower", values, false};
+};
+
+template <>
+struct EnumMeta<msg::BodeAxis> {
+  static constexpr ValueInfo values[] = {
+      {"ROLL", 0, "Roll."},
+      {"PITCH", 1, "Pitch."},
+      {"YAW", 2, "Yaw."},
+  };
+  static constexpr EnumInfo info{"BodeAxis", values, false};
+};
+
+template <>
+struct EnumMeta<msg::BodeStimulus> {
+  static constexpr ValueInfo values[] = {
+      {"WHITE_NOISE", 1, "White noise."},
+      {"SINE_SWEEP", 2, "A sine with rising frequency."},
+      {"EXPONENTIAL_SWEEP", 3, "A sine with exponentially rising frequency."},
+  };
+  static constexpr EnumInfo info{"BodeStimulus", values, false};
+};
+
+template <>
+struct EnumMeta<msg::BodeSystem> {
+  static constexpr ValueInfo values[] = {
+      {"CONTROLLER", 3, "The controller."},
+      {"OPEN_LOOP_PLANT_WITH_FILTERS", 6, "The plant with notch filters, open loop."},
+      {"OPEN_LOOP_CONTROLLER_AND_PLANT", 7, "Controller and plant, open loop."},
+      {"OVERALL", 11, "The overall response of the system."},
+      {"OPEN_LOOP_PLANT", 70, "The plant alone, open loop."},
+      {"CLOSED_LOOP_PLANT_WITH_FILTERS", 134, "The plant with notch filters, closed loop."},
+      {"CLOSED_LOOP_CONTROLLER_AND_PLANT", 135, "Controller and plant, closed loop."},
+      {"CLOSED_LOOP_PLANT", 198, "The plant alone, closed loop."},
+  };
+  static constexpr EnumInfo info{"BodeSystem", values, false};
 };
 
 template <>

@@ -249,15 +249,8 @@ constexpr ResponsePolicy response_policy(const BodeTestStartStopRequest&) noexce
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .has_effect = true,
-      .timeout_ms = 500};
-}
-
-constexpr ResponsePolicy response_policy(const BodeTestDataRequest&) noexcept {
-  return {.responses = {.command = 38,
-              .confirmed = Confirmed::possible},
-      .confirmations = 1,
-      .has_effect = true,
-      .timeout_ms = 500};
+      .moves = true,
+      .timeout_ms = 2000};
 }
 
 constexpr ResponsePolicy response_policy(const CoggingCalibInfoRequest&) noexcept {
