@@ -50,10 +50,10 @@ const std::set<int> confirmed = {'A', 'G', 'P', 'W', 'g', 22,  34,  63,  'M', 'm
                                  94,  95,  105, 108, 112, 119, 123, 134, 142, 249};
 
 // Commands that may be confirmed, but neither document says so.
-const std::set<int> possibly_confirmed = {24,  26,  27,  29,  30,  32,  35,  36,  37,  38,  41,
-                                          52,  57,  59,  60,  66,  67,  69,  70,  74,  75,  79,
-                                          84,  89,  92,  97,  98,  99,  101, 107, 110, 113, 115,
-                                          117, 118, 120, 121, 122, 124, 125, 126, 150, 250, 251};
+const std::set<int> possibly_confirmed = {24,  26,  27,  29,  30,  32,  35,  36,  37,  41,  52,
+                                          57,  59,  60,  66,  67,  69,  70,  74,  75,  79,  84,
+                                          89,  92,  97,  98,  99,  101, 107, 110, 113, 115, 117,
+                                          118, 120, 121, 122, 124, 125, 126, 150, 250, 251};
 
 // Hosts send these whenever they have new data, so no confirmation is expected.
 const std::set<int> hardly_confirmed = {72, 45, 129};
@@ -103,9 +103,9 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
   // Commands that step, count, start, restart or toggle something each time they are executed, and
   // commands with unknown effect.
   const std::set<int> unsafe = {
-      69,  72,  65,  103, 59,  71,  80,  79,  66,  26,  27,  35,  75,  57,  89,  39,  40, 70,  114,
-      51,  30,  52,  74,  250, 251, 37,  38,  60,  91,  92,  93,  94,  95,  97,  98,  99, 101, 107,
-      108, 110, 113, 115, 117, 118, 120, 122, 123, 124, 125, 126, 128, 130, 140, 150, 151};
+      69,  72,  65,  103, 59,  71,  80,  79,  66,  26,  27,  35,  75,  57,  89,  39,  40,  70,
+      114, 51,  30,  52,  74,  250, 251, 37,  60,  91,  92,  93,  94,  95,  97,  98,  99,  101,
+      107, 108, 110, 113, 115, 117, 118, 120, 122, 123, 124, 125, 126, 128, 130, 140, 150, 151};
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
     const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate>;

@@ -37,6 +37,8 @@ void Table::add_later_control() {
          host.listen(seconds(5));
          EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -30, 0.1);
        }});
+  // The emulated board records no frequency response.
+  add<msg::BodeTestStartStopRequest>({.comes = Comes::confirmation});
   add<msg::ControlConfig>({.request = {.timeout_ms = msg::Milliseconds(500)}});
   const auto is_in = [](msg::ControlQuatMode mode) {
     return [mode](Host& host, const Packets&) {
