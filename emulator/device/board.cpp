@@ -24,14 +24,14 @@ bool has(const Device& device) {
 
 /// Calls a handler with the parts of the device that it takes, if the board has them.
 template <Message M, class... Parts>
-Verdict call(Verdict (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
-             const M& request, Device& device) {
+Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
+              const M& request, Device& device) {
   if (!(has<Parts>(device) && ...)) return context.refuse(msg::BoardErrorCode::not_supported);
   return handler(context, request, device.part<Parts>()...);
 }
 
 template <Message M>
-Verdict carry_out(RequestContext& context, const M& request, Device& device) {
+Reaction carry_out(RequestContext& context, const M& request, Device& device) {
   if constexpr (requires { call<M>(handle, context, request, device); }) {
     return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
@@ -184,11 +184,11 @@ class Board::Core {
   void carry_out_next(std::size_t port, Instant now) {
     const QueuedRequest request = device.ports.take(port);
     device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
-    const Verdict verdict = carry_out_frame(port, request, now);
+    const Reaction reaction = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
-    if (verdict == Verdict::refused) ++counters.refused;
-    if (verdict == Verdict::unknown || verdict == Verdict::malformed) ++counters.unknown;
-    device.ports.report(port, {request.id, request.body}, verdict);
+    if (reaction == Reaction::refused) ++counters.refused;
+    if (reaction == Reaction::unknown || reaction == Reaction::malformed) ++counters.unknown;
+    device.ports.report(port, {request.id, request.body}, reaction);
   }
 
   /// True if this board supports any request with this id.
@@ -205,20 +205,20 @@ class Board::Core {
 
   /// Answers an unknown request with CMD_ERROR if the board supports it. Does not answer errors,
   /// because two boards on one line would answer each other endlessly.
-  Verdict carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    const Verdict verdict = try_frame(port, request, now);
-    const bool is_strange = verdict == Verdict::unknown || verdict == Verdict::malformed;
+  Reaction carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    const Reaction reaction = try_frame(port, request, now);
+    const bool is_strange = reaction == Reaction::unknown || reaction == Reaction::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
       RequestContext context(device, port, request.id, Confirmed::never, now);
       context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
                                        : msg::BoardErrorCode::unknown_command);
     }
-    return verdict;
+    return reaction;
   }
 
   /// Ignores bytes that the firmware does not know, as real boards do.
-  Verdict try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    Verdict verdict = Verdict::unknown;
+  Reaction try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
+    Reaction reaction = Reaction::unknown;
     const std::size_t largest = largest_request(request.id, device.versions());
     const bool has_surplus = request.body.size() > largest;
     const auto body =
@@ -231,23 +231,23 @@ class Board::Core {
         // Flags may say that even the largest form ends earlier.
         const bool is_whole = status || (has_surplus && status.code == Code::too_long);
         if (!is_whole || (has_surplus && device.options.is_strict)) {
-          verdict = Verdict::malformed;
+          reaction = Reaction::malformed;
           return;
         }
         if constexpr (!accesses_parameters<M>) {
           const bool has_unknown_values = limit_to(device.versions(), message);
           if (has_unknown_values && !checks_values<M>) {
             RequestContext context(device, port, request.id, Confirmed::never, now);
-            verdict = context.refuse(msg::BoardErrorCode::wrong_params);
+            reaction = context.refuse(msg::BoardErrorCode::wrong_params);
             return;
           }
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
         RequestContext context(device, port, request.id, confirmed, now);
-        verdict = carry_out(context, message, device);
+        reaction = carry_out(context, message, device);
       }
     });
-    return code == Code::unknown_form ? Verdict::malformed : verdict;
+    return code == Code::unknown_form ? Reaction::malformed : reaction;
   }
 
   Instant clock_;

@@ -46,17 +46,17 @@ inline constexpr bool is_documented = Request::min_size != 0 || Request::max_siz
 /// Sends an empty response with the correlation fields of the request, a confirmation if the policy
 /// allows one, or nothing.
 template <class Request>
-Verdict default_response(RequestContext& context, const Request& request) {
+Reaction default_response(RequestContext& context, const Request& request) {
   if constexpr (!is_documented<Request>) {
     // Assumption: a real board does something undocumented here; the emulator does nothing.
-    return Verdict::executed;
+    return Reaction::executed;
   } else {
     const ResponsePolicy policy = response_policy(request);
     detail::Body body{};
     if constexpr (requires { detail::FirstOf<ResponseMessages<Request>>::type::command; }) {
       using Answer = typename detail::FirstOf<ResponseMessages<Request>>::type;
       if (policy.responses.form_count != 0) {
-        if (!is_supported<Answer>(context.versions())) return Verdict::executed;
+        if (!is_supported<Answer>(context.versions())) return Reaction::executed;
         const ResponseForm& form = policy.responses.forms[0];
         const WriteResult written = encode(Answer{}, body);
         std::size_t size = std::max<std::size_t>(written.size, form.min_size);
@@ -72,7 +72,7 @@ Verdict default_response(RequestContext& context, const Request& request) {
       const auto data = size > 1 ? std::span(body).subspan(1, size - 1) : std::span(body).first(0);
       for (unsigned i = 0; i < policy.confirmations; ++i) static_cast<void>(context.confirm(data));
     }
-    return Verdict::executed;
+    return Reaction::executed;
   }
 }
 

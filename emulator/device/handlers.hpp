@@ -18,136 +18,136 @@ template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 
 // adjustable_variables
-Verdict handle(RequestContext&, const msg::GetAdjVarsVal&, Parameters&);
-Verdict handle(RequestContext&, const msg::SetAdjVarsVal&, Device&);
-Verdict handle(RequestContext&, const msg::AdjVarsStateRequest&, Device&);
-Verdict handle(RequestContext&, const msg::AdjVarsStateRequestExt&, Device&);
-Verdict handle(RequestContext&, const msg::AdjVarsInfoRequest&, Parameters&);
-Verdict handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, Parameters&);
-Verdict handle(RequestContext&, const msg::SetAdjVarsValF&, Device&);
-Verdict handle(RequestContext&, const msg::GetAdjVarsValF&, Parameters&);
+Reaction handle(RequestContext&, const msg::GetAdjVarsVal&, Parameters&);
+Reaction handle(RequestContext&, const msg::SetAdjVarsVal&, Device&);
+Reaction handle(RequestContext&, const msg::AdjVarsStateRequest&, Device&);
+Reaction handle(RequestContext&, const msg::AdjVarsStateRequestExt&, Device&);
+Reaction handle(RequestContext&, const msg::AdjVarsInfoRequest&, Parameters&);
+Reaction handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, Parameters&);
+Reaction handle(RequestContext&, const msg::SetAdjVarsValF&, Device&);
+Reaction handle(RequestContext&, const msg::GetAdjVarsValF&, Parameters&);
 
 // calibration
-Verdict handle(RequestContext&, const msg::CalibAcc&, Device&);
-Verdict handle(RequestContext&, const msg::CalibAccExt&, Device&);
-Verdict handle(RequestContext&, const msg::CalibGyro&, Device&);
-Verdict handle(RequestContext&, const msg::CalibGyroExt&, Device&);
-Verdict handle(RequestContext&, const msg::CalibMag&, Device&);
-Verdict handle(RequestContext&, const msg::CalibExtGain&, Device&);
-Verdict handle(RequestContext&, const msg::CalibPoles&, Device&);
-Verdict handle(RequestContext&, const msg::CalibOffset&, Device&);
-Verdict handle(RequestContext&, const msg::CalibBat&, Device&);
-Verdict handle(RequestContext&, const msg::EncodersCalibOffset4&, Device&);
-Verdict handle(RequestContext&, const msg::EncodersCalibFldOffset4&, Device&);
-Verdict handle(RequestContext&, const msg::CalibInfoRequest&, Device&);
-Verdict handle(RequestContext&, const msg::AutoPidRequest&, Device&);
-Verdict handle(RequestContext&, const msg::CalibMagExt&, Device&);
-Verdict handle(RequestContext&, const msg::CalibOrientCorr&, Device&);
-Verdict handle(RequestContext&, const msg::CalibCogging&, Device&);
-Verdict handle(RequestContext&, const msg::CalibAccExtRef&, Device&);
-Verdict handle(RequestContext&, const msg::AutoPid2&, Device&);
+Reaction handle(RequestContext&, const msg::CalibAcc&, Device&);
+Reaction handle(RequestContext&, const msg::CalibAccExt&, Device&);
+Reaction handle(RequestContext&, const msg::CalibGyro&, Device&);
+Reaction handle(RequestContext&, const msg::CalibGyroExt&, Device&);
+Reaction handle(RequestContext&, const msg::CalibMag&, Device&);
+Reaction handle(RequestContext&, const msg::CalibExtGain&, Device&);
+Reaction handle(RequestContext&, const msg::CalibPoles&, Device&);
+Reaction handle(RequestContext&, const msg::CalibOffset&, Device&);
+Reaction handle(RequestContext&, const msg::CalibBat&, Device&);
+Reaction handle(RequestContext&, const msg::EncodersCalibOffset4&, Device&);
+Reaction handle(RequestContext&, const msg::EncodersCalibFldOffset4&, Device&);
+Reaction handle(RequestContext&, const msg::CalibInfoRequest&, Device&);
+Reaction handle(RequestContext&, const msg::AutoPidRequest&, Device&);
+Reaction handle(RequestContext&, const msg::CalibMagExt&, Device&);
+Reaction handle(RequestContext&, const msg::CalibOrientCorr&, Device&);
+Reaction handle(RequestContext&, const msg::CalibCogging&, Device&);
+Reaction handle(RequestContext&, const msg::CalibAccExtRef&, Device&);
+Reaction handle(RequestContext&, const msg::AutoPid2&, Device&);
 
 // control
-Verdict handle(RequestContext&, const msg::Control&, Device&);
-Verdict handle(RequestContext&, const msg::ControlExt&, Device&);
-Verdict handle(RequestContext&, const msg::GetAnglesRequest&, Device&);
-Verdict handle(RequestContext&, const msg::GetAnglesExtRequest&, Device&);
-Verdict handle(RequestContext&, const msg::MotorsOn&, Device&);
-Verdict handle(RequestContext&, const msg::MotorsOff&, Device&);
-Verdict handle(RequestContext&, const msg::MotorsOffExt&, Device&);
-Verdict handle(RequestContext&, const msg::ExecuteMenu&, Device&);
-Verdict handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
-Verdict handle(RequestContext&, const msg::HelperData&, Device&);
-Verdict handle(RequestContext&, const msg::HelperDataExt&, Device&);
-Verdict handle(RequestContext&, const msg::ControlExtCommand&, Device&);
-Verdict handle(RequestContext&, const msg::ControlConfig&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatDisabled&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatSpeed&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatAttitude&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatAttitudePacked&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatStatusRequest&, Device&);
-Verdict handle(RequestContext&, const msg::ControlQuatConfig&, Device&);
-Verdict handle(RequestContext&, const msg::SyncMotors&, Device&);
+Reaction handle(RequestContext&, const msg::Control&, Device&);
+Reaction handle(RequestContext&, const msg::ControlExt&, Device&);
+Reaction handle(RequestContext&, const msg::GetAnglesRequest&, Device&);
+Reaction handle(RequestContext&, const msg::GetAnglesExtRequest&, Device&);
+Reaction handle(RequestContext&, const msg::MotorsOn&, Device&);
+Reaction handle(RequestContext&, const msg::MotorsOff&, Device&);
+Reaction handle(RequestContext&, const msg::MotorsOffExt&, Device&);
+Reaction handle(RequestContext&, const msg::ExecuteMenu&, Device&);
+Reaction handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
+Reaction handle(RequestContext&, const msg::HelperData&, Device&);
+Reaction handle(RequestContext&, const msg::HelperDataExt&, Device&);
+Reaction handle(RequestContext&, const msg::ControlExtCommand&, Device&);
+Reaction handle(RequestContext&, const msg::ControlConfig&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatDisabled&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeed&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatAttitude&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatAttitudePacked&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatStatusRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ControlQuatConfig&, Device&);
+Reaction handle(RequestContext&, const msg::SyncMotors&, Device&);
 
 // debug
-Verdict handle(RequestContext&, const msg::DebugVarsInfo3Request&);
-Verdict handle(RequestContext&, const msg::DebugVars3Request&, Device&);
-Verdict handle(RequestContext&, const msg::DebugVars3RequestSelected&, Device&);
-Verdict handle(RequestContext&, const msg::SetDebugPortRequest&, DebugCopies&);
+Reaction handle(RequestContext&, const msg::DebugVarsInfo3Request&);
+Reaction handle(RequestContext&, const msg::DebugVars3Request&, Device&);
+Reaction handle(RequestContext&, const msg::DebugVars3RequestSelected&, Device&);
+Reaction handle(RequestContext&, const msg::SetDebugPortRequest&, DebugCopies&);
 
 // external_motors
-Verdict handle(RequestContext&, const msg::ExtMotorsAction&, ExternalMotors&);
-Verdict handle(RequestContext&, const msg::ExtMotorsControl&, ExternalMotors&);
-Verdict handle(RequestContext&, const msg::ExtMotorsControlConfig&, ExternalMotors&);
-Verdict handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMotors&, Gimbal&);
+Reaction handle(RequestContext&, const msg::ExtMotorsAction&, ExternalMotors&);
+Reaction handle(RequestContext&, const msg::ExtMotorsControl&, ExternalMotors&);
+Reaction handle(RequestContext&, const msg::ExtMotorsControlConfig&, ExternalMotors&);
+Reaction handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMotors&, Gimbal&);
 
 // imu
-Verdict handle(RequestContext&, const msg::SelectImu3&, Device&);
-Verdict handle(RequestContext&, const msg::SelectImu3Ext&, Device&);
-Verdict handle(RequestContext&, const msg::AhrsHelperRequest&, Device&);
-Verdict handle(RequestContext&, const msg::AhrsHelperRequestWide&, Device&);
-Verdict handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
-Verdict handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
-Verdict handle(RequestContext&, const msg::GyroCorrection&, Device&);
-Verdict handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
-Verdict handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
-Verdict handle(RequestContext&, const msg::ExtImuCmd&, Device&);
-Verdict handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
+Reaction handle(RequestContext&, const msg::SelectImu3&, Device&);
+Reaction handle(RequestContext&, const msg::SelectImu3Ext&, Device&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequest&, Device&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestWide&, Device&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
+Reaction handle(RequestContext&, const msg::GyroCorrection&, Device&);
+Reaction handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
+Reaction handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ExtImuCmd&, Device&);
+Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
 
 // modules
-Verdict handle(RequestContext&, const msg::ModuleListRequest&, Device&);
-Verdict handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
-Verdict handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ModuleListRequest&, Device&);
+Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
+Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
 
 // parameters
-Verdict handle(RequestContext&, const msg::SaveParams3&, Parameters&);
-Verdict handle(RequestContext&, const msg::UseDefaults&, Device&);
-Verdict handle(RequestContext&, const msg::WriteParamsSet&, Device&);
-Verdict handle(RequestContext&, const msg::ProfileSet&, Device&);
+Reaction handle(RequestContext&, const msg::SaveParams3&, Parameters&);
+Reaction handle(RequestContext&, const msg::UseDefaults&, Device&);
+Reaction handle(RequestContext&, const msg::WriteParamsSet&, Device&);
+Reaction handle(RequestContext&, const msg::ProfileSet&, Device&);
 
 // peripherals
-Verdict handle(RequestContext&, const msg::TriggerPin&, Device&);
-Verdict handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
-Verdict handle(RequestContext&, const msg::BeepSound&, Outputs&);
-Verdict handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
-Verdict handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);
-Verdict handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
-Verdict handle(RequestContext&, const msg::ServoOutExt&, Outputs&, Parameters&);
-Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, Device&);
-Verdict handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, Device&);
-Verdict handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
-Verdict handle(RequestContext&, const msg::ReadRcInputsRequest&, RemoteControl&);
+Reaction handle(RequestContext&, const msg::TriggerPin&, Device&);
+Reaction handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
+Reaction handle(RequestContext&, const msg::BeepSound&, Outputs&);
+Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
+Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);
+Reaction handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
+Reaction handle(RequestContext&, const msg::ServoOutExt&, Outputs&, Parameters&);
+Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, Device&);
+Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, Device&);
+Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
+Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, RemoteControl&);
 
 // realtime
-Verdict handle(RequestContext&, const msg::RealtimeData&, Device&);
-Verdict handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
-Verdict handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
-Verdict handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
-Verdict handle(RequestContext&, const msg::DataStreamInterval&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeData&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
+Reaction handle(RequestContext&, const msg::DataStreamInterval&, Device&);
 
 // scripting
-Verdict handle(RequestContext&, const msg::RunScript&, Scripts&, FileSystem&);
+Reaction handle(RequestContext&, const msg::RunScript&, Scripts&, FileSystem&);
 
 // storage
-Verdict handle(RequestContext&, const msg::EepromReadRequest&, Eeprom&);
-Verdict handle(RequestContext&, const msg::EepromWrite&, Eeprom&);
-Verdict handle(RequestContext&, const msg::ReadFileRequest&, FileSystem&);
-Verdict handle(RequestContext&, const msg::WriteFile&, FileSystem&);
-Verdict handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
+Reaction handle(RequestContext&, const msg::EepromReadRequest&, Eeprom&);
+Reaction handle(RequestContext&, const msg::EepromWrite&, Eeprom&);
+Reaction handle(RequestContext&, const msg::ReadFileRequest&, FileSystem&);
+Reaction handle(RequestContext&, const msg::WriteFile&, FileSystem&);
+Reaction handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
 
 // system
-Verdict handle(RequestContext&, const msg::BoardInfoRequest&, Device&);
-Verdict handle(RequestContext&, const msg::BoardInfoRequestOneByte&, Device&);
-Verdict handle(RequestContext&, const msg::BoardInfoRequestExt&, Device&);
-Verdict handle(RequestContext&, const msg::BoardInfo3Request&, Device&);
-Verdict handle(RequestContext&, const msg::ResetRequest&, Restarts&);
-Verdict handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
-Verdict handle(RequestContext&, const msg::BootMode3&, Restarts&);
-Verdict handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
-Verdict handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
-Verdict handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
-Verdict handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::BoardInfoRequest&, Device&);
+Reaction handle(RequestContext&, const msg::BoardInfoRequestOneByte&, Device&);
+Reaction handle(RequestContext&, const msg::BoardInfoRequestExt&, Device&);
+Reaction handle(RequestContext&, const msg::BoardInfo3Request&, Device&);
+Reaction handle(RequestContext&, const msg::ResetRequest&, Restarts&);
+Reaction handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
+Reaction handle(RequestContext&, const msg::BootMode3&, Restarts&);
+Reaction handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
+Reaction handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
+Reaction handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
+Reaction handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

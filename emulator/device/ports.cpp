@@ -49,8 +49,8 @@ std::uint64_t Ports::errors(std::size_t port) const {
   return is_open(port) ? parser_errors(ports_[port].parser.counters()) : 0;
 }
 
-void Ports::report(std::size_t port, const Frame& frame, std::optional<Verdict> verdict) const {
-  if (on_traffic != nullptr && *on_traffic) (*on_traffic)({now, port, frame, verdict});
+void Ports::report(std::size_t port, const Frame& frame, std::optional<Reaction> reaction) const {
+  if (on_traffic != nullptr && *on_traffic) (*on_traffic)({now, port, frame, reaction});
 }
 
 void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
@@ -134,12 +134,12 @@ void Ports::drop_frame(std::size_t port, bool is_listening) {
 
 void Ports::keep(std::size_t port, const Frame& frame, bool is_listening) {
   ++counters.requests;
-  if (!is_listening) return report(port, frame, Verdict::not_listening);
+  if (!is_listening) return report(port, frame, Reaction::not_listening);
   Port& from = ports_[port];
   const std::size_t size = frame_size(frame.framing, frame.body.size());
   if (size > input_limit_ || from.requests_size > input_limit_ - size) {
     ++counters.lost;
-    return report(port, frame, Verdict::lost);
+    return report(port, frame, Reaction::lost);
   }
   from.requests.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.framing});
   from.requests_size += size;

@@ -108,7 +108,7 @@ class Ports {
   std::function<void(std::size_t port, const Frame& frame)> on_sent{};  ///< each frame to a host
   BoardCounters counters{};
 
-  void report(std::size_t port, const Frame& frame, std::optional<Verdict> verdict) const;
+  void report(std::size_t port, const Frame& frame, std::optional<Reaction> reaction) const;
 
  private:
   /// More than a host that waits for responses ever queues; limits the cost of a flooding host.

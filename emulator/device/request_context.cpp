@@ -53,26 +53,26 @@ void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> 
   }
 }
 
-Verdict RequestContext::confirm(std::span<const std::uint8_t> data) {
-  if (!confirms()) return Verdict::executed;
+Reaction RequestContext::confirm(std::span<const std::uint8_t> data) {
+  if (!confirms()) return Reaction::executed;
   std::array<std::uint8_t, max_body_size> body{command};
   std::size_t size = 1;
   for (const std::uint8_t byte : data.first(std::min(data.size(), body.size() - 1))) {
     body[size++] = byte;
   }
   answer_body(static_cast<std::uint8_t>(roles::Confirmation::command), std::span(body).first(size));
-  return Verdict::executed;
+  return Reaction::executed;
 }
 
-Verdict RequestContext::confirm(roles::Confirmation confirmation) {
-  if (!confirms()) return Verdict::executed;
+Reaction RequestContext::confirm(roles::Confirmation confirmation) {
+  if (!confirms()) return Reaction::executed;
   confirmation.cmd = static_cast<msg::CommandToBoard>(command);
   return answer(confirmation);
 }
 
-Verdict RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
+Reaction RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
   static_cast<void>(answer(error_about(command, reason, detail)));
-  return Verdict::refused;
+  return Reaction::refused;
 }
 
 }  // namespace sbgc::emulator

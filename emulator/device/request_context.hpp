@@ -36,9 +36,9 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
 /// One request during its execution. A handler is
-///     Verdict handle(RequestContext& context, const M& request, Part& part, ...);
+///     Reaction handle(RequestContext& context, const M& request, Part& part, ...);
 /// found by overload resolution (handlers.hpp), with the parts of the device that it uses. It
-/// responds through the context and returns the verdict. Messages without a handler get the
+/// responds through the context and returns the reaction. Messages without a handler get the
 /// response that the model defines (default_response.hpp).
 class RequestContext {
  public:
@@ -51,26 +51,26 @@ class RequestContext {
 
   /// Sends a response if this board and firmware support it.
   template <Message M>
-  Verdict answer(const M& message) {
+  Reaction answer(const M& message) {
     if (is_supported<M>(versions())) send(message);
-    return Verdict::executed;
+    return Reaction::executed;
   }
   /// The same, even if this board does not support the message otherwise: old requests have the
   /// responses of newer ones (E020, E120).
   template <Message M>
-  Verdict answer_anyway(const M& message) {
+  Reaction answer_anyway(const M& message) {
     send(message);
-    return Verdict::executed;
+    return Reaction::executed;
   }
   /// Sends CMD_CONFIRM for the request with these data. Assumption: sends nothing if the model
   /// considers a confirmation unlikely.
-  Verdict confirm(std::span<const std::uint8_t> data = {});
+  Reaction confirm(std::span<const std::uint8_t> data = {});
   /// The same with the given fields.
-  Verdict confirm(roles::Confirmation confirmation);
+  Reaction confirm(roles::Confirmation confirmation);
   /// Sends CMD_ERROR for the request.
-  Verdict refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
+  Reaction refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
   /// Sends nothing, as the specification requires.
-  static Verdict ignore() { return Verdict::refused; }
+  static Reaction ignore() { return Reaction::refused; }
 
   /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);

@@ -521,7 +521,7 @@ class Player {
     std::size_t received = 0;
     client_.emulator().board().on_traffic = [&](const sbgc::emulator::Board::Traffic& traffic) {
       const auto id = static_cast<std::uint8_t>(msg::RealtimeData3::command);
-      if (!traffic.verdict && traffic.frame.id == id) ++sent;
+      if (!traffic.reaction && traffic.frame.id == id) ++sent;
     };
     const auto samples = client_.delivery().subscribe(sbgc::detail::key_of<msg::RealtimeData3>,
                                                       [&](const void*) { ++received; });

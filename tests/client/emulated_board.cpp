@@ -60,7 +60,7 @@ void EmulatedBoard::start(emulator::Memory memory) {
     // Posted, because the board must not be called from within the hook.
     running.board->emulator().board().on_traffic =
         [this, executor, back_door = running.back_door](const emulator::Board::Traffic& traffic) {
-          if (!traffic.verdict || traffic.port == back_door) return;
+          if (!traffic.reaction || traffic.port == back_door) return;
           asio::post(executor, [this] {
             if (hooks_.tap != nullptr) hooks_.tap->request_executed();
           });

@@ -17,11 +17,11 @@ ProgressBar::ProgressBar(std::string unit) : is_on_(is_terminal(stderr)), unit_(
 
 ProgressBar::~ProgressBar() { clear(); }
 
-void ProgressBar::clear() {
+void ProgressBar::clear() const {
   if (is_on_) show_status("");
 }
 
-void ProgressBar::show(const Progress& progress) {
+void ProgressBar::show(const Progress& progress) const {
   constexpr std::size_t width = 30;
   const std::size_t total = std::max<std::size_t>(progress.total, 1);
   const std::size_t filled = std::min(progress.done * width / total, width);
@@ -34,12 +34,12 @@ void ProgressBar::show(const Progress& progress) {
   show(line);
 }
 
-void ProgressBar::show(std::string_view text) {
+void ProgressBar::show(std::string_view text) const {
   if (!is_on_) return;
   show_status(printable(text.substr(0, line_width() - 1)));
 }
 
-ProgressHandler ProgressBar::handler() {
+ProgressHandler ProgressBar::handler() const {
   return [this](const Progress& progress) {
     show(progress);
     return !was_interrupted();

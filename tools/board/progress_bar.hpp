@@ -19,15 +19,15 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  void show(const Progress& progress);
+  void show(const Progress& progress) const;
   /// Erases the line.
-  void clear();
+  void clear() const;
   /// Shows a line of text.
-  void show(std::string_view text);
+  void show(std::string_view text) const;
 
   /// Returns a handler that shows the progress, and cancels the task when the command is
   /// interrupted. The bar must outlive it.
-  ProgressHandler handler();
+  ProgressHandler handler() const;
 
  private:
   bool is_on_;

@@ -11,7 +11,7 @@ namespace sbgc::tools {
 
 namespace {
 
-std::string addresses() {
+std::string address_syntax() {
   std::vector<std::string> result{"/dev/ttyUSB0"};
   for (const io::AddressKind& kind : io::address_kinds) {
     if (kind.leads_to_gimbal) result.emplace_back(kind.syntax);
@@ -26,7 +26,7 @@ void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
     return command.add_option(name, value, help)->type_name(type)->group(gimbal_group);
   };
   add("-p,--port", options.port, "ADDRESS",
-      "Address of the gimbal: " + addresses() +
+      "Address of the gimbal: " + address_syntax() +
           ". Without it, the only gimbal found on the serial ports");
   add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file");
   add_duration(command, "--timeout", options.timeout,

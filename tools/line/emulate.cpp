@@ -44,14 +44,14 @@ struct EmulateOptions {
   std::optional<Duration> seconds{};
 };
 
-const char* to_text(emulator::Verdict verdict) {
-  switch (verdict) {
-    case emulator::Verdict::executed: return "executed";
-    case emulator::Verdict::refused: return "refused";
-    case emulator::Verdict::unknown: return "not supported";
-    case emulator::Verdict::malformed: return "malformed";
-    case emulator::Verdict::lost: return "lost: input buffer full";
-    case emulator::Verdict::not_listening: return "not listening";
+const char* to_text(emulator::Reaction reaction) {
+  switch (reaction) {
+    case emulator::Reaction::executed: return "executed";
+    case emulator::Reaction::refused: return "refused";
+    case emulator::Reaction::unknown: return "not supported";
+    case emulator::Reaction::malformed: return "malformed";
+    case emulator::Reaction::lost: return "lost: input buffer full";
+    case emulator::Reaction::not_listening: return "not listening";
   }
   return "?";
 }
@@ -59,14 +59,14 @@ const char* to_text(emulator::Verdict verdict) {
 /// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>` for
 /// frames to the board and `<` for frames from it.
 std::string describe_frame(const emulator::Board::Traffic& traffic) {
-  const Direction direction = traffic.verdict ? Direction::to_board : Direction::from_board;
+  const Direction direction = traffic.reaction ? Direction::to_board : Direction::from_board;
   const Frame& frame = traffic.frame;
   const std::string name = command_name(frame.id, direction);
   std::string result = fmt::format(
       "{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6, traffic.port,
-      traffic.verdict ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
+      traffic.reaction ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
       counted(frame.body.size(), "byte"));
-  if (traffic.verdict) result += fmt::format("  {}", to_text(*traffic.verdict));
+  if (traffic.reaction) result += fmt::format("  {}", to_text(*traffic.reaction));
   return result;
 }
 

@@ -162,7 +162,7 @@ class FramePrinting {
 
  private:
   DecodedFrame show(const Frame& frame, Direction direction, const std::string& more) {
-    const DecodedFrame decoded = decoder_.decode(frame, direction);
+    DecodedFrame decoded = decoder_.decode(frame, direction);
     if (is_json_) {
       put_json(out_, decoded, nullptr, more);
       out_.put('\n');

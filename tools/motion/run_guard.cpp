@@ -24,7 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long the guard tries to stop the camera. A line that carries nothing for this long is lost.
-constexpr std::chrono::seconds patience{60};
+constexpr std::chrono::seconds longest_question{60};
 
 /// Makes one attempt. The descriptor stays open.
 Result<void> stop_gimbal(const GuardedLine& line) {
@@ -55,7 +55,7 @@ int run_guard() {
   }
   const GuardedLine line = receive_line(STDIN_FILENO);
   if (line.descriptor < 0) return failure;
-  const auto end = Clock::now() + patience;
+  const auto end = Clock::now() + longest_question;
   while (true) {
     const Result<void> stopped = stop_gimbal(line);
     if (stopped) return success;

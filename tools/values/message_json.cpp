@@ -30,9 +30,9 @@ Json initial_value(const FieldType& type) {
       // 64 bits are text.
       return type.size == sizeof(std::uint64_t) ? Json(std::to_string(type.initial))
                                                 : Json(type.initial);
-    case FieldShape::real: return Json(0.0);
-    case FieldShape::bytes: return Json(std::string(type.has_count ? 2 * type.count : 0, '0'));
-    case FieldShape::text: return Json("");
+    case FieldShape::real: return 0.0;
+    case FieldShape::bytes: return std::string(type.has_count ? 2 * type.count : 0, '0');
+    case FieldShape::text: return "";
     case FieldShape::announced: return Json{{name(NumberType::u8), 0}};
   }
   return {};

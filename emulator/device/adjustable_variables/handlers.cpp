@@ -23,7 +23,8 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict report(RequestContext& context, Device& device, std::uint8_t trigger, std::uint8_t analog) {
+Reaction report(RequestContext& context, Device& device, std::uint8_t trigger,
+                std::uint8_t analog) {
   if (trigger >= Slots::triggers || analog >= Slots::analogs) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
@@ -42,7 +43,7 @@ std::optional<double> signal_of(const Device& device, std::uint16_t source) {
 }
 
 /// Describes as many variables as fit into one body, from this one on.
-Verdict describe(RequestContext& context, Parameters& parameters, msg::VariableId first) {
+Reaction describe(RequestContext& context, Parameters& parameters, msg::VariableId first) {
   msg::AdjVarsInfo answer;
   answer.total_number = parameters.variable_count();
   std::array<std::uint8_t, max_body_size> body{};
@@ -65,7 +66,8 @@ Verdict describe(RequestContext& context, Parameters& parameters, msg::VariableI
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request, Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::GetAdjVarsVal& request,
+                Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsVal answer;
   for (const msg::VariableId id : request.param_id) {
@@ -78,7 +80,7 @@ Verdict handle(RequestContext& context, const msg::GetAdjVarsVal& request, Param
 }
 
 /// Sets all variables or none.
-Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SetAdjVarsVal& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto refused =
       device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
@@ -88,12 +90,12 @@ Verdict handle(RequestContext& context, const msg::SetAdjVarsVal& request, Devic
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AdjVarsStateRequest& request, Device& device) {
   return report(context, device, request.trigger_slot, request.analog_slot);
 }
 /// The bytes of the analog value are a floating-point number here (E208).
-Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
+                Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto analog = device.parameters.variable(request.analog_var_id);
   const auto table = device.parameters.variable(request.lut_var_id);
@@ -109,16 +111,17 @@ Verdict handle(RequestContext& context, const msg::AdjVarsStateRequestExt& reque
   return context.answer(state);
 }
 
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
-               Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
+                Parameters& parameters) {
   return describe(context, parameters, request.start_id);
 }
-Verdict handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&, Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&,
+                Parameters& parameters) {
   return describe(context, parameters, msg::VariableId{});
 }
 
 /// Sets all variables or none.
-Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SetAdjVarsValF& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   std::vector<msg::AdjVarValue> values;
   for (const msg::AdjVarFloat& one : request.params) {
@@ -138,8 +141,8 @@ Verdict handle(RequestContext& context, const msg::SetAdjVarsValF& request, Devi
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::GetAdjVarsValF& request,
-               Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::GetAdjVarsValF& request,
+                Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsValF answer;
   for (const msg::VariableId id : request.id) {

@@ -9,7 +9,7 @@
 namespace sbgc::emulator {
 
 /// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
-Verdict calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
-                       msg::CalibAction action, Duration length);
+Reaction calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+                        msg::CalibAction action, Duration length);
 
 }  // namespace sbgc::emulator

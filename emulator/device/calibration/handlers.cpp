@@ -31,8 +31,8 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
-Verdict begin(RequestContext& context, Device& device, Kind kind, std::size_t imu,
-              bool confirms_end, Duration length = {}) {
+Reaction begin(RequestContext& context, Device& device, Kind kind, std::size_t imu,
+               bool confirms_end, Duration length = {}) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
   if (!device.calibrations.start(device, kind, imu, requester, context.now, length)) {
@@ -42,12 +42,12 @@ Verdict begin(RequestContext& context, Device& device, Kind kind, std::size_t im
 }
 
 /// Starts a calibration that is confirmed only at its end.
-Verdict begin_silently(RequestContext& context, Device& device, Kind kind) {
+Reaction begin_silently(RequestContext& context, Device& device, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
   if (!device.calibrations.start(device, kind, 0, requester, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
-  return Verdict::executed;
+  return Reaction::executed;
 }
 
 /// The duration that a host requests; 0 is the usual one.
@@ -64,11 +64,11 @@ bool is_known(E value) {
   });
 }
 
-Verdict restart(RequestContext& context, Device& device) {
+Reaction restart(RequestContext& context, Device& device) {
   ++device.memory.revision;
-  const Verdict verdict = context.confirm();
+  const Reaction reaction = context.confirm();
   device.restarts.announce(device, context.now);
-  return verdict;
+  return reaction;
 }
 
 /// The actions of CMD_CALIB_ACC and CMD_CALIB_GYRO on one sensor of an IMU.
@@ -136,8 +136,8 @@ constexpr Sensor acc{Kind::acc,
                        imu.acc_temperature_enabled = used && exists;
                      }};
 
-Verdict carry_out(RequestContext& context, Device& device, const Sensor& sensor,
-                  msg::CalibImu which, msg::CalibAction action, Duration length = {}) {
+Reaction carry_out(RequestContext& context, Device& device, const Sensor& sensor,
+                   msg::CalibImu which, msg::CalibAction action, Duration length = {}) {
   const auto imu = index_of(device, which);
   if (!imu) return RequestContext::ignore();
   ImuCalibration& memory = device.memory.imus[*imu];
@@ -169,24 +169,24 @@ Verdict carry_out(RequestContext& context, Device& device, const Sensor& sensor,
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::CalibAcc&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibAcc&, Device& device) {
   return carry_out(context, device, acc, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Verdict handle(RequestContext& context, const msg::CalibAccExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibAccExt& request, Device& device) {
   return carry_out(context, device, acc, request.imu_idx, request.action);
 }
-Verdict handle(RequestContext& context, const msg::CalibGyro&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibGyro&, Device& device) {
   return carry_out(context, device, gyro, msg::CalibImu::active, msg::CalibAction::regular);
 }
-Verdict handle(RequestContext& context, const msg::CalibGyroExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibGyroExt& request, Device& device) {
   return carry_out(context, device, gyro, request.imu_idx, request.action, length_of(request));
 }
 
-Verdict handle(RequestContext& context, const msg::CalibMag&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibMag&, Device& device) {
   return begin(context, device, Kind::mag, 0, false);
 }
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
-Verdict handle(RequestContext& context, const msg::CalibMagExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibMagExt& request, Device& device) {
   const auto imu = index_of(device, request.imu_idx);
   if (!imu) return RequestContext::ignore();
   switch (request.action) {
@@ -205,17 +205,17 @@ Verdict handle(RequestContext& context, const msg::CalibMagExt& request, Device&
   }
   return RequestContext::ignore();
 }
-Verdict handle(RequestContext& context, const msg::CalibExtGain&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibExtGain&, Device& device) {
   return begin_silently(context, device, Kind::ext_gain);
 }
-Verdict handle(RequestContext& context, const msg::CalibPoles&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibPoles&, Device& device) {
   return begin_silently(context, device, Kind::poles);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibOrientCorr&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibOrientCorr&, Device& device) {
   return begin_silently(context, device, Kind::orientation);
 }
-Verdict handle(RequestContext& context, const msg::CalibCogging& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibCogging& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   switch (request.action) {
     case msg::CoggingAction::calibrate: return begin_silently(context, device, Kind::cogging);
@@ -223,18 +223,18 @@ Verdict handle(RequestContext& context, const msg::CalibCogging& request, Device
   }
   return context.refuse(msg::BoardErrorCode::wrong_params);
 }
-Verdict handle(RequestContext& context, const msg::CalibAccExtRef&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibAccExtRef&, Device& device) {
   return begin_silently(context, device, Kind::acc_reference);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibOffset&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibOffset&, Device& device) {
   if (!Calibrations::store_follow_offsets(device, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
   if (!device.has_battery_meter()) return context.refuse(msg::BoardErrorCode::not_supported);
   const double measured = device.gimbal.sample(context.now).battery;
   // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
@@ -249,18 +249,18 @@ Verdict handle(RequestContext& context, const msg::CalibBat& request, Device& de
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
   if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
   const bool is_motor = !request.for_motor || is_known(*request.for_motor);
   if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
   return begin(context, device, Kind::encoder_offset, 0, false);
 }
-Verdict handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
+Reaction handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
   if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
   return begin(context, device, Kind::encoder_field, 0, false);
 }
 
-Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibInfoRequest& request, Device& device) {
   const bool is_frame = request.imu_type == msg::SelectedImu::frame;
   if (!is_frame && request.imu_type != msg::SelectedImu::main) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -270,7 +270,7 @@ Verdict handle(RequestContext& context, const msg::CalibInfoRequest& request, De
   return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
 }
 
-Verdict handle(RequestContext& context, const msg::AutoPidRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AutoPidRequest& request, Device& device) {
   if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
     device.auto_tuning.stop();
     return context.confirm();
@@ -288,7 +288,7 @@ Verdict handle(RequestContext& context, const msg::AutoPidRequest& request, Devi
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::AutoPid2& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AutoPid2& request, Device& device) {
   switch (request.action) {
     case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
     case msg::AutoPid2Action::read:
@@ -307,8 +307,8 @@ Verdict handle(RequestContext& context, const msg::AutoPid2& request, Device& de
   return context.confirm();
 }
 
-Verdict calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
-                       msg::CalibAction action, Duration length) {
+Reaction calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+                        msg::CalibAction action, Duration length) {
   return carry_out(context, device, gyro, which, action, length);
 }
 

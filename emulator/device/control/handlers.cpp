@@ -20,7 +20,7 @@ namespace sbgc::emulator {
 namespace {
 
 /// Moves the axes that have a target.
-Verdict control(RequestContext& context, Device& device, const AxisTargets& targets) {
+Reaction control(RequestContext& context, Device& device, const AxisTargets& targets) {
   if (!device.control_link.admits(context.port)) return RequestContext::ignore();
   Axes<std::optional<AxisCommand>> commands;
   bool has_task = false;
@@ -42,13 +42,13 @@ Verdict control(RequestContext& context, Device& device, const AxisTargets& targ
   if (has_task) {
     device.tasks.confirm_end(context.port, context.command, Tasks::Kind::motion, context.now);
   }
-  return device.control_link.confirms() ? context.confirm() : Verdict::executed;
+  return device.control_link.confirms() ? context.confirm() : Reaction::executed;
 }
 
 /// Both forms of CMD_CONTROL have data for each axis.
 template <class Request>
-Verdict control(RequestContext& context, Device& device, const Request& request,
-                const Axes<msg::ControlMode>& modes) {
+Reaction control(RequestContext& context, Device& device, const Request& request,
+                 const Axes<msg::ControlMode>& modes) {
   AxisTargets targets;
   for (std::size_t axis = 0; axis < targets.size(); ++axis) {
     const msg::Angle14 angle = request.axes[axis].angle;
@@ -57,7 +57,7 @@ Verdict control(RequestContext& context, Device& device, const Request& request,
   return control(context, device, targets);
 }
 
-Verdict turn_motors(RequestContext& context, Device& device, bool on) {
+Reaction turn_motors(RequestContext& context, Device& device, bool on) {
   device.set_motors(on, context.now);
   // An empty battery keeps the motors off.
   if (on && device.gimbal.stopped_by_battery())
@@ -65,7 +65,7 @@ Verdict turn_motors(RequestContext& context, Device& device, bool on) {
   return context.confirm();
 }
 
-Verdict execute(RequestContext& context, Device& device, msg::MenuCommand action) {
+Reaction execute(RequestContext& context, Device& device, msg::MenuCommand action) {
   if (execute_menu(device, action, context.now)) return context.confirm();
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
@@ -92,8 +92,8 @@ Quaternion quaternion(msg::PackedQuaternion wire) { return unpacked(wire); }
 
 /// Executes a form of CMD_CONTROL_QUAT if its mode is one of that form.
 template <class Request>
-Verdict control_attitude(RequestContext& context, Device& device, const Request& request,
-                         std::initializer_list<msg::ControlQuatMode> modes) {
+Reaction control_attitude(RequestContext& context, Device& device, const Request& request,
+                          std::initializer_list<msg::ControlQuatMode> modes) {
   if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   if (std::find(modes.begin(), modes.end(), request.mode) == modes.end()) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
@@ -115,7 +115,7 @@ Verdict control_attitude(RequestContext& context, Device& device, const Request&
   if (is_attitude && request.flags.has(Flag::auto_task)) {
     device.tasks.confirm_end(context.port, context.command, Tasks::Kind::attitude, context.now);
   }
-  return request.flags.has(Flag::confirm) ? context.confirm() : Verdict::executed;
+  return request.flags.has(Flag::confirm) ? context.confirm() : Reaction::executed;
 }
 
 /// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
@@ -134,89 +134,89 @@ bool is_help(const Data& data) {
 
 /// Assumption: an unknown COORD_SYS counts as the default one.
 template <class Data>
-Verdict help(RequestContext& context, Device& device, const Data& data) {
+Reaction help(RequestContext& context, Device& device, const Data& data) {
   if (is_help(data)) device.gimbal.help(context.now);
   return context.confirm();
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::Control& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::Control& request, Device& device) {
   const msg::ControlMode mode = request.control_mode;
   return control(context, device, request, {mode, mode, mode});
 }
 
-Verdict handle(RequestContext& context, const msg::ControlExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlExt& request, Device& device) {
   return control(context, device, request, request.control_mode);
 }
 
-Verdict handle(RequestContext& context, const msg::ControlExtCommand& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlExtCommand& request, Device& device) {
   return control(context, device, targets_of(request));
 }
 
-Verdict handle(RequestContext& context, const msg::ControlConfig& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlConfig& request, Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   device.control_link.configure(device, request, context.port, context.now);
   // Confirms the configuration itself unless the host wants no confirmations.
-  return device.control_link.confirms() ? context.confirm() : Verdict::executed;
+  return device.control_link.confirms() ? context.confirm() : Reaction::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::ControlQuatDisabled& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatDisabled& request, Device& device) {
   return control_attitude(context, device, request, {msg::ControlQuatMode::disabled});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeed& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatSpeed& request, Device& device) {
   return control_attitude(context, device, request,
                           {msg::ControlQuatMode::speed, msg::ControlQuatMode::speed_limited});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitude& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatAttitude& request, Device& device) {
   return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request,
+                Device& device) {
   return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request,
+                Device& device) {
   return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request,
+                Device& device) {
   return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatStatusRequest& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatStatusRequest& request,
+                Device& device) {
   if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   return context.answer(device.quaternions.status(device, request.data_set, context.now));
 }
-Verdict handle(RequestContext& context, const msg::ControlQuatConfig& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlQuatConfig& request, Device& device) {
   if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   device.quaternions.configure(request);
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Device& device) {
   msg::GetAngles data;
   measure(device, context.now, data);
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/,
+                Device& device) {
   msg::GetAnglesExt data;
   measure(device, context.now, data);
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::MotorsOn& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::MotorsOn& /*request*/, Device& device) {
   return turn_motors(context, device, true);
 }
 
-Verdict handle(RequestContext& context, const msg::MotorsOff& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::MotorsOff& /*request*/, Device& device) {
   return turn_motors(context, device, false);
 }
 
 // Assumption: brakes are as strong as the friction of a motor without current.
-Verdict handle(RequestContext& context, const msg::MotorsOffExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::MotorsOffExt& request, Device& device) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
     case msg::MotorsOffMode::brake: return turn_motors(context, device, false);
@@ -228,11 +228,11 @@ Verdict handle(RequestContext& context, const msg::MotorsOffExt& request, Device
                         static_cast<std::uint32_t>(request.mode));
 }
 
-Verdict handle(RequestContext& context, const msg::ExecuteMenu& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExecuteMenu& request, Device& device) {
   return execute(context, device, request.cmd_id);
 }
 
-Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
   if (!execute_menu(device, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.cmd_id));
@@ -242,10 +242,10 @@ Verdict handle(RequestContext& context, const msg::ExecuteMenuExt& request, Devi
   if (confirms_end) {
     device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action, context.now);
   }
-  return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Verdict::executed;
+  return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Reaction::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::SyncMotors& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SyncMotors& request, Device& device) {
   const auto axis = static_cast<std::size_t>(request.axis);
   if (axis >= Axes<int>::size()) return context.refuse(msg::BoardErrorCode::wrong_params);
   // Assumption: the unit of ANGLE, which no source gives, is that of Angle14.
@@ -254,11 +254,11 @@ Verdict handle(RequestContext& context, const msg::SyncMotors& request, Device& 
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::HelperData& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::HelperData& request, Device& device) {
   return help(context, device, request);
 }
 
-Verdict handle(RequestContext& context, const msg::HelperDataExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::HelperDataExt& request, Device& device) {
   return help(context, device, request);
 }
 

@@ -13,18 +13,18 @@
 
 namespace sbgc::emulator {
 
-Verdict handle(RequestContext& context, const msg::DebugVarsInfo3Request& request) {
+Reaction handle(RequestContext& context, const msg::DebugVarsInfo3Request& request) {
   const std::size_t first = request.start_idx ? *request.start_idx : 0;
   return context.answer(debug_variables_info(first));
 }
 
-Verdict handle(RequestContext& context, const msg::DebugVars3Request&, Device& device) {
+Reaction handle(RequestContext& context, const msg::DebugVars3Request&, Device& device) {
   return context.answer(debug_variable_values(device, context.now));
 }
 
 /// The masks, then the values of the selected variables.
-Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::DebugVars3RequestSelected& request,
+                Device& device) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const msg::DebugVars3 values = debug_variable_values(device, context.now);
   std::vector<std::uint8_t> body;
@@ -42,11 +42,11 @@ Verdict handle(RequestContext& context, const msg::DebugVars3RequestSelected& re
     append(values.var_value[i].bits, size_of(values.var_value[i].type));
   }
   context.answer_body(static_cast<std::uint8_t>(msg::DebugVars3::command), body);
-  return Verdict::executed;
+  return Reaction::executed;
 }
 
-Verdict handle(RequestContext& context, const msg::SetDebugPortRequest& request,
-               DebugCopies& debug_copies) {
+Reaction handle(RequestContext& context, const msg::SetDebugPortRequest& request,
+                DebugCopies& debug_copies) {
   switch (request.action) {
     case msg::DebugPortAction::stop: debug_copies.set(context.port, {}); break;
     case msg::DebugPortAction::start: debug_copies.set(context.port, request.cmd_filter); break;

@@ -30,8 +30,8 @@ ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request,
-               ExternalMotors& external_motors) {
+Reaction handle(RequestContext& context, const msg::ExtMotorsAction& request,
+                ExternalMotors& external_motors) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
     if (!external_motors.act(motor, request.action, context.now)) {
@@ -42,8 +42,8 @@ Verdict handle(RequestContext& context, const msg::ExtMotorsAction& request,
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request,
-               ExternalMotors& external_motors) {
+Reaction handle(RequestContext& context, const msg::ExtMotorsControl& request,
+                ExternalMotors& external_motors) {
   std::size_t index = 0;
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
@@ -52,8 +52,8 @@ Verdict handle(RequestContext& context, const msg::ExtMotorsControl& request,
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& request,
-               ExternalMotors& external_motors) {
+Reaction handle(RequestContext& context, const msg::ExtMotorsControlConfig& request,
+                ExternalMotors& external_motors) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
     if (!external_motors.configure(motor, request, context.now)) {
@@ -64,14 +64,14 @@ Verdict handle(RequestContext& context, const msg::ExtMotorsControlConfig& reque
 }
 
 /// Answers once for each motor.
-Verdict handle(RequestContext& context, const msg::ExtMotorsStateRequest& request,
-               ExternalMotors& external_motors, Gimbal& gimbal) {
+Reaction handle(RequestContext& context, const msg::ExtMotorsStateRequest& request,
+                ExternalMotors& external_motors, Gimbal& gimbal) {
   for (std::size_t motor = 0; motor < ExternalMotors::count; ++motor) {
     if (!names(request.for_motors.raw(), motor)) continue;
     static_cast<void>(
         context.answer(external_motors.state(gimbal, motor, request.data_set, context.now)));
   }
-  return Verdict::executed;
+  return Reaction::executed;
 }
 
 }  // namespace sbgc::emulator

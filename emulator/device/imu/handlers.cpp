@@ -15,7 +15,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict select_imu(RequestContext& context, Device& device, msg::SelectedImu imu) {
+Reaction select_imu(RequestContext& context, Device& device, msg::SelectedImu imu) {
   const bool exists =
       imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && device.has_frame_imu());
   if (!exists) return RequestContext::ignore();
@@ -42,7 +42,7 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 }
 
 template <class Mode>
-Verdict report_attitude(RequestContext& context, Device& device, Mode mode) {
+Reaction report_attitude(RequestContext& context, Device& device, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
   if (of_frame && !knows_frame(device, context.now))
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -53,7 +53,7 @@ Verdict report_attitude(RequestContext& context, Device& device, Mode mode) {
 
 /// For the forms without vectors, which cannot set the attitude.
 template <class Request>
-Verdict report_attitude_only(RequestContext& context, Device& device, const Request& request) {
+Reaction report_attitude_only(RequestContext& context, Device& device, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
@@ -76,7 +76,7 @@ WideOptions wide_options(msg::AhrsHelperWideMode mode) {
 }
 
 template <class Request>
-Verdict report_or_set_attitude(RequestContext& context, Device& device, const Request& request) {
+Reaction report_or_set_attitude(RequestContext& context, Device& device, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
   if (!mode.has(Bit::set)) return report_attitude(context, device, mode);
@@ -103,16 +103,16 @@ Verdict report_or_set_attitude(RequestContext& context, Device& device, const Re
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::SelectImu3& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SelectImu3& request, Device& device) {
   return select_imu(context, device, request.imu_type);
 }
 /// Ignores the other parameters, which are undocumented.
-Verdict handle(RequestContext& context, const msg::SelectImu3Ext& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SelectImu3Ext& request, Device& device) {
   return select_imu(context, device, request.imu_type);
 }
 
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
-Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Device& device) {
   if (request.imu_type == msg::CalibImu::frame && !device.has_frame_imu()) {
     return RequestContext::ignore();
   }
@@ -122,21 +122,22 @@ Verdict handle(RequestContext& context, const msg::SelectImu3Calibrate& request,
                         milliseconds(request.time_ms.raw()));
 }
 
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequest& request, Device& device) {
   return report_attitude_only(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestWide& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequestWide& request,
+                Device& device) {
   return report_attitude_only(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequestExt& request, Device& device) {
   return report_or_set_attitude(context, device, request);
 }
-Verdict handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request,
+                Device& device) {
   return report_or_set_attitude(context, device, request);
 }
 
-Verdict handle(RequestContext& context, const msg::GyroCorrection& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::GyroCorrection& request, Device& device) {
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
     return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -154,7 +155,7 @@ Verdict handle(RequestContext& context, const msg::GyroCorrection& request, Devi
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
   if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   const Sample sample = device.gimbal.sample(context.now);
   const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
@@ -170,7 +171,7 @@ Verdict handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Devi
 }
 
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
-Verdict handle(RequestContext& context, const msg::ExtImuCmd& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExtImuCmd& request, Device& device) {
   if (!has_external_imu(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
@@ -181,7 +182,7 @@ Verdict handle(RequestContext& context, const msg::ExtImuCmd& request, Device& d
 }
 
 /// The emulated sensor answers queries without data and confirms all other commands.
-Verdict handle(RequestContext& context, const msg::ExtSensCmdRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request, Device& device) {
   using enum msg::ExtSensCommand;
   if (!has_external_imu(device)) {
     return context.refuse(msg::BoardErrorCode::not_supported);

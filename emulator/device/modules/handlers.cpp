@@ -15,8 +15,8 @@ namespace {
 constexpr msg::ModuleVersion hardware_version(100);
 
 /// The only request that the emulated modules answer: who they are.
-Verdict introduce(RequestContext& context, const BoardOptions& options,
-                  const msg::TransparentSapiRequest& request, std::uint16_t firmware) {
+Reaction introduce(RequestContext& context, const BoardOptions& options,
+                   const msg::TransparentSapiRequest& request, std::uint16_t firmware) {
   msg::BoardInfo info;
   info.board_ver = options.board;
   info.firmware_ver = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware * 10U));
@@ -30,7 +30,7 @@ Verdict introduce(RequestContext& context, const BoardOptions& options,
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::ModuleListRequest&, Device& device) {
+Reaction handle(RequestContext& context, const msg::ModuleListRequest&, Device& device) {
   msg::ModuleList list;
   for (const Module& module : modules_of(device)) {
     msg::ModuleInfo info;
@@ -42,7 +42,7 @@ Verdict handle(RequestContext& context, const msg::ModuleListRequest&, Device& d
   return context.answer(list);
 }
 
-Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device& device) {
+Reaction handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device& device) {
   if (!device.features().has(msg::BoardFeature::can_port)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
@@ -60,18 +60,18 @@ Verdict handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device
 }
 
 /// Assumption: data for a device that does not exist are lost.
-Verdict handle(RequestContext& context, const msg::TransparentSapiRequest& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::TransparentSapiRequest& request,
+                Device& device) {
   for (const Module& module : modules_of(device)) {
     if (module.transparent == msg::TransparentDevice{}) continue;
     if (module.transparent != request.target.device()) continue;
-    Verdict verdict = Verdict::executed;
+    Reaction reaction = Reaction::executed;
     Parser parser;
     parser.feed(std::span(request.payload.data(), request.payload.size()), [&](const Frame& frame) {
       if (frame.id != roles::introduction_request_id) return;
-      verdict = introduce(context, device.options, request, module.firmware);
+      reaction = introduce(context, device.options, request, module.firmware);
     });
-    return verdict;
+    return reaction;
   }
   return RequestContext::ignore();
 }

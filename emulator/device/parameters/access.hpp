@@ -61,26 +61,26 @@ inline constexpr bool accesses_parameters = detail::accesses_one<Request, Parame
 /// Handles such a request. Stores any values: the specification does not say that the board checks
 /// them, and it must keep values that it does not understand.
 template <class Request>
-Verdict access_parameters(RequestContext& context, const Request& request, Device& device) {
-  Verdict verdict = Verdict::refused;
+Reaction access_parameters(RequestContext& context, const Request& request, Device& device) {
+  Reaction reaction = Reaction::refused;
   ParameterMessages::for_each([&]<class S>(Type<S>) {
     if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
       const auto copy = detail::copy_of<S>(device, request);
       if (!copy) {
-        verdict = context.refuse(msg::BoardErrorCode::wrong_params);
+        reaction = context.refuse(msg::BoardErrorCode::wrong_params);
       } else if constexpr (detail::reads<Request, S>) {
         S answer = device.parameters.read<S>(*copy);
         detail::fill_state(device, answer);
-        verdict = context.answer_anyway(answer);
+        reaction = context.answer_anyway(answer);
       } else if (device.parameters.write<S>(*copy, request)) {
         device.apply_parameters(context.now);
-        verdict = context.confirm();
+        reaction = context.confirm();
       } else {
-        verdict = context.refuse(msg::BoardErrorCode::operation_failed);
+        reaction = context.refuse(msg::BoardErrorCode::operation_failed);
       }
     }
   });
-  return verdict;
+  return reaction;
 }
 
 }  // namespace sbgc::emulator

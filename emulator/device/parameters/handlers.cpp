@@ -9,7 +9,7 @@
 
 namespace sbgc::emulator {
 
-Verdict handle(RequestContext& context, const msg::SaveParams3& request, Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::SaveParams3& request, Parameters& parameters) {
   if (request.param_id.empty()) {
     parameters.save();
     return context.confirm();
@@ -23,7 +23,7 @@ Verdict handle(RequestContext& context, const msg::SaveParams3& request, Paramet
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::UseDefaults& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::UseDefaults& request, Device& device) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
     device.parameters.erase();
     device.forget_calibrations();
@@ -37,7 +37,7 @@ Verdict handle(RequestContext& context, const msg::UseDefaults& request, Device&
 }
 
 /// Between the two requests, written parameters are stored but not yet in use.
-Verdict handle(RequestContext& context, const msg::WriteParamsSet& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::WriteParamsSet& request, Device& device) {
   switch (request.action) {
     case msg::WriteParamsAction::start: device.is_writing_parameters = true; break;
     case msg::WriteParamsAction::finish:
@@ -49,7 +49,7 @@ Verdict handle(RequestContext& context, const msg::WriteParamsSet& request, Devi
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ProfileSet& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ProfileSet& request, Device& device) {
   const std::size_t index = request.slot - std::size_t{1};
   if (request.slot == 0 || index >= device.memory.profile_sets.size()) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.slot);

@@ -7,8 +7,8 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict read_i2c(RequestContext& context, Device& device, msg::I2cDevice chip, std::uint8_t address,
-                 msg::SmallByteCount size) {
+Reaction read_i2c(RequestContext& context, Device& device, msg::I2cDevice chip,
+                  std::uint8_t address, msg::SmallByteCount size) {
   if (!I2cBus::answers(device, chip)) {
     return context.refuse(msg::BoardErrorCode::operation_failed);
   }
@@ -21,44 +21,44 @@ Verdict read_i2c(RequestContext& context, Device& device, msg::I2cDevice chip, s
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::TriggerPin& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::TriggerPin& request, Device& device) {
   const bool switched = device.outputs.set_pin(device, request.pin_id, request.state);
   return switched ? context.confirm() : RequestContext::ignore();
 }
 
-Verdict handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,
-               Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,
+                Parameters& parameters) {
   const bool fits = outputs.set_servos(parameters, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Verdict handle(RequestContext& context, const msg::ServoOutExt& request, Outputs& outputs,
-               Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::ServoOutExt& request, Outputs& outputs,
+                Parameters& parameters) {
   const bool fits = outputs.set_servos(parameters, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Verdict handle(RequestContext& context, const msg::BeepSound& request, Outputs& outputs) {
+Reaction handle(RequestContext& context, const msg::BeepSound& request, Outputs& outputs) {
   const bool plays = outputs.play(request, context.now);
   return plays ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequest& request, Device& device) {
   return read_i2c(context, device, request.device_addr, request.reg_addr, request.data_len);
 }
 /// Assumption: the first register, as the emulated chips have no pointer of their own.
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request,
+                Device& device) {
   return read_i2c(context, device, request.device_addr, 0, request.data_len);
 }
 /// Assumption: the emulated chips use the lower byte of the address.
-Verdict handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request,
+                Device& device) {
   return read_i2c(context, device, request.device_addr, static_cast<std::uint8_t>(request.reg_addr),
                   request.data_len);
 }
 
-Verdict handle(RequestContext& context, const msg::I2cWriteRegBuf& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::I2cWriteRegBuf& request, Device& device) {
   if (!I2cBus::answers(device, request.device_addr)) {
     return context.refuse(msg::BoardErrorCode::operation_failed);
   }
@@ -66,19 +66,19 @@ Verdict handle(RequestContext& context, const msg::I2cWriteRegBuf& request, Devi
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ApiVirtChControl& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ApiVirtChControl& request, Device& device) {
   device.remote.set_channels(device, request, context.now);
   return context.confirm();
 }
 
-Verdict handle(RequestContext& context, const msg::ApiVirtChHighRes& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ApiVirtChHighRes& request, Device& device) {
   device.remote.set_channels(device, request, context.now);
   return context.confirm();
 }
 
 /// Inputs that are not in use read as undefined, even if the host lets the board set them up.
-Verdict handle(RequestContext& context, const msg::ReadRcInputsRequest& request,
-               RemoteControl& remote) {
+Reaction handle(RequestContext& context, const msg::ReadRcInputsRequest& request,
+                RemoteControl& remote) {
   msg::ReadRcInputs answer;
   for (const msg::RcMap source : request.rc_src) {
     const auto signal = remote.signal(source);

@@ -15,24 +15,24 @@ msg::RealtimeData3 data_3(RequestContext& context, Device& device) {
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::RealtimeData& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData& /*request*/, Device& device) {
   return context.answer_anyway(data_3(context, device));
 }
 
-Verdict handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/,
+                Device& device) {
   return context.answer(data_3(context, device));
 }
 
-Verdict handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/,
+                Device& device) {
   msg::RealtimeData4 data;
   measure(device, context.port, context.now, data);
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request,
+                Device& device) {
   const auto blocks = known_blocks(device, request.flags);
   if (!blocks) return context.refuse(msg::BoardErrorCode::wrong_params, request.flags.raw());
   msg::RealtimeDataCustom data;
@@ -40,7 +40,7 @@ Verdict handle(RequestContext& context, const msg::RealtimeDataCustomRequest& re
   return context.answer(data);
 }
 
-Verdict handle(RequestContext& context, const msg::DataStreamInterval& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Device& device) {
   switch (device.streams.change(device, context.port, request, context.now)) {
     case Streams::Change::done: break;
     case Streams::Change::no_room:

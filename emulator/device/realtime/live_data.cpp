@@ -22,6 +22,7 @@ constexpr std::size_t sensor_axis(std::size_t axis) { return turning_axes[axis].
 
 /// Converts an RC signal to a pulse in the specified range.
 msg::RcSignal pulse(std::optional<double> signal) {
+  // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
   if (!signal) return msg::RcSignal(msg::RealtimeData3::no_signal);
   constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
   constexpr double middle = (range.lowest + range.highest) / 2;
@@ -31,6 +32,7 @@ msg::RcSignal pulse(std::optional<double> signal) {
 
 /// Returns the signal for a flight controller; 0 if no input is assigned to it.
 msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
+  // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
   if (source == msg::RcInput::input_no) return msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
   return pulse(device.remote.signal(source));
 }

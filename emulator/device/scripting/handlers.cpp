@@ -4,8 +4,8 @@
 
 namespace sbgc::emulator {
 
-Verdict handle(RequestContext& context, const msg::RunScript& request, Scripts& scripts,
-               FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::RunScript& request, Scripts& scripts,
+                FileSystem& files) {
   std::optional<std::size_t> debug_port;
   switch (request.mode) {
     case msg::ScriptMode::stop:

@@ -6,14 +6,14 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict confirm_result(RequestContext& context, msg::FileError error) {
+Reaction confirm_result(RequestContext& context, msg::FileError error) {
   static_cast<void>(context.confirm({.err_code = error}));
-  return error == msg::FileError::no_error ? Verdict::executed : Verdict::refused;
+  return error == msg::FileError::no_error ? Reaction::executed : Reaction::refused;
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::EepromReadRequest& request, Eeprom& eeprom) {
+Reaction handle(RequestContext& context, const msg::EepromReadRequest& request, Eeprom& eeprom) {
   msg::EepromRead answer;
   const std::size_t size = request.size.raw();
   if (size > answer.data.capacity())
@@ -25,7 +25,7 @@ Verdict handle(RequestContext& context, const msg::EepromReadRequest& request, E
   return context.answer(answer);
 }
 
-Verdict handle(RequestContext& context, const msg::EepromWrite& request, Eeprom& eeprom) {
+Reaction handle(RequestContext& context, const msg::EepromWrite& request, Eeprom& eeprom) {
   const auto data = std::span(request.data.data(), request.data.size());
   if (!eeprom.write_pages(request.addr, data)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.addr);
@@ -33,7 +33,7 @@ Verdict handle(RequestContext& context, const msg::EepromWrite& request, Eeprom&
   return context.confirm({.addr = request.addr});
 }
 
-Verdict handle(RequestContext& context, const msg::ReadFileRequest& request, FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::ReadFileRequest& request, FileSystem& files) {
   msg::ReadFile answer;
   const std::size_t size = request.max_data_size.raw();
   const FileSystem::Part part = files.read(request.file_id, request.page_offset.raw(), size);
@@ -41,7 +41,7 @@ Verdict handle(RequestContext& context, const msg::ReadFileRequest& request, Fil
       size > answer.data.capacity() ? msg::FileError::wrong_params : part.error;
   if (error != msg::FileError::no_error) {
     static_cast<void>(context.answer(msg::ReadFileError{error}));
-    return Verdict::refused;
+    return Reaction::refused;
   }
   answer.file_size = msg::ByteCount(part.file_size);
   answer.page_offset = request.page_offset;
@@ -49,14 +49,14 @@ Verdict handle(RequestContext& context, const msg::ReadFileRequest& request, Fil
   return context.answer(answer);
 }
 
-Verdict handle(RequestContext& context, const msg::WriteFile& request, FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::WriteFile& request, FileSystem& files) {
   const msg::FileError error =
       files.write(request.file_id, request.file_size.raw(), request.page_offset.raw(),
                   std::span(request.data.data(), request.data.size()));
   return confirm_result(context, error);
 }
 
-Verdict handle(RequestContext& context, const msg::FsClearAll& /*request*/, FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::FsClearAll& /*request*/, FileSystem& files) {
   return confirm_result(context, files.clear());
 }
 

@@ -12,7 +12,7 @@
 namespace sbgc::emulator {
 namespace {
 
-Verdict introduce(RequestContext& context, Device& device) {
+Reaction introduce(RequestContext& context, Device& device) {
   const BoardOptions& options = device.options;
   msg::BoardInfo info;
   info.board_ver = options.board;
@@ -32,31 +32,32 @@ Verdict introduce(RequestContext& context, Device& device) {
 }
 
 /// Without a notice there is no response, because the board restarts.
-Verdict restart(RequestContext& context, Restarts& restarts, bool notify, msg::Milliseconds delay,
-                bool to_bootloader) {
+Reaction restart(RequestContext& context, Restarts& restarts, bool notify, msg::Milliseconds delay,
+                 bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
   restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
-  return Verdict::executed;
+  return Reaction::executed;
 }
 
 }  // namespace
 
-Verdict handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/, Device& device) {
   return introduce(context, device);
 }
 
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/,
+                Device& device) {
   return introduce(context, device);
 }
 
 // The configuration is for Bluetooth LE modules between board and host, which are not emulated.
-Verdict handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/,
-               Device& device) {
+Reaction handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/,
+                Device& device) {
   return introduce(context, device);
 }
 
-Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/,
+                Device& device) {
   msg::BoardInfo3 info;
   info.device_id = device.options.device_id;
   info.mcu_id = device.options.mcu_id;
@@ -83,38 +84,38 @@ Verdict handle(RequestContext& context, const msg::BoardInfo3Request& /*request*
   return context.answer(info);
 }
 
-Verdict handle(RequestContext& context, const msg::ResetRequest& /*request*/, Restarts& restarts) {
+Reaction handle(RequestContext& context, const msg::ResetRequest& /*request*/, Restarts& restarts) {
   return restart(context, restarts, false, {}, false);
 }
 
-Verdict handle(RequestContext& context, const msg::ResetRequestExt& request, Restarts& restarts) {
+Reaction handle(RequestContext& context, const msg::ResetRequestExt& request, Restarts& restarts) {
   return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
                  false);
 }
 
-Verdict handle(RequestContext& context, const msg::BootMode3& /*request*/, Restarts& restarts) {
+Reaction handle(RequestContext& context, const msg::BootMode3& /*request*/, Restarts& restarts) {
   return restart(context, restarts, false, {}, true);
 }
 
-Verdict handle(RequestContext& context, const msg::BootMode3Ext& request, Restarts& restarts) {
+Reaction handle(RequestContext& context, const msg::BootMode3Ext& request, Restarts& restarts) {
   return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
                  true);
 }
 
-Verdict handle(RequestContext& context, const msg::ReadStateVarsRequest&,
-               StateVariables& state_variables, Gimbal& gimbal) {
+Reaction handle(RequestContext& context, const msg::ReadStateVarsRequest&,
+                StateVariables& state_variables, Gimbal& gimbal) {
   return context.answer(state_variables.values(gimbal, context.now));
 }
 
-Verdict handle(RequestContext& context, const msg::WriteStateVars& request,
-               StateVariables& state_variables, Memory& memory) {
+Reaction handle(RequestContext& context, const msg::WriteStateVars& request,
+                StateVariables& state_variables, Memory& memory) {
   state_variables.write(memory, request, context.now);
   return context.confirm();
 }
 
 /// The keys of real boards are secret: this signature only depends on board and message.
-Verdict handle(RequestContext& context, const msg::SignMessageRequest& request,
-               const BoardOptions& options) {
+Reaction handle(RequestContext& context, const msg::SignMessageRequest& request,
+                const BoardOptions& options) {
   msg::SignMessage answer;
   std::uint64_t state = request.sign_type;
   for (const std::uint8_t byte : options.device_id) {

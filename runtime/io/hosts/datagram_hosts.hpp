@@ -83,7 +83,7 @@ class DatagramHosts {
   /// Removes the host that this sender replaces; returns nothing if all places are reserved.
   std::optional<Host> make_room(const asio::ip::udp::endpoint& endpoint, Instant now) {
     const bool tries_again = has_tried(endpoint);
-    const auto replaced = remove_first([&](const Host& host) {
+    auto replaced = remove_first([&](const Host& host) {
       const Duration silent = now - host.heard;
       // It may be listening to a stream.
       if (host.is_known) return silent >= safe_again && now - *host.answered >= safe_again;

@@ -77,7 +77,7 @@ std::string split_options(std::string_view text, const char* known, Take take) {
 
 /// Of "COM3", "COM3:" and "\\\\.\\COM3", in any case.
 void reject_port_of_windows(std::string_view path) {
-  if (path.starts_with("\\\\.\\")) path.remove_prefix(4);
+  if (path.starts_with(R"(\\.\)")) path.remove_prefix(4);
   if (path.ends_with(':')) path.remove_suffix(1);
   if (lower_case(path.substr(0, 3)) != "com" || !is_number(path.substr(3))) return;
   throw Malformed{

@@ -17,8 +17,8 @@ namespace {
 
 using emulator::default_response;
 using emulator::Device;
+using emulator::Reaction;
 using emulator::RequestContext;
-using emulator::Verdict;
 
 template <class Request>
 void expect_answer_of_model(const Request& request) {
@@ -30,7 +30,7 @@ void expect_answer_of_model(const Request& request) {
   const auto port = device.ports.open(false).value();
   const ResponsePolicy policy = response_policy(request);
   RequestContext context(device, port, policy.responses.command, policy.responses.confirmed, {});
-  EXPECT_EQ(default_response(context, request), Verdict::executed);
+  EXPECT_EQ(default_response(context, request), Reaction::executed);
 
   unsigned answers = 0, confirmations = 0;
   Parser parser;

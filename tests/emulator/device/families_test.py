@@ -9,7 +9,7 @@ DEVICE = ROOT / "emulator/device"
 MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text())
 FAMILY = {message["name"]: message["family"] for message in MODEL["messages"]}
 HANDLER = re.compile(
-    r"^Verdict handle\(\s*RequestContext&[ \w]*,\s*const msg::(\w+)&", re.MULTILINE
+    r"^Reaction handle\(\s*RequestContext&[ \w]*,\s*const msg::(\w+)&", re.MULTILINE
 )
 
 

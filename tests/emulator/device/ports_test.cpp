@@ -66,7 +66,7 @@ TEST(Ports, AnswersWaitForRoomAndRequestsAfterThem) {
   Host host(options);
   int executed = 0;
   host.board.on_traffic = [&](const emulator::Board::Traffic& one) {
-    executed += one.verdict ? 1 : 0;
+    executed += one.reaction ? 1 : 0;
   };
   host.send_bytes(times(4, who));
   host.now = host.now + seconds(1);

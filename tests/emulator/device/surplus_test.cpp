@@ -23,7 +23,7 @@ namespace sbgc::test {
 namespace {
 
 using emulator::BoardOptions;
-using emulator::Verdict;
+using emulator::Reaction;
 using ::testing::SizeIs;
 
 BoardOptions with_firmware(std::uint8_t board, std::uint16_t firmware) {
@@ -75,7 +75,7 @@ class Requests {
   const std::map<std::uint8_t, std::vector<Json>>& by_id() const { return forms_; }
 
   /// How a board should handle a request of zeros.
-  Verdict expected(const BoardOptions& board, std::uint8_t id, std::size_t size) const {
+  Reaction expected(const BoardOptions& board, std::uint8_t id, std::size_t size) const {
     bool is_known = false, is_open = false;
     std::size_t largest = 0;
     std::size_t longest_form = 0;
@@ -90,10 +90,10 @@ class Requests {
       const bool may_be_longer = has_open_end(board, form) && most(form) == longest_form;
       if (size < form["min_size"] || (size > known && !may_be_longer)) continue;
       const std::vector<std::uint8_t> body(size);
-      if (decoders_.at(form["name"])(body)) return Verdict::executed;
+      if (decoders_.at(form["name"])(body)) return Reaction::executed;
     }
-    if (!is_known) return Verdict::unknown;
-    return size > largest && !is_open ? Verdict::executed : Verdict::malformed;
+    if (!is_known) return Reaction::unknown;
+    return size > largest && !is_open ? Reaction::executed : Reaction::malformed;
   }
 
  private:
@@ -135,15 +135,15 @@ bool restarts(const std::vector<Json>& forms) {
 }
 
 /// Sends a request of zeros; returns how the board handled it.
-Verdict verdict_of(Host& host, std::uint8_t id, std::size_t size, Packets& packets) {
-  Verdict verdict = Verdict::lost;
+Reaction verdict_of(Host& host, std::uint8_t id, std::size_t size, Packets& packets) {
+  Reaction reaction = Reaction::lost;
   host.board.on_traffic = [&](const emulator::Board::Traffic& traffic) {
-    if (traffic.verdict) verdict = *traffic.verdict;
+    if (traffic.reaction) reaction = *traffic.reaction;
   };
   host.send_bytes(frame_of(id, std::vector<std::uint8_t>(size)));
   packets = host.listen(milliseconds(1));
   host.board.on_traffic = nullptr;
-  return verdict;
+  return reaction;
 }
 
 class EveryFirmware : public testing::TestWithParam<std::array<std::uint16_t, 2>> {};
@@ -157,19 +157,19 @@ TEST_P(EveryFirmware, TakesEveryRequestAtEverySizeAsTheModelSays) {
     Host host(options);
     for (std::size_t size = 0; size <= max_body_size; ++size) {
       Packets packets;
-      const Verdict verdict = verdict_of(host, id, size, packets);
-      const Verdict expected = requests.expected(options, id, size);
+      const Reaction reaction = verdict_of(host, id, size, packets);
+      const Reaction expected = requests.expected(options, id, size);
       // Zeros may be wrong values, which is not about the size.
-      const bool agrees = expected == Verdict::executed
-                              ? verdict == Verdict::executed || verdict == Verdict::refused
-                              : verdict == Verdict::unknown || verdict == Verdict::malformed;
-      ASSERT_TRUE(agrees) << size << " bytes: " << static_cast<int>(verdict);
+      const bool agrees = expected == Reaction::executed
+                              ? reaction == Reaction::executed || reaction == Reaction::refused
+                              : reaction == Reaction::unknown || reaction == Reaction::malformed;
+      ASSERT_TRUE(agrees) << size << " bytes: " << static_cast<int>(reaction);
       const auto errors = all<msg::ErrorExt>(packets);
       const bool is_about_size =
           !errors.empty() && errors.front().error_code == msg::BoardErrorCode::cmd_size;
       const bool has_errors =
           is_supported<msg::ErrorExt>(Availability{options.firmware.raw(), options.board.raw()});
-      ASSERT_EQ(is_about_size, has_errors && expected == Verdict::malformed) << size << " bytes";
+      ASSERT_EQ(is_about_size, has_errors && expected == Reaction::malformed) << size << " bytes";
       if (!restarts(forms)) continue;
       host.board.restart(host.now);
       host.listen(options.start_time + milliseconds(1));
@@ -232,10 +232,10 @@ TEST(Surplus, IsRefusedByAStrictBoard) {
   Host host(options);
   for (const std::uint8_t id : {std::uint8_t{73}, std::uint8_t{77}, std::uint8_t{109}}) {
     Packets packets;
-    EXPECT_EQ(verdict_of(host, id, 1, packets), Verdict::malformed) << int{id};
+    EXPECT_EQ(verdict_of(host, id, 1, packets), Reaction::malformed) << int{id};
     ASSERT_THAT(all<msg::ErrorExt>(packets), SizeIs(1));
     EXPECT_EQ(all<msg::ErrorExt>(packets)[0].error_code, msg::BoardErrorCode::cmd_size);
-    EXPECT_EQ(verdict_of(host, id, 0, packets), Verdict::executed) << int{id};
+    EXPECT_EQ(verdict_of(host, id, 0, packets), Reaction::executed) << int{id};
   }
   options.firmware = msg::FirmwareVersion(newest_firmware);
   Host newest(options);

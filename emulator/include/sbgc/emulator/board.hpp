@@ -16,7 +16,7 @@
 namespace sbgc::emulator {
 
 /// What the board did with a frame from a host.
-enum class Verdict : std::uint8_t {
+enum class Reaction : std::uint8_t {
   executed,
   refused,       ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
   unknown,       ///< not a command that this board and firmware know
@@ -99,12 +99,12 @@ class Board {
   std::uint32_t baud_rate() const;
 
   /// Called for each frame from a host after it was handled, and for each frame to a host, without
-  /// `verdict`.
+  /// `reaction`.
   struct Traffic {
     Instant at{};
     std::size_t port{};
     Frame frame{};
-    std::optional<Verdict> verdict{};
+    std::optional<Reaction> reaction{};
   };
   std::function<void(const Traffic&)> on_traffic{};
 

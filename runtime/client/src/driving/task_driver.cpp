@@ -1,5 +1,6 @@
 #include "driving/task_driver.hpp"
 
+#include <memory>
 #include <utility>
 
 #include <sbgc/client/client.hpp>
@@ -29,11 +30,9 @@ void TaskDriver::listen() {
 }
 
 void TaskDriver::run(Clock& clock) {
-  struct End {
-    TaskDriver& driver;
-    ~End() { driver.end(); }
-  };
-  const End end{*this};
+  // Also if the task throws.
+  const auto end_it = [](TaskDriver* driver) { driver->end(); };
+  const std::unique_ptr<TaskDriver, decltype(end_it)> ending(this, end_it);
   listen();
   for (TaskStep step = advance(clock); step.kind != TaskStep::Kind::done; step = advance(clock)) {
     wait(step, clock);

@@ -186,7 +186,7 @@ Task<Result<void>> set_variables(std::vector<VariableValue> values) {
       request.params.push_back(wanted[sent]);
     }
     const std::size_t size = request.params.size();
-    Result<void> done = co_await set_part(std::move(request));
+    Result<void> done = co_await set_part(request);
     if (done) continue;
     const std::size_t before = sent - size;
     if (wanted.size() <= most_set) co_return done;

@@ -91,9 +91,9 @@ class Writing {
     const std::uint8_t copy = report_.parameters[index].id.copy;
     Result<Parameters> present = co_await detail::read_one(kind, copy, deadline_);
     if (present && detail::are_equal(kind, present->body, expected)) co_return present;
+    if (!present && present.error().code != ErrorCode::mismatch) co_return present;
     std::vector<Parameters> seen;
     if (present) seen.push_back(*std::move(present));
-    if (!present && present.error().code != ErrorCode::mismatch) co_return present;
     if (!seen.empty() && !has_only_sums(task_.framing())) co_return std::move(seen.front());
     co_return co_await detail::read_one_surely(kind, copy, deadline_, std::move(seen));
   }

@@ -198,6 +198,7 @@ class Detector {
   }
 
   bool is_silent() const noexcept {
+    // NOLINTNEXTLINE(readability-use-anyofallof): no <algorithm> here
     for (const Trial& trial : trials_) {
       if (trial.bytes != 0) return false;
     }
