@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,10 @@
 #include "board/progress_bar.hpp"
 #include "care/calibrations.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
@@ -171,23 +170,21 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors");
-  auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("what", options->name, "What to calibrate, such as gyro")
+  const Subcommand<CalibrateOptions> command(app, context, "calibrate",
+                                             "Calibrate sensors, encoders and motors");
+  auto& options = command.options();
+  command->add_option("what", options.name, "What to calibrate, such as gyro")
       ->type_name("CALIBRATION");
-  command->add_option("values", options->values, "Fields of the request, as for `sbgc send`")
+  command->add_option("values", options.values, "Fields of the request, as for `sbgc send`")
       ->type_name("FIELD=VALUE");
-  command->add_flag("--list", options->list, "List what can be calibrated");
-  command->add_option("--imu", options->imu, "For gyro, acc, mag: active, main or frame")
+  command->add_flag("--list", options.list, "List what can be calibrated");
+  command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
       ->type_name("active|main|frame");
-  command->add_flag("--temperature", options->temperature,
+  command->add_flag("--temperature", options.temperature,
                     "For gyro and acc: over temperature, which takes up to an hour");
   command
-      ->add_option("--voltage", options->voltage,
-                   "For battery: its measured voltage, such as 12.6V")
+      ->add_option("--voltage", options.voltage, "For battery: its measured voltage, such as 12.6V")
       ->type_name("VOLTAGE");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Says first how to hold the camera. A calibration replaces the stored one. No command stops "
       "it: after Ctrl-C, and if the line is lost, the board goes on.\n"
@@ -199,7 +196,7 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if the calibration is done, or accepted by a board that does not "
       "report the end; 1 if not; 2 for wrong usage; 130 after Ctrl-C.");
-  command->callback([options, &context] { context.status = calibrate(*options, context); });
+  command.runs(calibrate);
 }
 
 }  // namespace sbgc::tools

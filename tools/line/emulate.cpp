@@ -4,7 +4,6 @@
 #include <csignal>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,8 +22,8 @@
 
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
@@ -330,17 +329,17 @@ void check(EmulateOptions& options) {
 }  // namespace
 
 void add_emulate(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them");
-  auto options = std::make_shared<EmulateOptions>();
-  add_endpoint_options(*command, *options);
-  add_board_options(*command, *options);
-  add_line_options(*command, *options);
-  command->add_flag("-v,--verbose", options->verbose,
+  const Subcommand<EmulateOptions> command(app, context, "emulate",
+                                           "Emulate gimbals for programs that talk to them");
+  auto& options = command.options();
+  add_endpoint_options(*command, options);
+  add_board_options(*command, options);
+  add_line_options(*command, options);
+  command->add_flag("-v,--verbose", options.verbose,
                     "Print each frame, and hosts that connect and leave");
   add_parsed(
       *command, "--seconds", serving::parse_seconds,
-      [options](Duration time) { options->seconds = time; },
+      [&options](Duration time) { options.seconds = time; },
       "Stop after this time; otherwise with Ctrl-C", "SECONDS");
   command->footer(
       "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
@@ -355,9 +354,9 @@ void add_emulate(CLI::App& app, CommandContext& context) {
       "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end of standard "
       "input; 1 if something cannot be opened or saved; 2 for wrong usage, including a motion "
       "file that cannot be read.");
-  command->callback([options, &context] {
-    check(*options);
-    context.status = serve(*options);
+  command.runs([](EmulateOptions& chosen) {
+    check(chosen);
+    return serve(chosen);
   });
 }
 

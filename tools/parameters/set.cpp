@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,9 +13,9 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"
@@ -199,21 +198,19 @@ int set(const SetOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_params_set(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("set", "Change parameters");
-  auto options = std::make_shared<SetOptions>();
+  const Subcommand<SetOptions> command(params, context, "set", "Change parameters");
+  auto& options = command.options();
   command
       ->add_option(
-          "values", options->values,
+          "values", options.values,
           "Parameters by their paths, unique ends of paths, or names in the specification; "
           "without an axis, all axes are set")
       ->type_name("PARAMETER=VALUE")
       ->required();
-  add_profile_option(*command, options->profile);
-  command->add_flag("--dry-run", options->dry_run, "Only check the values and print the changes");
-  command->add_flag("--no-validate", options->no_validate,
+  add_profile_option(*command, options.profile);
+  command->add_flag("--dry-run", options.dry_run, "Only check the values and print the changes");
+  command->add_flag("--no-validate", options.no_validate,
                     "Also write values that the specification does not allow");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
       "back and compares. A number is in the unit that `params show` prints, which may be written "
@@ -223,7 +220,7 @@ void add_params_set(CLI::App& params, CommandContext& context) {
       "Examples:\n"
       "  sbgc params set pitch.p=20\n"
       "  sbgc params set rc_min_angle=-30deg follow_mode=FOLLOW_MODE_FC --profile 2");
-  command->callback([options, &context] { context.status = set(*options, context); });
+  command.runs(set);
 }
 
 }  // namespace sbgc::tools

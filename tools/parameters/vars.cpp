@@ -1,7 +1,6 @@
 // sbgc vars: the adjustable variables.
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,9 @@
 #include "board/connection.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/field_text.hpp"
@@ -32,9 +31,13 @@ namespace sbgc::tools {
 
 namespace {
 
-struct VarsOptions {
-  std::vector<std::string> names{};
+struct VariablesToShow {
+  std::vector<std::string> names{};  ///< all if empty
   std::string format = "text";
+};
+
+struct VariablesToSet {
+  std::vector<std::string> values{};
   bool save = false;
   Arming arming{};
 };
@@ -80,7 +83,7 @@ std::vector<const VariableInfo*> variables_of(const BoardIdentity& board) {
   return result;
 }
 
-int print_variables(const VarsOptions& options, const CommandContext& context) {
+int print_variables(const VariablesToShow& options, const CommandContext& context) {
   std::vector<const VariableInfo*> wanted;
   for (const std::string& name : options.names) wanted.push_back(&variable_named(name));
   Client client = connect(context.gimbal);
@@ -125,12 +128,12 @@ std::string what_happens(std::size_t changes, bool is_saved) {
                      is_saved ? saving : "", changes == 1 ? "It takes" : "They take");
 }
 
-int set_them(const VarsOptions& options, const CommandContext& context) {
+int set_them(const VariablesToSet& options, const CommandContext& context) {
   std::vector<VariableValue> values;
   std::vector<const VariableInfo*> wanted;
   std::vector<std::string> names;
   try {
-    for (const Assignment& assignment : parse_assignments(options.names)) {
+    for (const Assignment& assignment : parse_assignments(options.values)) {
       const VariableInfo& variable = variable_named(assignment.name);
       FieldInfo info;
       const FieldType field = field_of(variable, info);
@@ -196,35 +199,27 @@ std::vector<std::string> variable_names() {
 void add_vars(CLI::App& app, CommandContext& context) {
   auto* const vars = app.add_subcommand("vars", "Show and set the adjustable variables");
   vars->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help) {
-    auto* const command = vars->add_subcommand(name, help);
-    add_gimbal_options(*command, context.gimbal);
-    return command;
-  };
-  auto listing = std::make_shared<VarsOptions>();
-  auto* const list = add("list", "List all variables with their values and ranges");
-  add_format(*list, listing->format);
-  list->callback([listing, &context] { context.status = print_variables(*listing, context); });
+  const Subcommand<VariablesToShow> list(*vars, context, "list",
+                                         "List all variables with their values and ranges");
+  add_format(*list, list.options().format);
+  list.runs(print_variables);
 
-  auto getting = std::make_shared<VarsOptions>();
-  auto* const get = add("get", "Print variables");
-  get->add_option("names", getting->names, "Names as `vars list` prints them")
+  const Subcommand<VariablesToShow> get(*vars, context, "get", "Print variables");
+  get->add_option("names", get.options().names, "Names as `vars list` prints them")
       ->type_name("VARIABLE")
       ->required();
-  add_format(*get, getting->format);
-  get->callback([getting, &context] { context.status = print_variables(*getting, context); });
+  add_format(*get, get.options().format);
+  get.runs(print_variables);
 
-  auto setting = std::make_shared<VarsOptions>();
-  auto* const set = add("set", "Set variables");
-  set->add_option("values", setting->names, "Names and units as `vars list` prints them")
+  const Subcommand<VariablesToSet> set(*vars, context, "set", "Set variables");
+  set->add_option("values", set.options().values, "Names and units as `vars list` prints them")
       ->type_name("VARIABLE=VALUE")
       ->required();
-  set->add_flag("--save", setting->save, "Save the change, so that it survives a restart");
-  add_arming(*set, setting->arming);
+  set->add_flag("--save", set.options().save, "Save the change, so that it survives a restart");
   set->footer(
       "Example:\n"
       "  sbgc vars set LPF_FREQ_ROLL=30Hz --save");
-  set->callback([setting, &context] { context.status = set_them(*setting, context); });
+  set.runs(set_them);
 }
 
 }  // namespace sbgc::tools
