@@ -61,8 +61,7 @@ void list_calibrations() {
 /// A request with its values.
 struct Chosen {
   const CalibrationForm* form{};
-  const MessageType* type{};
-  Json fields{};
+  AnyMessage request;
   Effects effects{};
   CalibrationOptions options{};
 };
@@ -89,21 +88,20 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
     }
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
-    Chosen result;
-    result.type = &form_with(types, names);
-    result.form = &*std::ranges::find(calibration.forms, result.type->info, &CalibrationForm::info);
+    const MessageType& type = form_with(types, names);
+    Chosen result{.request = new_message(type)};
+    result.form = &*std::ranges::find(calibration.forms, type.info, &CalibrationForm::info);
     const bool says_action = std::ranges::find(names, "action") != names.end();
     if (result.form->has_action && !says_action) assignments.push_back({"action", "REGULAR"});
     // Other actions than calibrating have other effects, which those of the whole form include.
     result.effects = says_action && !options.temperature ? result.form->info->effects
                                                          : calibration.info().effects;
-    result.fields = initial_fields(result.type->fields());
-    assign(*result.type, assignments, result.fields);
-    const std::string problems = violations_of(message_of(*result.type, result.fields), newest);
+    assign(result.request, assignments);
+    const std::string problems = violations_of(result.request, newest);
     if (!problems.empty()) throw ValueError(problems);
-    if (result.form->has_action) {
-      result.options.imu = static_cast<msg::CalibImu>(result.fields.at("imu_idx").get<int>());
-    }
+    result.request.with_leaf("imu_idx", [&](const Leaf& leaf) {
+      result.options.imu = static_cast<msg::CalibImu>(leaf.integer);
+    });
     return result;
   } catch (const std::runtime_error& error) {
     std::string problem = clipped(error.what());
@@ -139,7 +137,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
   }
   Chosen chosen = choose(calibration_named(command.name), command);
   Client client = connect(context.gimbal);
-  require_possible(client, message_of(*chosen.type, chosen.fields));
+  require_possible(client, chosen.request);
   arm(command.arming, sentences(chosen));
   const Interruption interruption;
   ProgressBar bar;
@@ -147,7 +145,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
     bar.show(progress_text(progress));
     return !was_interrupted();
   };
-  const auto ended = chosen.form->run(client, chosen.fields, chosen.options);
+  const auto ended = chosen.form->run(client, chosen.request, chosen.options);
   bar.clear();
   if (was_interrupted() && !ended) {
     throw CommandError(

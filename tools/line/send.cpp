@@ -27,6 +27,7 @@
 #include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
+#include "values/message_json.hpp"
 #include "values/message_names.hpp"
 
 namespace sbgc::tools {
@@ -105,10 +106,9 @@ Outgoing outgoing_of(const SendOptions& options) {
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
     const MessageType& type = form_with(forms, names);
-    Json fields = initial_fields(type.fields());
-    assign(type, assignments, fields);
-    add_demanded(type, fields);
-    AnyMessage message = message_of(type, fields);
+    AnyMessage message = new_message(type);
+    assign(message, assignments);
+    add_demanded(message);
     std::string values = values_text(message, assignments);
     const std::string problems = options.no_validate ? "" : violations_of(message, newest);
     if (!problems.empty()) throw ValueError(problems);

@@ -64,9 +64,9 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
     }
   }
   for (const MessageValues& one : result) {
-    Json fields = initial_fields(one.message->type->fields());
-    set_values(*one.message->type, one.values, fields);
-    if (!no_validate) check_ranges(*one.message->type, one.values, fields);
+    AnyMessage message = one.message->type->make();
+    set_values(message, one.values);
+    if (!no_validate) check_ranges(message, one.values);
   }
   return result;
 }
@@ -88,9 +88,8 @@ std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& 
 }
 
 /// Throws CommandError if the board does not have the field.
-void check_presence(const Json& fields, const FieldValue& value) {
-  const auto& first = std::get<std::string>(value.field.steps.front());
-  if (fields.contains(first)) return;
+void check_presence(const AnyMessage& message, const FieldValue& value) {
+  if (has_part(message, std::get<std::string>(value.field.steps.front()))) return;
   const FieldInfo* const info = value.field.type->info;
   const std::string since = info == nullptr ? "" : versions_text(info->since);
   throw CommandError(fmt::format("this board does not have {}{}", steps_text(value.field.steps),
@@ -152,12 +151,12 @@ int set(const SetOptions& options, const CommandContext& context) {
     for (const Parameters& block : present.all()) {
       if (block.id.message != name) continue;
       is_present = true;
-      Json fields = fields_of(message_in(block));
+      AnyMessage message = message_in(block);
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
-      for (const FieldValue& value : here) check_presence(fields, value);
+      for (const FieldValue& value : here) check_presence(message, value);
       try {
-        set_values(*one.message->type, here, fields);
-        value_of(wanted.put(block_of(block.id, fields)));
+        set_values(message, here);
+        value_of(wanted.put(block_of(block.id, message)));
       } catch (const CommandError&) {
         throw;
       } catch (const std::runtime_error& error) {

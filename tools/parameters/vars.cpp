@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,10 +11,12 @@
 #include <sbgc/client/variables.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "board/connection.hpp"
 #include "command/arming.hpp"
@@ -25,7 +28,6 @@
 #include "values/assignments.hpp"
 #include "values/field_text.hpp"
 #include "values/names.hpp"
-#include "values/value_text.hpp"
 
 namespace sbgc::tools {
 
@@ -140,12 +142,12 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
       if (std::ranges::find(wanted, &variable) != wanted.end()) {
         throw ValueError(fmt::format("{} is set twice", variable.name));
       }
-      try {
-        const Json raw = parse_value(field, &variable.unit, assignment.value, Json());
-        values.push_back({variable.name, variable.unit.real(raw.get<double>())});
-      } catch (const ValueError& error) {
-        throw ValueError(fmt::format("{}: {}", variable.name, error.what()));
-      }
+      const ParsedValue parsed = parse_value(field, &variable.unit, assignment.value);
+      if (!parsed) throw ValueError(fmt::format("{}: {}", variable.name, parsed.problem));
+      const auto* const raw = std::get_if<std::int64_t>(&parsed.value);
+      values.push_back(
+          {variable.name, variable.unit.real(raw != nullptr ? static_cast<double>(*raw)
+                                                            : std::get<double>(parsed.value))});
       wanted.push_back(&variable);
       names.emplace_back(variable.name);
     }
