@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <sbgc/availability.hpp>
@@ -17,17 +19,26 @@ namespace sbgc::emulator {
 namespace {
 
 template <class Part>
-bool has(const Device& device) {
-  if constexpr (requires { Part::are_supported(device); }) return Part::are_supported(device);
+inline constexpr bool is_part = []<class... Parts>(std::type_identity<std::tuple<Parts&...>>) {
+  return std::is_lvalue_reference_v<Part> &&
+         (std::is_same_v<std::remove_cvref_t<Part>, Parts> || ...);
+}(std::type_identity<decltype(std::declval<Device&>().parts())>{});
+
+template <class Part>
+bool has(const BoardOptions& options) {
+  if constexpr (requires { Part::are_supported(options); }) return Part::are_supported(options);
   return true;
 }
 
 /// Calls a handler with the parts of the device that it takes, if the board has them.
 template <Message M, class... Parts>
-Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
+Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts...), RequestContext& context,
               const M& request, Device& device) {
-  if (!(has<Parts>(device) && ...)) return context.refuse(msg::BoardErrorCode::not_supported);
-  return handler(context, request, device.part<Parts>()...);
+  static_assert((is_part<Parts> && ...), "a handler takes parts of the device by reference");
+  if (!(has<std::remove_cvref_t<Parts>>(device.options) && ...)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  return handler(context, request, device.part<std::remove_cvref_t<Parts>>()...);
 }
 
 template <Message M>
@@ -119,7 +130,7 @@ class Board::Core {
   void memory_not_saved(std::uint32_t revision, Instant now) {
     run_until(now);
     device.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
-      return refusal_instead(device.versions(), frame);
+      return refusal_instead(versions_of(device.options), frame);
     });
     for (std::size_t port = 0; port < request_times_.size(); ++port) plan_request(port);
   }
@@ -197,7 +208,7 @@ class Board::Core {
     AllMessages::for_each([&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
         const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-        is_known = is_known || (has_id && is_supported<M>(device.versions()));
+        is_known = is_known || (has_id && is_supported<M>(versions_of(device.options)));
       }
     });
     return is_known;
@@ -219,13 +230,13 @@ class Board::Core {
   /// Ignores bytes that the firmware does not know, as real boards do.
   Reaction try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Reaction reaction = Reaction::unknown;
-    const std::size_t largest = largest_request(request.id, device.versions());
+    const std::size_t largest = largest_request(request.id, versions_of(device.options));
     const bool has_surplus = request.body.size() > largest;
     const auto body =
         std::span<const std::uint8_t>(request.body).first(std::min(request.body.size(), largest));
     const Code code = select(Direction::to_board, request.id, body.size(), [&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
-        if (!is_supported<M>(device.versions())) return;
+        if (!is_supported<M>(versions_of(device.options))) return;
         M message{};
         const Status status = decode(body, message);
         // Flags may say that even the largest form ends earlier.
@@ -235,7 +246,7 @@ class Board::Core {
           return;
         }
         if constexpr (!accesses_parameters<M>) {
-          const bool has_unknown_values = limit_to(device.versions(), message);
+          const bool has_unknown_values = limit_to(versions_of(device.options), message);
           if (has_unknown_values && !checks_values<M>) {
             RequestContext context(device, port, request.id, Confirmed::never, now);
             reaction = context.refuse(msg::BoardErrorCode::wrong_params);

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include <sbgc/detail/meta_limits.hpp>
-#include <sbgc/meta/system.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/parameters/gimbal_tuning.hpp"
@@ -15,7 +13,7 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
-      parameters(memory, {options.firmware.raw(), options.board.raw()}),
+      parameters(memory, versions_of(options)),
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
@@ -23,31 +21,6 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
   ports.on_sent = [this](std::size_t port, const Frame& frame) {
     debug_copies.copy(*this, port, frame, true, ports.now);
   };
-}
-
-Availability Device::versions() const { return {options.firmware.raw(), options.board.raw()}; }
-
-msg::BoardFeatures Device::features() const {
-  msg::BoardFeatures features = options.features;
-  // Assumption: boards since 3.6 have a CAN bus.
-  constexpr std::uint8_t first_with_can = 36;
-  if (versions().board >= first_with_can) features.set(msg::BoardFeature::can_port);
-  return features;
-}
-
-/// A feature shows only if the firmware has its commands.
-msg::BoardFeaturesExt Device::features_ext() const {
-  using enum msg::BoardFeaturesExtBit;
-  msg::BoardFeaturesExt features = options.features_ext;
-  if (!is_supported<msg::ExtImuDebugInfoRequest>(versions())) features.set(ext_imu, false);
-  if (!is_supported<msg::ReadStateVarsRequest>(versions())) features.set(state_vars, false);
-  return features;
-}
-
-msg::BoardFeaturesExt2 Device::features_ext2() const {
-  constexpr Availability since =
-      sbgc::detail::field_info<msg::BoardInfo3>("board_features_ext2").since;
-  return is_available(since, versions()) ? options.features_ext2 : msg::BoardFeaturesExt2{};
 }
 
 bool Device::has_frame_imu() const {
@@ -59,13 +32,9 @@ double Device::gyro_unit() { return msg::GyroRate(1).degrees_per_second(); }
 
 Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
 
-bool Device::has_encoders() const { return options.features.has(msg::BoardFeature::encoders); }
-
-bool Device::has_battery_meter() const {
-  return options.features.has(msg::BoardFeature::bat_monitoring);
+double Device::battery_factor() const {
+  return has_battery_meter(options) ? memory.battery_factor : 0;
 }
-
-double Device::battery_factor() const { return has_battery_meter() ? memory.battery_factor : 0; }
 
 double Device::measured_battery(const Sample& sample) const {
   return sample.battery * battery_factor();
@@ -104,7 +73,8 @@ void Device::apply_parameters(Instant now) {
 }
 
 Tuning Device::tuning() const {
-  Tuning tuning = tuning_of(parameters, versions(), has_encoders(), battery_factor());
+  Tuning tuning =
+      tuning_of(parameters, versions_of(options), has_encoders(options), battery_factor());
   for (std::size_t i = 0; i < tuning.axes.size(); ++i) {
     bool& follows = tuning.axes[i].follows;
     follows = (follows || modes.follows) && !modes.follow_off;
@@ -154,7 +124,7 @@ void Device::calibrate_at_start(Instant now) {
 
 Flags<msg::SystemError> Device::errors(Instant now) {
   Flags<msg::SystemError> errors = calibrations.errors();
-  if (has_battery_meter()) {
+  if (has_battery_meter(options)) {
     const auto& thresholds = parameters.of<msg::ReadParams3>();
     const double volts = measured_battery(gimbal.sample(now));
     // A negative threshold disables the check: no voltage is below it.

@@ -20,6 +20,7 @@
 #include "device/control/tasks.hpp"
 #include "device/debug/debug_copies.hpp"
 #include "device/external_motors/external_motors.hpp"
+#include "device/features.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/i2c_bus.hpp"
 #include "device/peripherals/outputs.hpp"
@@ -89,23 +90,13 @@ struct Device {
   /// The active tuning of the gimbal.
   Tuning tuning() const;
 
-  /// The versions of the board and its firmware.
-  Availability versions() const;
-  /// The features that this board and firmware have.
-  msg::BoardFeatures features() const;
-  msg::BoardFeaturesExt features_ext() const;
-  msg::BoardFeaturesExt2 features_ext2() const;
   /// True if there is an IMU on the frame and the parameters use it.
   bool has_frame_imu() const;
   /// The cycle time of the controller.
   static Duration cycle();
   /// The unit of gyroscope offsets, in deg/s. Assumption: the unit of its readings.
   static double gyro_unit();
-  /// True if there are encoders, which measure the joint angles.
-  bool has_encoders() const;
-  /// True if there is a sensor for the battery voltage.
-  bool has_battery_meter() const;
-  /// The reading of that sensor per volt; 0 without a sensor.
+  /// The reading of the battery sensor per volt; 0 without a sensor.
   double battery_factor() const;
   /// The reading of the calibrated sensor in volts; 0 without a sensor.
   double measured_battery(const Sample& sample) const;
@@ -119,26 +110,30 @@ struct Device {
   /// Assumption: valid until the board restarts.
   std::array<double, 2> gyro_headings{};
 
-  /// A part by its type, for handlers; the whole device counts as one.
+  /// The parts that act on their own, in the order in which they do.
+  auto acting_parts() {
+    return std::tie(remote, slots, calibrations, auto_tuning, scripts, outputs, control_link,
+                    quaternions, tasks, external_motors, state_variables, debug_copies, events,
+                    modes, streams);
+  }
+  /// All parts; the whole device counts as one.
+  auto parts() {
+    return std::tuple_cat(acting_parts(), std::tie(*this, options, memory, eeprom, parameters,
+                                                   files, gimbal, ports, i2c, restarts));
+  }
+  /// A part by its type, for functions that take some parts.
   template <class Part>
   Part& part() {
-    return std::get<std::remove_const_t<Part>&>(
-        std::tie(*this, options, memory, eeprom, parameters, files, gimbal, ports, streams, remote,
-                 slots, calibrations, auto_tuning, scripts, outputs, i2c, control_link, quaternions,
-                 tasks, external_motors, state_variables, debug_copies, restarts));
+    return std::get<std::remove_const_t<Part>&>(parts());
   }
 
   Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts
 };
 
-/// Calls `use(part)` for each part that acts on its own, in a fixed order.
+/// Calls `use(part)` for each part that acts on its own.
 template <class Use>
 void for_each_part(Device& device, Use&& use) {
-  const auto use_each = [&](auto&... parts) { (use(parts), ...); };
-  use_each(device.remote, device.slots, device.calibrations, device.auto_tuning, device.scripts,
-           device.outputs, device.control_link, device.quaternions, device.tasks,
-           device.external_motors, device.state_variables, device.debug_copies, device.events,
-           device.modes, device.streams);
+  std::apply([&](auto&... parts) { (use(parts), ...); }, device.acting_parts());
 }
 
 }  // namespace sbgc::emulator

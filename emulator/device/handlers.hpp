@@ -93,13 +93,13 @@ Reaction handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
 Reaction handle(RequestContext&, const msg::GyroCorrection&, Device&);
 Reaction handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
 Reaction handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
-Reaction handle(RequestContext&, const msg::ExtImuCmd&, Device&);
-Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ExtImuCmd&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, const BoardOptions&);
 
 // modules
-Reaction handle(RequestContext&, const msg::ModuleListRequest&, Device&);
-Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
-Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ModuleListRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, const BoardOptions&);
 
 // parameters
 Reaction handle(RequestContext&, const msg::SaveParams3&, Parameters&);

@@ -39,7 +39,7 @@ RequestContext::RequestContext(Device& device, std::size_t from, std::uint8_t id
       command(id),
       now(at),
       ports_(device.ports),
-      versions_(device.versions()),
+      versions_(versions_of(device.options)),
       confirmed_(confirmed) {}
 
 void RequestContext::send_frame(std::span<const std::uint8_t> frame) {

@@ -235,7 +235,7 @@ Reaction handle(RequestContext& context, const msg::CalibOffset&, Device& device
 }
 
 Reaction handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
-  if (!device.has_battery_meter()) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (!has_battery_meter(device.options)) return context.refuse(msg::BoardErrorCode::not_supported);
   const double measured = device.gimbal.sample(context.now).battery;
   // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
   constexpr double lowest = 0.5;
@@ -250,13 +250,13 @@ Reaction handle(RequestContext& context, const msg::CalibBat& request, Device& d
 }
 
 Reaction handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
-  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (!has_encoders(device.options)) return context.refuse(msg::BoardErrorCode::not_supported);
   const bool is_motor = !request.for_motor || is_known(*request.for_motor);
   if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
   return begin(context, device, Kind::encoder_offset, 0, false);
 }
 Reaction handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
-  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (!has_encoders(device.options)) return context.refuse(msg::BoardErrorCode::not_supported);
   return begin(context, device, Kind::encoder_field, 0, false);
 }
 

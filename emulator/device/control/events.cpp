@@ -11,7 +11,7 @@ constexpr Duration watch_period = milliseconds(20);
 }  // namespace
 
 void Events::emit(Device& device, msg::EventId id, msg::EventType type, Instant now) {
-  if (!knows(device.versions(), id)) return;
+  if (!knows(versions_of(device.options), id)) return;
   msg::Event event;
   event.event_id = id;
   event.event_type = type;

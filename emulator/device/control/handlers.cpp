@@ -72,7 +72,7 @@ Reaction execute(RequestContext& context, Device& device, msg::MenuCommand actio
 
 /// True if the board can follow quaternions.
 bool has_quaternions(const Device& device) {
-  return device.features_ext2().has(msg::BoardFeaturesExt2Bit::quat_control);
+  return features_ext2_of(device.options).has(msg::BoardFeaturesExt2Bit::quat_control);
 }
 
 constexpr double degrees_per_radian = 180 / 3.14159265358979323846;

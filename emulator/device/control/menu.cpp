@@ -82,7 +82,7 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
   }
   if (const auto script = script_of(action)) {
     // An empty slot starts nothing.
-    if (Scripts::are_supported(device)) {
+    if (Scripts::are_supported(device.options)) {
       static_cast<void>(device.scripts.start(device.files, *script, {}, now));
     }
     return true;

@@ -26,8 +26,8 @@ double control_speed(std::int32_t counts) {
 
 }  // namespace
 
-bool ExternalMotors::are_supported(const Device& device) {
-  return device.features_ext2().has(msg::BoardFeaturesExt2Bit::ext_motors);
+bool ExternalMotors::are_supported(const BoardOptions& options) {
+  return features_ext2_of(options).has(msg::BoardFeaturesExt2Bit::ext_motors);
 }
 
 void ExternalMotors::Motor::step(double seconds) {

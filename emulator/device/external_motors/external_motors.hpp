@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/messages/external_motors.hpp>
 #include <sbgc/time.hpp>
 
@@ -18,7 +19,7 @@ class ExternalMotors {
  public:
   static constexpr std::size_t count = 7;
 
-  static bool are_supported(const Device& device);
+  static bool are_supported(const BoardOptions& options);
 
   /// Returns false, without effect, if there is no such action.
   bool act(std::size_t motor, msg::ExtMotorActionKind action, Instant now);

@@ -23,8 +23,8 @@ Reaction select_imu(RequestContext& context, Device& device, msg::SelectedImu im
   return context.confirm();
 }
 
-bool has_external_imu(const Device& device) {
-  return device.features_ext().has(msg::BoardFeaturesExtBit::ext_imu);
+bool has_external_imu(const BoardOptions& options) {
+  return features_ext_of(options).has(msg::BoardFeaturesExtBit::ext_imu);
 }
 
 double degrees_per_second(msg::GyroOffset offset) {
@@ -156,7 +156,7 @@ Reaction handle(RequestContext& context, const msg::GyroCorrection& request, Dev
 }
 
 Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
-  if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (!has_external_imu(device.options)) return context.refuse(msg::BoardErrorCode::not_supported);
   const Sample sample = device.gimbal.sample(context.now);
   const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
   msg::ExtImuDebugInfo info;
@@ -171,8 +171,9 @@ Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Dev
 }
 
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
-Reaction handle(RequestContext& context, const msg::ExtImuCmd& request, Device& device) {
-  if (!has_external_imu(device)) {
+Reaction handle(RequestContext& context, const msg::ExtImuCmd& request,
+                const BoardOptions& options) {
+  if (!has_external_imu(options)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   msg::ExtImuCmd answer;
@@ -182,9 +183,10 @@ Reaction handle(RequestContext& context, const msg::ExtImuCmd& request, Device& 
 }
 
 /// The emulated sensor answers queries without data and confirms all other commands.
-Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request,
+                const BoardOptions& options) {
   using enum msg::ExtSensCommand;
-  if (!has_external_imu(device)) {
+  if (!has_external_imu(options)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   static_cast<void>(context.confirm());

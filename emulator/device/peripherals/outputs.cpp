@@ -30,9 +30,9 @@ std::optional<std::size_t> index_of(E value) {
 /// True if an RC source is this pin: RC_MAP_* values use the numbers of OutputPin.
 bool is_at(const Device& device, msg::RcMap source, msg::OutputPin pin) {
   // Boards without separate analog inputs read analog signals at the PWM pins.
-  const bool reads_pin =
-      source.source() == msg::RcSource::pwm ||
-      (source.source() == msg::RcSource::analog && !knows(device.versions(), msg::RcInput::adc1));
+  const bool reads_pin = source.source() == msg::RcSource::pwm ||
+                         (source.source() == msg::RcSource::analog &&
+                          !knows(versions_of(device.options), msg::RcInput::adc1));
   return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
 }
 
@@ -90,7 +90,8 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
 }
 
 bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState state) {
-  const bool exist = knows(device.versions(), pin) && knows(device.versions(), state);
+  const bool exist =
+      knows(versions_of(device.options), pin) && knows(versions_of(device.options), state);
   if (!exist || is_taken(device, pin)) return false;
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {

@@ -96,7 +96,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::encoder_raw24)) {
     Axes<U24>& encoders = data.encoder_raw24.emplace();
     encoders = Axes<U24>{};
-    for (std::size_t axis = 0; device.has_encoders() && axis < 3; ++axis) {
+    for (std::size_t axis = 0; has_encoders(device.options) && axis < 3; ++axis) {
       const auto counts = static_cast<std::int64_t>(sample.joints[axis] * counts_per_degree);
       encoders[axis] = U24(static_cast<std::uint32_t>(counts & 0xFFFFFF));
     }

@@ -101,7 +101,7 @@ bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& 
   if (static_cast<std::uint8_t>(request.cmd_id) != static_cast<std::uint8_t>(M::command)) {
     return false;
   }
-  return is_supported<M>(device.versions()) && use();
+  return is_supported<M>(versions_of(device.options)) && use();
 }
 
 msg::RealtimeDataCustomFlags blocks_of(const msg::DataStreamInterval& request) {
@@ -118,7 +118,9 @@ bool knows_frame(Device& device, Instant now) {
   return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
 }
 
-bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
+bool knows_joints(const Device& device) {
+  return has_encoders(device.options) || device.has_frame_imu();
+}
 
 void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
   measure_common(device, port, now, device.gimbal.sample(now), data);
@@ -157,7 +159,7 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
 std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
                                                          msg::RealtimeDataCustomFlags blocks) {
   msg::RealtimeDataCustomRequest request{.flags = blocks};
-  limit_to(device.versions(), request);
+  limit_to(versions_of(device.options), request);
   // A message of this size, whatever its values.
   msg::RealtimeDataCustom data;
   std::array<std::uint8_t, max_body_size> body{};
@@ -241,10 +243,11 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
              [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
          use_if<msg::Event>(device, request, yes) ||
          use_if<msg::CanDrvTelemetry>(
-             device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
+             device, request,
+             [&] { return *request.config.drv_id < can_drivers(device.options); }) ||
          use_if<msg::ExtMotorsState>(device, request,
                                      [&] {
-                                       return ExternalMotors::are_supported(device) &&
+                                       return ExternalMotors::are_supported(device.options) &&
                                               *request.config.motor < ExternalMotors::count;
                                      }) ||
          use_if<msg::AhrsHelper>(device, request, [&] {
@@ -260,7 +263,7 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
   if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {
     measure(device, what..., now, data);
-    limit_to(device.versions(), data);
+    limit_to(versions_of(device.options), data);
     return device.ports.offer(port, data);
   };
   return use_if<msg::RealtimeData3>(device, request,

@@ -32,8 +32,8 @@ std::uint16_t count_commands(std::string_view text) {
 
 }  // namespace
 
-bool Scripts::are_supported(const Device& device) {
-  return device.options.features.has(msg::BoardFeature::scripting);
+bool Scripts::are_supported(const BoardOptions& options) {
+  return options.features.has(msg::BoardFeature::scripting);
 }
 
 std::optional<msg::BoardErrorCode> Scripts::start(const FileSystem& files, std::uint8_t slot,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
@@ -26,7 +27,7 @@ class Scripts {
       std::tuple_size_v<decltype(msg::BoardInfo3::script_slot_size)>;
 
   /// True if this board supports scripts.
-  static bool are_supported(const Device& device);
+  static bool are_supported(const BoardOptions& options);
   /// Starts a script and ends the running one. `port` receives CMD_SCRIPT_DEBUG for each command
   /// and at the end. Returns the reason if it cannot start.
   std::optional<msg::BoardErrorCode> start(const FileSystem& files, std::uint8_t slot,

@@ -17,8 +17,8 @@ Reaction introduce(RequestContext& context, Device& device) {
   msg::BoardInfo info;
   info.board_ver = options.board;
   info.firmware_ver = options.firmware;
-  info.board_features = device.features();
-  info.board_features_ext = device.features_ext();
+  info.board_features = features_of(device.options);
+  info.board_features_ext = features_ext_of(device.options);
   if (device.ports.is_usb(context.port)) info.connection_flags.set(msg::ConnectionFlag::usb);
   // Earlier firmware only says whether debug output is enabled.
   constexpr Availability since =
@@ -76,10 +76,10 @@ Reaction handle(RequestContext& context, const msg::BoardInfo3Request& /*request
     info.profile_set_slots = msg::StoredProfileSets(slots);
     info.profile_set_cur = device.memory.profile_set;
   }
-  info.board_features_ext2 = device.features_ext2();
-  info.can_drv_main_limit = static_cast<std::uint8_t>(can_drivers(device) == 0 ? 0 : 3);
-  info.can_drv_aux_limit =
-      static_cast<std::uint8_t>(ExternalMotors::are_supported(device) ? ExternalMotors::count : 0);
+  info.board_features_ext2 = features_ext2_of(device.options);
+  info.can_drv_main_limit = static_cast<std::uint8_t>(can_drivers(device.options) == 0 ? 0 : 3);
+  info.can_drv_aux_limit = static_cast<std::uint8_t>(
+      ExternalMotors::are_supported(device.options) ? ExternalMotors::count : 0);
   info.adj_vars_total_num = device.parameters.variable_count();
   return context.answer(info);
 }

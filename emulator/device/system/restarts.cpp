@@ -67,8 +67,9 @@ void Restarts::begin_running(Device& device, Instant now) {
   device.calibrate_at_start(now);
   device.state_variables.start(device, now);
   const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
-  const bool stays_off = knows(device.versions(), msg::GeneralFlags2Bit::motors_off_at_startup) &&
-                         flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
+  const bool stays_off =
+      knows(versions_of(device.options), msg::GeneralFlags2Bit::motors_off_at_startup) &&
+      flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
   if (!stays_off) device.set_motors(true, now);
 }
 

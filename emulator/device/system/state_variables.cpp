@@ -30,8 +30,8 @@ msg::LongSeconds whole_seconds(double time) { return saturated<msg::LongSeconds>
 
 }  // namespace
 
-bool StateVariables::are_supported(const Device& device) {
-  return device.features_ext().has(msg::BoardFeaturesExtBit::state_vars);
+bool StateVariables::are_supported(const BoardOptions& options) {
+  return features_ext_of(options).has(msg::BoardFeaturesExtBit::state_vars);
 }
 
 void StateVariables::count(Gimbal& gimbal, Instant now) {
@@ -100,7 +100,7 @@ void StateVariables::advance(Device& device, Instant now) {
 
 void StateVariables::start(Device& device, Instant now) {
   *this = {};
-  if (!are_supported(device)) return;
+  if (!are_supported(device.options)) return;
   msg::ReadStateVars stored;
   const bool is_stored =
       !device.memory.state_variables.empty() &&

@@ -1,6 +1,8 @@
 /// Statistics of the board's whole life.
 #pragma once
 
+#include <sbgc/emulator/board_options.hpp>
+#include <sbgc/emulator/memory.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
 
@@ -12,7 +14,7 @@ struct Device;
 /// writes them or, each minute, with SAVE_SYSTEM_STAT.
 class StateVariables {
  public:
-  static bool are_supported(const Device& device);
+  static bool are_supported(const BoardOptions& options);
 
   /// The current values.
   msg::ReadStateVars values(Gimbal& gimbal, Instant now);
