@@ -156,6 +156,7 @@ class Board::Core {
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
     something();
+    device.apply_parameters(clock_);
     device.events.watch(device, clock_);
     if (!device.options.waits_for_saving) return;
     const std::uint32_t after = device.memory.revision;

@@ -23,13 +23,6 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
   };
 }
 
-bool Device::has_frame_imu() const {
-  return options.has_frame_imu &&
-         parameters.of<msg::ReadParams3>().frame_imu_pos != msg::FrameImuPosition::disabled;
-}
-
-double Device::gyro_unit() { return msg::GyroRate(1).degrees_per_second(); }
-
 Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
 
 double Device::battery_factor() const {
@@ -40,69 +33,22 @@ double Device::measured_battery(const Sample& sample) const {
   return sample.battery * battery_factor();
 }
 
-void Device::save_profile_set(std::size_t slot) {
-  memory.profile_sets[slot] = parameters.profiles();
-  ++memory.revision;
-}
-
-void Device::clear_profile_set(std::size_t slot) {
-  memory.profile_sets[slot].clear();
-  ++memory.revision;
-}
-
-bool Device::load_profile_set(std::size_t slot, Instant now) {
-  if (!parameters.restore_profiles(memory.profile_sets[slot])) return false;
-  memory.profile_set = static_cast<std::uint8_t>(slot + 1);
-  ++memory.revision;
-  apply_parameters(now);
-  return true;
-}
-
-void Device::select_profile(std::uint8_t profile, Instant now) {
-  parameters.select_profile(profile);
-  apply_parameters(now);
-}
-
 void Device::apply_parameters(Instant now) {
-  if (!has_frame_imu()) cur_imu = msg::SelectedImu::main;
-  if (is_writing_parameters) return;
-  gimbal.tune(tuning(), now);
-  correct_gyros(now);
-  remote.apply(*this, now);
-  slots.apply_parameters(*this, now);
-}
-
-Tuning Device::tuning() const {
-  Tuning tuning =
-      tuning_of(parameters, versions_of(options), has_encoders(options), battery_factor());
+  if (!restarts.is_listening() || !parameters.take_changes()) return;
+  imus.has_frame = options.has_frame_imu && parameters.of<msg::ReadParams3>().frame_imu_pos !=
+                                                msg::FrameImuPosition::disabled;
+  if (!imus.has_frame) imus.selected = msg::SelectedImu::main;
+  tuning = tuning_of(parameters, versions_of(options), has_encoders(options), battery_factor());
   for (std::size_t i = 0; i < tuning.axes.size(); ++i) {
     bool& follows = tuning.axes[i].follows;
     follows = (follows || modes.follows) && !modes.follow_off;
   }
   control_link.adjust(tuning);
-  return tuning;
-}
-
-void Device::forget_calibrations() {
-  memory.imus = {};
-  memory.battery_factor = Memory{}.battery_factor;
-  ++memory.revision;
-  gyro_headings = {};
-}
-
-void Device::correct_gyros(Instant now) {
-  const auto variable = parameters.variable(msg::VariableId::gyro_heading_correction);
-  const double more =
-      msg::GyroOffset(static_cast<std::int16_t>(variable.value_or(0))).gyro_units() * gyro_unit();
-  for (const std::size_t imu : {0U, 1U}) {
-    const double heading = gyro_headings[imu] + (imu == 0 ? more : 0);
-    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, heading, now);
-  }
-}
-
-void Device::set_motors(bool on, Instant now) {
-  tasks.forget_stop();
-  gimbal.set_motors(on, now);
+  if (modes.is_writing_parameters) return;
+  gimbal.tune(tuning, now);
+  imus.correct(gimbal, memory, parameters, now);
+  remote.apply(*this, now);
+  slots.apply_parameters(*this, now);
 }
 
 void Device::calibrate_at_start(Instant now) {

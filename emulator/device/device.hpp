@@ -1,7 +1,6 @@
 /// The device: all parts of the board, for handlers and for parts that use each other.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -21,6 +20,7 @@
 #include "device/debug/debug_copies.hpp"
 #include "device/external_motors/external_motors.hpp"
 #include "device/features.hpp"
+#include "device/imu/imus.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/i2c_bus.hpp"
 #include "device/peripherals/outputs.hpp"
@@ -50,6 +50,7 @@ struct Device {
   Parameters parameters;
   FileSystem files;
   Gimbal gimbal;
+  Tuning tuning{};            ///< of the gimbal, from the parameters in use
   Ports ports;                ///< serial ports: buffers and sending
   Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
   RemoteControl remote;       ///< RC inputs and virtual channels
@@ -67,35 +68,15 @@ struct Device {
   Events events;                   ///< CMD_EVENT
   DebugCopies debug_copies;        ///< CMD_SET_DEBUG_PORT
   Modes modes;                     ///< switches until the board restarts
-  bool is_writing_parameters{};    ///< between the two requests of CMD_WRITE_PARAMS_SET
+  Imus imus;
 
-  /// Stores, forgets or loads the parameters of all profiles. load_profile_set() returns false,
-  /// without effect, if the slot is empty. Precondition: the slot exists; they count from 0.
-  void save_profile_set(std::size_t slot);
-  void clear_profile_set(std::size_t slot);
-  bool load_profile_set(std::size_t slot, Instant now);
-  /// Switches to another profile. Precondition: it exists.
-  void select_profile(std::uint8_t profile, Instant now);
-  /// Passes the active parameters to the gimbal and the inputs. Call it after each change.
+  /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
-  /// Resets the calibrations in the main EEPROM after it was erased. Call apply_parameters()
-  /// afterwards.
-  void forget_calibrations();
-  /// Passes the gyroscope corrections to the gimbal. Call it after each change.
-  void correct_gyros(Instant now);
-  void set_motors(bool on, Instant now);
   /// The errors that live data report.
   Flags<msg::SystemError> errors(Instant now);
 
-  /// The active tuning of the gimbal.
-  Tuning tuning() const;
-
-  /// True if there is an IMU on the frame and the parameters use it.
-  bool has_frame_imu() const;
   /// The cycle time of the controller.
   static Duration cycle();
-  /// The unit of gyroscope offsets, in deg/s. Assumption: the unit of its readings.
-  static double gyro_unit();
   /// The reading of the battery sensor per volt; 0 without a sensor.
   double battery_factor() const;
   /// The reading of the calibrated sensor in volts; 0 without a sensor.
@@ -105,21 +86,16 @@ struct Device {
 
   std::uint32_t baud_rate{};  ///< set by SERIAL_SPEED at the last start
 
-  msg::SelectedImu cur_imu = msg::SelectedImu::main;  ///< chosen by hosts
-  /// Heading corrections of the main and frame IMU, deg/s, in addition to GYRO_HEADING_CORRECTION.
-  /// Assumption: valid until the board restarts.
-  std::array<double, 2> gyro_headings{};
-
   /// The parts that act on their own, in the order in which they do.
   auto acting_parts() {
     return std::tie(remote, slots, calibrations, auto_tuning, scripts, outputs, control_link,
                     quaternions, tasks, external_motors, state_variables, debug_copies, events,
-                    modes, streams);
+                    modes, imus, streams);
   }
   /// All parts; the whole device counts as one.
   auto parts() {
     return std::tuple_cat(acting_parts(), std::tie(*this, options, memory, eeprom, parameters,
-                                                   files, gimbal, ports, i2c, restarts));
+                                                   files, gimbal, tuning, ports, i2c, restarts));
   }
   /// A part by its type, for functions that take some parts.
   template <class Part>

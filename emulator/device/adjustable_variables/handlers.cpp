@@ -86,7 +86,6 @@ Reaction handle(RequestContext& context, const msg::SetAdjVarsVal& request, Devi
       device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
   if (refused)
     return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
-  device.apply_parameters(context.now);
   return context.confirm();
 }
 
@@ -137,7 +136,6 @@ Reaction handle(RequestContext& context, const msg::SetAdjVarsValF& request, Dev
   if (const auto refused = device.parameters.set_variables(values)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
   }
-  device.apply_parameters(context.now);
   return context.confirm();
 }
 

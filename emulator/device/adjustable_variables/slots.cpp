@@ -88,9 +88,10 @@ void Slots::advance(Device& device, Instant now) {
     if (!level) continue;
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
-    if (action != msg::MenuCommand::none) execute_menu(device, action, now);
+    if (action == msg::MenuCommand::none) continue;
+    execute_menu(device, action, now);
+    device.apply_parameters(now);  // which may concern the next slots
   }
-  bool is_changed = false;
   for (Analog& slot : analogs_) {
     const auto signal = device.remote.signal(slot.config.src_ch);
     const VariableInfo* variable = find_variable(slot.config.param_id);
@@ -99,9 +100,8 @@ void Slots::advance(Device& device, Instant now) {
     // A host may also set the variable: the signal wins when it or the profile changes.
     if (slot.value == value) continue;
     slot.value = value;
-    is_changed = device.parameters.set_variable(slot.config.param_id, value) || is_changed;
+    device.parameters.set_variable(slot.config.param_id, value);
   }
-  if (is_changed) device.apply_parameters(now);
 }
 
 msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,

@@ -39,7 +39,7 @@ std::uint8_t byte(double value) {
 bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags config,
                        std::uint8_t gain, std::optional<std::size_t> port, Instant now) {
   if (run_ || device.calibrations.under_way() || !device.gimbal.motors_on()) return false;
-  if (profile != device.parameters.profile()) device.select_profile(profile, now);
+  if (profile != device.parameters.profile()) device.parameters.select_profile(profile);
 
   Run run{.profile = profile, .config = config};
   if (config.has(msg::AutoPidFlag::send_gui)) run.port = port;
@@ -103,7 +103,7 @@ void AutoTuning::advance(Device& device, Instant now) {
     }
     report(device, *run_);
     if (run_->round == run_->rounds) {
-      store(device, *run_, now);
+      store(device, *run_);
       run_.reset();
     }
   }
@@ -140,7 +140,7 @@ void AutoTuning::report(Device& device, const Run& run) const {
 }
 
 /// Stores the tuned values in the profile of the run or in all profiles.
-void AutoTuning::store(Device& device, const Run& run, Instant now) const {
+void AutoTuning::store(Device& device, const Run& run) const {
   const auto set_gains = [&](msg::ReadParams3& parameters) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
@@ -166,7 +166,6 @@ void AutoTuning::store(Device& device, const Run& run, Instant now) const {
       static_cast<void>(device.parameters.change<msg::ReadParamsExt>(profile, set_filters));
     }
   }
-  device.apply_parameters(now);
 }
 
 }  // namespace sbgc::emulator

@@ -53,7 +53,7 @@ class AutoTuning {
 
   Gains gains(const Run& run, std::size_t axis) const;
   void report(Device& device, const Run& run) const;
-  void store(Device& device, const Run& run, Instant now) const;
+  void store(Device& device, const Run& run) const;
 
   std::optional<Run> run_{};
   std::uint64_t shakes_{};  ///< counter of the random numbers

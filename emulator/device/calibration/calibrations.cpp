@@ -129,16 +129,8 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
 void gyro_calibrated(Device& device, std::size_t imu, Instant now) {
   device.gimbal.gyro_calibrated(imu == 1, now);
   device.memory.imus[imu].gyro_offset = {};
-  device.gyro_headings[imu] = 0;
-  device.correct_gyros(now);
-}
-
-/// Changes parameters of a profile and stores them.
-template <class M, class Edit>
-bool change_parameters(Device& device, std::uint8_t profile, Instant now, const Edit& edit) {
-  const bool changed = device.parameters.change<M>(profile, edit);
-  if (changed) device.apply_parameters(now);
-  return changed;
+  device.imus.headings[imu] = 0;
+  device.imus.correct(device.gimbal, device.memory, device.parameters, now);
 }
 
 }  // namespace
@@ -238,7 +230,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
     }
     case Kind::gyro_from_sensor:
       copy_gyro(sensor, imu);
-      device.correct_gyros(now);
+      device.imus.correct(device.gimbal, device.memory, device.parameters, now);
       break;
     case Kind::acc_from_sensor: copy_acc(sensor, imu); break;
     case Kind::gyro_to_sensor: copy_gyro(imu, sensor); break;
@@ -252,44 +244,42 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       break;
     case Kind::orientation:
       // Assumption: an IMU that is mounted with a small error.
-      return change_parameters<msg::ReadParamsExt2>(
-          device, run.profile, now, [&](auto& parameters) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-              const auto hundredths = std::lround(200 * random(5 + axis) - 100);
-              parameters.imu_orientation_corr[axis] =
-                  msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
-            }
-          });
+      return device.parameters.change<msg::ReadParamsExt2>(run.profile, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto hundredths = std::lround(200 * random(5 + axis) - 100);
+          parameters.imu_orientation_corr[axis] =
+              msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
+        }
+      });
     case Kind::momentum:
-      return change_parameters<msg::ReadParamsExt2>(
-          device, run.profile, now, [&](auto& parameters) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-              parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
-            }
-          });
+      return device.parameters.change<msg::ReadParamsExt2>(run.profile, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
+        }
+      });
     case Kind::ext_gain:
       // Assumption: gains of a flight controller that differs slightly from board to board.
-      return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {
+      return device.parameters.change<msg::ReadParams3>(run.profile, [&](auto& parameters) {
         parameters.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
         parameters.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
       // Assumption: motors with 14 poles, common in gimbals, and the correct direction.
-      return change_parameters<msg::ReadParams3>(device, run.profile, now, [](auto& parameters) {
+      return device.parameters.change<msg::ReadParams3>(run.profile, [](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.axes[axis].poles = 14;
           parameters.axes[axis].invert = 0;
         }
       });
     case Kind::encoder_offset:
-      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
+      return device.parameters.change<msg::ReadParamsExt>(run.profile, [&](auto& parameters) {
         // The current position becomes zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
-      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
+      return device.parameters.change<msg::ReadParamsExt>(run.profile, [&](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
         }
@@ -368,8 +358,8 @@ bool Calibrations::store_follow_offsets(Device& device, Instant now) {
     }
     offsets[axis] = (*degrees).raw();
   }
-  return change_parameters<msg::ReadParams3>(
-      device, device.parameters.profile(), now,
+  return device.parameters.change<msg::ReadParams3>(
+      device.parameters.profile(),
       [&](msg::ReadParams3& parameters) { parameters.follow_offset = offsets; });
 }
 

@@ -22,12 +22,12 @@ using Kind = Calibrations::Kind;
 /// Returns the index of an IMU in Memory::imus; nothing if the board does not have it.
 std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
   switch (imu) {
-    case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
+    case msg::CalibImu::active: return device.imus.selected_index();
     case msg::CalibImu::main: return 0;
     case msg::CalibImu::frame: break;
     default: return {};
   }
-  return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
+  return device.imus.has_frame ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
@@ -245,7 +245,7 @@ Reaction handle(RequestContext& context, const msg::CalibBat& request, Device& d
     return context.refuse(msg::BoardErrorCode::wrong_params);
   device.memory.battery_factor = factor;
   ++device.memory.revision;
-  device.apply_parameters(context.now);
+  device.parameters.apply_later();
   return context.confirm();
 }
 
@@ -265,8 +265,7 @@ Reaction handle(RequestContext& context, const msg::CalibInfoRequest& request, D
   if (!is_frame && request.imu_type != msg::SelectedImu::main) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  if (is_frame && !device.has_frame_imu())
-    return context.refuse(msg::BoardErrorCode::not_supported);
+  if (is_frame && !device.imus.has_frame) return context.refuse(msg::BoardErrorCode::not_supported);
   return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
 }
 

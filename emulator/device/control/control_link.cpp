@@ -31,7 +31,7 @@ void ControlLink::configure(Device& device, const msg::ControlConfig& config, st
   // The value is that of EULER_ORDER plus one; 0 keeps the order.
   const auto order = static_cast<unsigned>(config.euler_order.order());
   if (order != 0) order_ = static_cast<msg::EulerOrder>(order - 1);
-  device.apply_parameters(now);
+  device.parameters.apply_later();
 }
 
 bool ControlLink::admits(std::size_t port) const {

@@ -58,7 +58,7 @@ Reaction control(RequestContext& context, Device& device, const Request& request
 }
 
 Reaction turn_motors(RequestContext& context, Device& device, bool on) {
-  device.set_motors(on, context.now);
+  device.tasks.set_motors(device.gimbal, on, context.now);
   // An empty battery keeps the motors off.
   if (on && device.gimbal.stopped_by_battery())
     return context.refuse(msg::BoardErrorCode::wrong_state);

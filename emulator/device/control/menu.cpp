@@ -47,7 +47,6 @@ void set_angle(Device& device, bool is_saved, Instant now) {
   } else {
     parameters.change_in_use<msg::ReadParams3>(edit);
   }
-  device.apply_parameters(now);
 }
 
 void go_home(Device& device, Instant now) {
@@ -70,14 +69,13 @@ void move_to(Device& device, std::size_t axis, double angle, Instant now) {
 }
 
 void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
-  const std::size_t imu = device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
-  static_cast<void>(device.calibrations.start(device, kind, imu, {}, now));
+  static_cast<void>(device.calibrations.start(device, kind, device.imus.selected_index(), {}, now));
 }
 
 bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
   using Kind = Calibrations::Kind;
   if (const auto profile = profile_of(action)) {
-    device.select_profile(*profile, now);
+    device.parameters.select_profile(*profile);
     return true;
   }
   if (const auto script = script_of(action)) {
@@ -109,9 +107,11 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::reset: device.restarts.announce(device, now); break;
     case msg::MenuCommand::set_angle: set_angle(device, true, now); break;
     case msg::MenuCommand::set_angle_no_save: set_angle(device, false, now); break;
-    case msg::MenuCommand::motor_toggle: device.set_motors(!device.gimbal.motors_on(), now); break;
-    case msg::MenuCommand::motor_on: device.set_motors(true, now); break;
-    case msg::MenuCommand::motor_off: device.set_motors(false, now); break;
+    case msg::MenuCommand::motor_toggle:
+      device.tasks.set_motors(device.gimbal, !device.gimbal.motors_on(), now);
+      break;
+    case msg::MenuCommand::motor_on: device.tasks.set_motors(device.gimbal, true, now); break;
+    case msg::MenuCommand::motor_off: device.tasks.set_motors(device.gimbal, false, now); break;
     case msg::MenuCommand::auto_pid:
       static_cast<void>(device.auto_tuning.start(device, now));
       break;

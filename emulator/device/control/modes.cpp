@@ -16,7 +16,7 @@ msg::StateFlags state_flags(Device& device, Instant now) {
   flags.set(is_frame_inverted, sample.frame_up.z < 0);
   flags.set(shake_gen_enabled, device.modes.shakes);
   flags.set(servo_mode_enabled, device.modes.servo);
-  const Tuning tuning = device.tuning();
+  const Tuning& tuning = device.tuning;
   flags.set(follow_mode_roll, tuning.axes.roll.follows);
   flags.set(follow_mode_pitch, tuning.axes.pitch.follows);
   flags.set(follow_mode_yaw, tuning.axes.yaw.follows);
@@ -29,7 +29,7 @@ msg::CalibMode calibration_mode(const Device& device) {
   using Kind = Calibrations::Kind;
   if (device.tasks.is_stopping()) return msg::CalibMode::safe_stop;
   if (device.auto_tuning.is_running()) return msg::CalibMode::auto_pid;
-  if (device.is_writing_parameters) return msg::CalibMode::write_params;
+  if (device.modes.is_writing_parameters) return msg::CalibMode::write_params;
   const auto kind = device.calibrations.under_way();
   if (!kind) return msg::CalibMode::none;
   switch (*kind) {

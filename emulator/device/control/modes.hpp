@@ -10,12 +10,13 @@ struct Device;
 
 /// Switches of hosts and of menu actions, valid until the board restarts.
 struct Modes {
-  bool servo = false;       ///< angles are those of the motors
-  bool tripod = false;      ///< the tripod mode
-  bool shakes = false;      ///< the shake generator
-  bool retracted = false;   ///< the camera is in the retracted position
-  bool follow_off = false;  ///< no axis follows the frame
-  bool follows = false;     ///< every axis follows the frame
+  bool servo = false;                  ///< angles are those of the motors
+  bool tripod = false;                 ///< the tripod mode
+  bool shakes = false;                 ///< the shake generator
+  bool retracted = false;              ///< the camera is in the retracted position
+  bool follow_off = false;             ///< no axis follows the frame
+  bool follows = false;                ///< every axis follows the frame
+  bool is_writing_parameters = false;  ///< between the two requests of CMD_WRITE_PARAMS_SET
 };
 
 /// The flags of live data; those of CMD_BOARD_INFO are the lowest ones.

@@ -14,7 +14,7 @@ namespace {
 constexpr Duration turn_period = milliseconds(20);
 
 Pose pose(const Device& device, const Axes<double>& angles) {
-  return {angles, device.tuning().rotation_order};
+  return {angles, device.tuning.rotation_order};
 }
 
 std::array<float, 4> wire(const Quaternion& quaternion) {
@@ -55,7 +55,7 @@ void QuaternionControl::command(Device& device, const Target& target, Instant no
     turn(device, now);
     next_ = now + turn_period;
   } else if (target.attitude) {
-    const Tuning tuning = device.tuning();
+    const Tuning& tuning = device.tuning;
     const Axes<double> present = device.gimbal.sample(now).targets;
     const Axes<double> angles = angles_of(*target.attitude, tuning.rotation_order, present);
     const auto speeds =

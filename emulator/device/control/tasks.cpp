@@ -71,6 +71,11 @@ void Tasks::confirm_end(std::size_t port, std::uint8_t command, Kind kind, Insta
   plan(now);
 }
 
+void Tasks::set_motors(Gimbal& gimbal, bool on, Instant now) {
+  stop_ = off_ = Instant::never;
+  gimbal.set_motors(on, now);
+}
+
 void Tasks::stop_safely(Device& device, Instant now) {
   if (!device.gimbal.motors_on()) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -78,12 +83,12 @@ void Tasks::stop_safely(Device& device, Instant now) {
   }
   stop_ = now + longest_stop;
   plan(now);
-  if (has_stopped(device, now)) device.set_motors(false, now);
+  if (has_stopped(device, now)) set_motors(device.gimbal, false, now);
 }
 
 void Tasks::synchronize(Device& device, std::size_t axis, double degrees, Duration time,
                         Instant now) {
-  device.set_motors(true, now);
+  set_motors(device.gimbal, true, now);
   const double angle = device.gimbal.sample(now).angles[axis] + degrees;
   const double seconds = std::max(static_cast<double>(time.us) * 1e-6, 1e-3);
   device.gimbal.command(axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle},
@@ -95,7 +100,7 @@ void Tasks::synchronize(Device& device, std::size_t axis, double degrees, Durati
 void Tasks::advance(Device& device, Instant now) {
   if (next_ > now) return;
   if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device, now))) {
-    device.set_motors(false, now);
+    set_motors(device.gimbal, false, now);
   }
   const std::vector<Task> before = std::move(tasks_);
   tasks_.clear();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
@@ -28,8 +29,8 @@ class Tasks {
   /// Drives one motor for this time, then turns the motors off.
   void synchronize(Device& device, std::size_t axis, double degrees, Duration time, Instant now);
   bool is_stopping() const { return stop_ != Instant::never; }
-  /// The motors were turned on or off otherwise.
-  void forget_stop() { stop_ = off_ = Instant::never; }
+  /// Turns the motors on or off, in place of a stop that is under way.
+  void set_motors(Gimbal& gimbal, bool on, Instant now);
 
   void drop_port(std::size_t port);
 

@@ -17,18 +17,14 @@ namespace {
 
 Reaction select_imu(RequestContext& context, Device& device, msg::SelectedImu imu) {
   const bool exists =
-      imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && device.has_frame_imu());
+      imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && device.imus.has_frame);
   if (!exists) return RequestContext::ignore();
-  device.cur_imu = imu;
+  device.imus.selected = imu;
   return context.confirm();
 }
 
 bool has_external_imu(const BoardOptions& options) {
   return features_ext_of(options).has(msg::BoardFeaturesExtBit::ext_imu);
-}
-
-double degrees_per_second(msg::GyroOffset offset) {
-  return offset.gyro_units() * Device::gyro_unit();
 }
 
 /// Returns nothing if the length is not close to 1.
@@ -113,11 +109,11 @@ Reaction handle(RequestContext& context, const msg::SelectImu3Ext& request, Devi
 
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
 Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Device& device) {
-  if (request.imu_type == msg::CalibImu::frame && !device.has_frame_imu()) {
+  if (request.imu_type == msg::CalibImu::frame && !device.imus.has_frame) {
     return RequestContext::ignore();
   }
-  if (request.imu_type == msg::CalibImu::main) device.cur_imu = msg::SelectedImu::main;
-  if (request.imu_type == msg::CalibImu::frame) device.cur_imu = msg::SelectedImu::frame;
+  if (request.imu_type == msg::CalibImu::main) device.imus.selected = msg::SelectedImu::main;
+  if (request.imu_type == msg::CalibImu::frame) device.imus.selected = msg::SelectedImu::frame;
   return calibrate_gyro(context, device, request.imu_type, request.action,
                         milliseconds(request.time_ms.raw()));
 }
@@ -141,24 +137,23 @@ Reaction handle(RequestContext& context, const msg::GyroCorrection& request, Dev
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
     return context.refuse(msg::BoardErrorCode::wrong_params);
-  if (of_frame && !device.has_frame_imu())
-    return context.refuse(msg::BoardErrorCode::not_supported);
+  if (of_frame && !device.imus.has_frame) return context.refuse(msg::BoardErrorCode::not_supported);
   Vector offset;
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
   }
   const std::size_t imu = of_frame ? 1 : 0;
-  device.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
+  device.imus.headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
   device.memory.imus[imu].gyro_offset = offset;
   ++device.memory.revision;
-  device.correct_gyros(context.now);
+  device.imus.correct(device.gimbal, device.memory, device.parameters, context.now);
   return context.confirm();
 }
 
 Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
   if (!has_external_imu(device.options)) return context.refuse(msg::BoardErrorCode::not_supported);
   const Sample sample = device.gimbal.sample(context.now);
-  const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
+  const Rotation attitude = Pose(sample.angles, device.tuning.rotation_order).rotation();
   msg::ExtImuDebugInfo info;
   info.ahrs_debug_info = attitude_debug(device, context.now);
   for (std::size_t row = 0; row < 3; ++row) {

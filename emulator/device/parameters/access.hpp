@@ -46,7 +46,7 @@ std::optional<std::uint8_t> copy_of(const Device& device, const Request& request
 /// Sets the fields that hold state of the board.
 template <class S>
 void fill_state(const Device& device, S& parameters) {
-  if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.cur_imu;
+  if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.imus.selected;
   if constexpr (requires { parameters.cur_profile_id; }) {
     parameters.cur_profile_id = device.parameters.profile();
   }
@@ -73,7 +73,6 @@ Reaction access_parameters(RequestContext& context, const Request& request, Devi
         detail::fill_state(device, answer);
         reaction = context.answer_anyway(answer);
       } else if (device.parameters.write<S>(*copy, request)) {
-        device.apply_parameters(context.now);
         reaction = context.confirm();
       } else {
         reaction = context.refuse(msg::BoardErrorCode::operation_failed);

@@ -26,23 +26,25 @@ Reaction handle(RequestContext& context, const msg::SaveParams3& request, Parame
 Reaction handle(RequestContext& context, const msg::UseDefaults& request, Device& device) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
     device.parameters.erase();
-    device.forget_calibrations();
+    device.memory.imus = {};
+    device.memory.battery_factor = Memory{}.battery_factor;
+    ++device.memory.revision;
+    device.imus.headings = {};
   } else if (request.profile_id < ParametersOf<msg::ReadParams3>::copies) {
     device.parameters.use_defaults(request.profile_id);
   } else {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.profile_id);
   }
-  device.apply_parameters(context.now);
   return context.confirm();
 }
 
 /// Between the two requests, written parameters are stored but not yet in use.
 Reaction handle(RequestContext& context, const msg::WriteParamsSet& request, Device& device) {
   switch (request.action) {
-    case msg::WriteParamsAction::start: device.is_writing_parameters = true; break;
+    case msg::WriteParamsAction::start: device.modes.is_writing_parameters = true; break;
     case msg::WriteParamsAction::finish:
-      device.is_writing_parameters = false;
-      device.apply_parameters(context.now);
+      device.modes.is_writing_parameters = false;
+      device.parameters.apply_later();
       break;
     default: return context.refuse(msg::BoardErrorCode::wrong_params);
   }
@@ -55,10 +57,10 @@ Reaction handle(RequestContext& context, const msg::ProfileSet& request, Device&
     return context.refuse(msg::BoardErrorCode::wrong_params, request.slot);
   }
   switch (request.action) {
-    case msg::ProfileSetAction::save: device.save_profile_set(index); break;
-    case msg::ProfileSetAction::clear: device.clear_profile_set(index); break;
+    case msg::ProfileSetAction::save: device.parameters.save_profile_set(index); break;
+    case msg::ProfileSetAction::clear: device.parameters.clear_profile_set(index); break;
     case msg::ProfileSetAction::load:
-      if (!device.load_profile_set(index, context.now)) {
+      if (!device.parameters.load_profile_set(index)) {
         return context.refuse(msg::BoardErrorCode::operation_failed, request.slot);
       }
       break;

@@ -11,6 +11,8 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
+#include "device/parameters/parameters.hpp"
+
 namespace sbgc::emulator {
 
 struct Device;

@@ -67,7 +67,7 @@ Axes<Q> axes_of(const Axes<double>& from, double factor = 1) {
 
 msg::AhrsDebugInfo attitude_debug(Device& device, Instant now) {
   const Sample sample = device.gimbal.sample(now);
-  const bool has_frame = device.has_frame_imu();
+  const bool has_frame = device.imus.has_frame;
   msg::AhrsDebugInfo out;
   out.main_imu_ref_src = references(true);
   out.frame_imu_ref_src = references(has_frame);
@@ -88,7 +88,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
                    Instant now, msg::RealtimeDataCustom& data) {
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
-  const Tuning tuning = device.tuning();
+  const Tuning& tuning = device.tuning;
   const bool has_joints = knows_joints(device);
   // There is no fourth motor.
   if (blocks.has(Flag::motor4_control)) data.motor4_control = msg::Motor4Control{};

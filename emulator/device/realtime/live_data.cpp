@@ -88,11 +88,11 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
   data.ext_fc_pitch = controller_pulse(device, parameters.rc_map_fc_pitch);
   data.angle = angles(sample.angles);
   data.rc_angle = angles(sample.targets);
-  if (device.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
+  if (device.imus.has_frame) data.frame_imu_angle = angles(sample.frame);
   data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
   data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
   if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
-  data.cur_imu = device.cur_imu;
+  data.cur_imu = device.imus.selected;
   data.cur_profile = device.parameters.profile();
 }
 
@@ -115,11 +115,11 @@ bool is_of_frame(const msg::DataStreamInterval& request) {
 }  // namespace
 
 bool knows_frame(Device& device, Instant now) {
-  return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
+  return device.imus.has_frame || device.gimbal.is_frame_reported(now);
 }
 
 bool knows_joints(const Device& device) {
-  return has_encoders(device.options) || device.has_frame_imu();
+  return has_encoders(device.options) || device.imus.has_frame;
 }
 
 void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
@@ -139,10 +139,10 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
     data.current = saturated<msg::Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
-  if (device.has_frame_imu()) {
+  if (device.imus.has_frame) {
     data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
   }
-  const bool is_frame = device.cur_imu == msg::SelectedImu::frame;
+  const bool is_frame = device.imus.selected == msg::SelectedImu::frame;
   data.imu_g_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
   data.imu_h_err =

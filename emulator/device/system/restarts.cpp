@@ -32,9 +32,6 @@ void Restarts::restart_now(Device& device, Instant now, bool to_bootloader, bool
     }
   });
   if (power_off) device.i2c.power_off();
-  device.gyro_headings = {};
-  device.cur_imu = msg::SelectedImu::main;
-  device.is_writing_parameters = false;
   device.gimbal.set_motors(false, now);
   device.gimbal.restart(now);
   if (to_bootloader) {
@@ -63,6 +60,7 @@ void Restarts::begin_running(Device& device, Instant now) {
   state_ = State::running;
   changes_ = Instant::never;
   device.ports.restart(false);
+  device.parameters.apply_later();
   device.apply_parameters(now);
   device.calibrate_at_start(now);
   device.state_variables.start(device, now);
@@ -70,7 +68,7 @@ void Restarts::begin_running(Device& device, Instant now) {
   const bool stays_off =
       knows(versions_of(device.options), msg::GeneralFlags2Bit::motors_off_at_startup) &&
       flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
-  if (!stays_off) device.set_motors(true, now);
+  if (!stays_off) device.tasks.set_motors(device.gimbal, true, now);
 }
 
 Instant Restarts::next() const { return scheduled_ ? earlier(scheduled_->at, changes_) : changes_; }
