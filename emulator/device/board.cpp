@@ -46,7 +46,7 @@ Reaction carry_out(RequestContext& context, const M& request, Device& device) {
   if constexpr (requires { call<M>(handle, context, request, device); }) {
     return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
-    return access_parameters(context, request, device);
+    return access_parameters(context, request, device.parameters, device.imus);
   } else {
     return default_response(context, request);
   }
@@ -74,7 +74,7 @@ class Board::Core {
       run_due(at);
     }
     clock_ = device.ports.now = until;
-    device.streams.count_skipped(device, until);
+    device.streams.count_skipped(device.ports, until);
   }
 
   Instant next() {
@@ -98,12 +98,12 @@ class Board::Core {
   void sent(std::size_t port, std::size_t size, Instant now) {
     run_until(now);
     device.ports.sent(port, size);
-    device.streams.has_room(device, port, clock_);
+    device.streams.has_room(device.ports, port, clock_);
     plan_request(port);
   }
 
   void close(std::size_t port) {
-    device.streams.forget(device, port, clock_);
+    device.streams.forget(device.ports, port, clock_);
     for_each_part(device, [&](auto& part) {
       if constexpr (requires { part.drop_port(port); }) part.drop_port(port);
     });
@@ -112,7 +112,7 @@ class Board::Core {
   }
 
   void end_input(std::size_t port) {
-    device.streams.forget(device, port, clock_);
+    device.streams.forget(device.ports, port, clock_);
     device.ports.end_input(port);
   }
 
@@ -138,7 +138,7 @@ class Board::Core {
   void set_silent(bool is_silent) {
     device.ports.set_silent(is_silent);
     for (std::size_t port = 0; port < request_times_.size(); ++port) {
-      device.streams.has_room(device, port, clock_);
+      device.streams.has_room(device.ports, port, clock_);
     }
   }
 
@@ -166,9 +166,9 @@ class Board::Core {
 
   void run_due(Instant now) {
     step([&] { device.restarts.advance(device, now); });
-    for_each_part(device, [&](auto& part) {
+    for_each_part(device, [&]<class Part>(Part& part) {
       if constexpr (requires { part.next(); }) {
-        if (part.next() <= now) step([&] { part.advance(device, now); });
+        if (part.next() <= now) step([&] { device.run(&Part::advance, now); });
       }
     });
     for (std::size_t port = 0; port < idle_times_.size(); ++port) {
@@ -221,7 +221,7 @@ class Board::Core {
     const Reaction reaction = try_frame(port, request, now);
     const bool is_strange = reaction == Reaction::unknown || reaction == Reaction::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
-      RequestContext context(device, port, request.id, Confirmed::never, now);
+      RequestContext context(device.ports, device.options, port, request.id, Confirmed::never, now);
       context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
                                        : msg::BoardErrorCode::unknown_command);
     }
@@ -249,13 +249,14 @@ class Board::Core {
         if constexpr (!accesses_parameters<M>) {
           const bool has_unknown_values = limit_to(versions_of(device.options), message);
           if (has_unknown_values && !checks_values<M>) {
-            RequestContext context(device, port, request.id, Confirmed::never, now);
+            RequestContext context(device.ports, device.options, port, request.id, Confirmed::never,
+                                   now);
             reaction = context.refuse(msg::BoardErrorCode::wrong_params);
             return;
           }
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
-        RequestContext context(device, port, request.id, confirmed, now);
+        RequestContext context(device.ports, device.options, port, request.id, confirmed, now);
         reaction = carry_out(context, message, device);
       }
     });

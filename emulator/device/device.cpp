@@ -47,8 +47,8 @@ void Device::apply_parameters(Instant now) {
   if (modes.is_writing_parameters) return;
   gimbal.tune(tuning, now);
   imus.correct(gimbal, memory, parameters, now);
-  remote.apply(*this, now);
-  slots.apply_parameters(*this, now);
+  remote.apply(parameters, gimbal, now);
+  slots.apply_parameters(parameters, now);
 }
 
 void Device::calibrate_at_start(Instant now) {

@@ -11,8 +11,10 @@
 
 #include "device/adjustable_variables/slots.hpp"
 #include "device/calibration/auto_tuning.hpp"
+#include "device/calibration/calibration_parts.hpp"
 #include "device/calibration/calibrations.hpp"
 #include "device/control/control_link.hpp"
+#include "device/control/control_parts.hpp"
 #include "device/control/events.hpp"
 #include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
@@ -37,8 +39,8 @@ namespace sbgc::emulator {
 
 /// The interface of a part of the board that acts on its own, as far as it needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
-///     void advance(Device& device, Instant now);   // executes what is due at `now`
-///     void restart(Device& device, Instant now);   // without it, a restart loses the whole state
+///     void advance(Instant now, Part& part, ...);  // executes what is due, with the parts it uses
+///     void restart(Instant now, Part& part, ...);  // without it, a restart loses the whole state
 ///     void drop_port(std::size_t port);            // the port closes: sends nothing more to it
 /// Parts store ports by number; Ports::send() to a closed port does nothing.
 struct Device {
@@ -69,6 +71,9 @@ struct Device {
   DebugCopies debug_copies;        ///< CMD_SET_DEBUG_PORT
   Modes modes;                     ///< switches until the board restarts
   Imus imus;
+  ControlParts control{control_link, quaternions, tasks, modes, gimbal, parameters, tuning};
+  CalibrationParts calibration{options, memory, parameters, gimbal,       imus,
+                               outputs, ports,  restarts,   calibrations, auto_tuning};
 
   /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
@@ -94,13 +99,19 @@ struct Device {
   }
   /// All parts; the whole device counts as one.
   auto parts() {
-    return std::tuple_cat(acting_parts(), std::tie(*this, options, memory, eeprom, parameters,
-                                                   files, gimbal, tuning, ports, i2c, restarts));
+    return std::tuple_cat(
+        acting_parts(), std::tie(*this, options, memory, eeprom, parameters, files, gimbal, tuning,
+                                 ports, i2c, restarts, control, calibration));
   }
   /// A part by its type, for functions that take some parts.
   template <class Part>
   Part& part() {
     return std::get<std::remove_const_t<Part>&>(parts());
+  }
+  /// Calls a function of a part with the parts that it takes.
+  template <class Part, class... Parts>
+  void run(void (Part::*function)(Instant, Parts&...), Instant now) {
+    (part<Part>().*function)(now, part<Parts>()...);
   }
 
   Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts

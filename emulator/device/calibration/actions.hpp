@@ -4,12 +4,13 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/time.hpp>
 
+#include "device/calibration/calibration_parts.hpp"
 #include "device/request_context.hpp"
 
 namespace sbgc::emulator {
 
 /// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
-Reaction calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+Reaction calibrate_gyro(RequestContext& context, CalibrationParts& parts, msg::CalibImu which,
                         msg::CalibAction action, Duration length);
 
 }  // namespace sbgc::emulator

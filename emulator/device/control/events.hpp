@@ -18,12 +18,12 @@ struct Device;
 class Events {
  public:
   /// Sends an event now.
-  static void emit(Device& device, msg::EventId id, msg::EventType type, Instant now);
+  static void emit(Device& device, msg::EventId id, msg::EventType type);
   /// Sends the events of the changes since the last call.
   void watch(Device& device, Instant now);
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Device& device);
 
  private:
   struct State {

@@ -66,7 +66,7 @@ void invert_rc(Parameters& active, std::size_t axis) {
 void trim_rc(Device& device) {
   Axes<std::int8_t> trims;
   for (std::size_t axis = 0; axis < trims.size(); ++axis) {
-    const double signal = device.remote.own(device, axis).value_or(0);
+    const double signal = device.remote.own(device.parameters, axis).value_or(0);
     constexpr double lowest = -127, highest = 127;
     const double counts = -saturated<msg::CentredRcSignal>(signal).raw();
     trims[axis] = static_cast<std::int8_t>(std::clamp(counts, lowest, highest));
@@ -163,22 +163,22 @@ bool execute_later_action(Device& device, Command action, Instant now) {
     case Command::calib_acc_auto: begin_calibration(device, Kind::acc, now); break;
     case Command::ext_gyro_online_calib: begin_calibration(device, Kind::gyro, now); break;
     case Command::camera_rec_photo_event:
-      Events::emit(device, msg::EventId::camera, msg::EventType::off, now);
+      Events::emit(device, msg::EventId::camera, msg::EventType::off);
       break;
     case Command::camera_photo_event:
-      Events::emit(device, msg::EventId::camera, msg::EventType::on, now);
+      Events::emit(device, msg::EventId::camera, msg::EventType::on);
       break;
-    case Command::motors_safe_stop: device.tasks.stop_safely(device, now); break;
+    case Command::motors_safe_stop: device.tasks.stop_safely(device.gimbal, now); break;
     case Command::motors_safe_toggle:
       if (device.gimbal.motors_on()) {
-        device.tasks.stop_safely(device, now);
+        device.tasks.stop_safely(device.gimbal, now);
       } else {
         device.tasks.set_motors(device.gimbal, true, now);
       }
       break;
     case Command::reset_imu: device.gimbal.gyro_calibrated(false, now); break;
     case Command::auto_pid_gain_only:
-      static_cast<void>(device.auto_tuning.start(device, now));
+      static_cast<void>(device.auto_tuning.start(device.calibration, now));
       break;
     case Command::set_cur_pos_as_home: return execute_menu(device, Command::set_angle, now);
     case Command::stop_script: device.scripts.stop(); break;

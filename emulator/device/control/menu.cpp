@@ -69,7 +69,8 @@ void move_to(Device& device, std::size_t axis, double angle, Instant now) {
 }
 
 void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
-  static_cast<void>(device.calibrations.start(device, kind, device.imus.selected_index(), {}, now));
+  static_cast<void>(
+      device.calibrations.start(device.calibration, kind, device.imus.selected_index(), {}, now));
 }
 
 bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
@@ -89,11 +90,11 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::none: break;
     case msg::MenuCommand::swap_pitch_roll:
       device.remote.swap(pitch, roll);
-      device.remote.apply(device, now);
+      device.remote.apply(device.parameters, device.gimbal, now);
       break;
     case msg::MenuCommand::swap_yaw_roll:
       device.remote.swap(yaw, roll);
-      device.remote.apply(device, now);
+      device.remote.apply(device.parameters, device.gimbal, now);
       break;
     case msg::MenuCommand::calib_acc: begin_calibration(device, Kind::acc, now); break;
     case msg::MenuCommand::calib_gyro: begin_calibration(device, Kind::gyro, now); break;
@@ -104,7 +105,7 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
       begin_calibration(device, Kind::gyro_temperature, now);
       break;
     case msg::MenuCommand::calib_mag: begin_calibration(device, Kind::mag, now); break;
-    case msg::MenuCommand::reset: device.restarts.announce(device, now); break;
+    case msg::MenuCommand::reset: device.restarts.announce(device.ports, now); break;
     case msg::MenuCommand::set_angle: set_angle(device, true, now); break;
     case msg::MenuCommand::set_angle_no_save: set_angle(device, false, now); break;
     case msg::MenuCommand::motor_toggle:
@@ -113,7 +114,7 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::motor_on: device.tasks.set_motors(device.gimbal, true, now); break;
     case msg::MenuCommand::motor_off: device.tasks.set_motors(device.gimbal, false, now); break;
     case msg::MenuCommand::auto_pid:
-      static_cast<void>(device.auto_tuning.start(device, now));
+      static_cast<void>(device.auto_tuning.start(device.calibration, now));
       break;
     case msg::MenuCommand::look_down: move_to(device, pitch, 90, now); break;
     case msg::MenuCommand::home_position: go_home(device, now); break;
@@ -131,8 +132,8 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::button_press: {
       // A single press. An action that presses the button again does nothing.
       const msg::MenuCommand pressed = device.parameters.of<msg::ReadParams3>().menu_cmd[0];
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::on, now);
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::off, now);
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::on);
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::off);
       return pressed == msg::MenuCommand::button_press || execute_menu(device, pressed, now);
     }
     default: return execute_later_action(device, action, now);

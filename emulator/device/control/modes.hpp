@@ -1,6 +1,7 @@
 /// The state of the board that flags report.
 #pragma once
 
+#include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/time.hpp>
 
@@ -20,7 +21,7 @@ struct Modes {
 };
 
 /// The flags of live data; those of CMD_BOARD_INFO are the lowest ones.
-msg::StateFlags state_flags(Device& device, Instant now);
+msg::StateFlags state_flags(Gimbal& gimbal, const Modes& modes, const Tuning& tuning, Instant now);
 /// The calibration or other task that is running.
 msg::CalibMode calibration_mode(const Device& device);
 /// The state of the motor power.

@@ -10,9 +10,9 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::emulator {
+#include "device/control/control_parts.hpp"
 
-struct Device;
+namespace sbgc::emulator {
 
 struct AxisTarget {
   msg::ControlMode mode{};
@@ -27,8 +27,8 @@ AxisTargets targets_of(const msg::ControlExtCommand& request);
 
 /// Returns the command for the gimbal; nothing if there is no such mode. MODE_IGNORE gives no
 /// command and must be handled before.
-std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const AxisTarget& target,
-                                      Instant now);
+std::optional<AxisCommand> command_of(const ControlParts& parts, std::size_t axis,
+                                      const AxisTarget& target, Instant now);
 
 /// True if the end of the motion is to be confirmed.
 bool is_task(const AxisTarget& target);

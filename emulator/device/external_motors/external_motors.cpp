@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/features.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -193,7 +193,7 @@ msg::ExtMotorsState ExternalMotors::state(Gimbal& gimbal, std::size_t motor,
   return state;
 }
 
-void ExternalMotors::restart(Device&, Instant now) {
+void ExternalMotors::restart(Instant now) {
   motors_ = {};
   for (Motor& motor : motors_) motor.at = now;
 }

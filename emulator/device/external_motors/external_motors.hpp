@@ -11,8 +11,6 @@
 
 namespace sbgc::emulator {
 
-struct Device;
-
 /// Seven motors, each of which follows its setpoint with the delay of a first-order system, within
 /// its limits. Assumption: the motors are alike, and their home position is 0.
 class ExternalMotors {
@@ -41,7 +39,7 @@ class ExternalMotors {
   };
   Motion motion(std::size_t motor, Instant now);
 
-  void restart(Device& device, Instant now);
+  void restart(Instant now);
 
  private:
   struct Motor {

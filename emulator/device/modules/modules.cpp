@@ -44,8 +44,8 @@ std::vector<Module> modules_of(const BoardOptions& options) {
   return modules;
 }
 
-void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
-             msg::CanDrvTelemetry& data) {
+msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               Instant now) {
   using enum msg::CanDrvTelemetryFlag;
   const Sample sample = device.gimbal.sample(now);
   // Assumption: the drivers are those of the external motors, or of the axes without them.
@@ -57,6 +57,7 @@ void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags field
   }
   const double milliamperes = 50 + 2000 * std::abs(motion.load);
   constexpr double degrees_per_turn = 360;
+  msg::CanDrvTelemetry data;
   data.drv_id = static_cast<std::uint8_t>(driver);
   data.timestamp_ms = msg::MillisecondClock(
       static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
@@ -84,6 +85,7 @@ void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags field
   if (fields.has(pid_speed_err)) data.pid_speed_err = std::int16_t{0};
   if (fields.has(iq_ref)) data.iq_ref = saturated<msg::CurrentShare>(100 * motion.load);
   if (fields.has(pid_current_err)) data.pid_current_err = std::int16_t{0};
+  return data;
 }
 
 }  // namespace sbgc::emulator

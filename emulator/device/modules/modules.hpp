@@ -28,8 +28,8 @@ struct Module {
 std::size_t can_drivers(const BoardOptions& options);
 std::vector<Module> modules_of(const BoardOptions& options);
 
-/// Fills `data` with live data of a driver. Precondition: it exists.
-void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
-             msg::CanDrvTelemetry& data);
+/// Live data of a driver. Precondition: it exists.
+msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               Instant now);
 
 }  // namespace sbgc::emulator

@@ -15,8 +15,6 @@
 
 namespace sbgc::emulator {
 
-struct Device;
-
 /// Nothing is connected to them; hosts can query their state.
 class Outputs {
  public:
@@ -34,7 +32,8 @@ class Outputs {
   };
 
   /// Returns false, without effect, if there is no such pin or it is in use for another purpose.
-  bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
+  bool set_pin(const Parameters& parameters, Availability versions, msg::OutputPin pin,
+               msg::PinState state);
   /// The state set by a host; empty if none was set.
   std::optional<msg::PinState> pin(msg::OutputPin pin) const;
   /// Returns the high pins, one bit per pin in the order of OutputPin.
@@ -55,11 +54,11 @@ class Outputs {
   /// if the message describes neither.
   bool play(const msg::BeepSound& sound, Instant now);
   /// Plays the standard sound of an event if it has one and the parameters enable it.
-  void signal(const Device& device, msg::BeeperMode event, Instant now);
+  void signal(const Parameters& parameters, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 
   Instant next() const;
-  void advance(Device& device, Instant now);
+  void advance(Instant now);
 
  private:
   static constexpr std::size_t pin_count = 10;

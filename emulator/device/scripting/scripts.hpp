@@ -15,7 +15,7 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class Ports;
 
 /// Runs one script at a time. The script language is undocumented. Assumptions: a script is text
 /// whose lines are commands that only take time; the script of a slot is the file with the number
@@ -41,7 +41,7 @@ class Scripts {
   void drop_port(std::size_t port);
 
   Instant next() const;
-  void advance(Device& device, Instant now);
+  void advance(Instant now, const FileSystem& files, Ports& ports);
 
  private:
   struct Run {
@@ -52,7 +52,7 @@ class Scripts {
     Instant due{};  ///< end of the command
   };
 
-  void report(Device& device, msg::FileError error) const;
+  void report(Ports& ports, msg::FileError error) const;
 
   std::optional<Run> run_{};
 };

@@ -13,9 +13,9 @@ void Restarts::schedule(Instant at, bool to_bootloader) {
   scheduled_ = {at, to_bootloader};
 }
 
-void Restarts::announce(Device& device, Instant now) {
+void Restarts::announce(Ports& ports, Instant now) {
   for (std::size_t port = 0; port < Board::max_ports; ++port) {
-    device.ports.send(port, roles::Reset{});
+    ports.send(port, roles::Reset{});
   }
   schedule(now + milliseconds(roles::reset_delay_ms), false);
 }
@@ -25,8 +25,8 @@ void Restarts::restart_now(Device& device, Instant now, bool to_bootloader, bool
   scheduled_.reset();
   device.ports.restart(power_off);
   for_each_part(device, [&]<class Part>(Part& part) {
-    if constexpr (requires { part.restart(device, now); }) {
-      part.restart(device, now);
+    if constexpr (requires { &Part::restart; }) {
+      device.run(&Part::restart, now);
     } else {
       part = Part{};
     }
@@ -63,7 +63,7 @@ void Restarts::begin_running(Device& device, Instant now) {
   device.parameters.apply_later();
   device.apply_parameters(now);
   device.calibrate_at_start(now);
-  device.state_variables.start(device, now);
+  device.state_variables.start(device.options, device.memory, device.parameters, now);
   const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
   const bool stays_off =
       knows(versions_of(device.options), msg::GeneralFlags2Bit::motors_off_at_startup) &&

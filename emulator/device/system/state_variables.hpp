@@ -8,7 +8,7 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class Parameters;
 
 /// CMD_READ_STATE_VARS. The board counts in its memory, but stores the counters only when a host
 /// writes them or, each minute, with SAVE_SYSTEM_STAT.
@@ -21,9 +21,10 @@ class StateVariables {
   void write(Memory& memory, const msg::ReadStateVars& values, Instant now);
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Gimbal& gimbal, const Parameters& parameters, Memory& memory);
   /// The board has started.
-  void start(Device& device, Instant now);
+  void start(const BoardOptions& options, Memory& memory, const Parameters& parameters,
+             Instant now);
 
  private:
   void set(const msg::ReadStateVars& values, Instant now);
