@@ -12,6 +12,7 @@
 #include <sbgc/responses/all.hpp>
 
 #include "device/default_response.hpp"
+#include "device/equivalents.hpp"
 #include "device/handlers.hpp"
 #include "device/parameters/access.hpp"
 
@@ -43,7 +44,9 @@ Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts...), RequestC
 
 template <Message M>
 Reaction carry_out(RequestContext& context, const M& request, Device& device) {
-  if constexpr (requires { call<M>(handle, context, request, device); }) {
+  if constexpr (requires { equivalent(request); }) {
+    return carry_out(context, equivalent(request), device);
+  } else if constexpr (requires { call<M>(handle, context, request, device); }) {
     return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
     return access_parameters(context, request, device.parameters, device.imus);

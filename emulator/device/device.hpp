@@ -11,13 +11,12 @@
 
 #include "device/adjustable_variables/slots.hpp"
 #include "device/calibration/auto_tuning.hpp"
-#include "device/calibration/calibration_parts.hpp"
 #include "device/calibration/calibrations.hpp"
 #include "device/control/control_link.hpp"
-#include "device/control/control_parts.hpp"
 #include "device/control/events.hpp"
 #include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
+#include "device/control/targets.hpp"
 #include "device/control/tasks.hpp"
 #include "device/debug/debug_copies.hpp"
 #include "device/external_motors/external_motors.hpp"
@@ -39,7 +38,7 @@ namespace sbgc::emulator {
 
 /// The interface of a part of the board that acts on its own, as far as it needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
-///     void advance(Instant now, Part& part, ...);  // executes what is due, with the parts it uses
+///     void advance(Instant now, Part& part, ...);  // called when it is due, with what it uses
 ///     void restart(Instant now, Part& part, ...);  // without it, a restart loses the whole state
 ///     void drop_port(std::size_t port);            // the port closes: sends nothing more to it
 /// Parts store ports by number; Ports::send() to a closed port does nothing.

@@ -35,12 +35,4 @@ msg::BoardFeaturesExt2 features_ext2_of(const BoardOptions& options) {
                                                    : msg::BoardFeaturesExt2{};
 }
 
-bool has_encoders(const BoardOptions& options) {
-  return options.features.has(msg::BoardFeature::encoders);
-}
-
-bool has_battery_meter(const BoardOptions& options) {
-  return options.features.has(msg::BoardFeature::bat_monitoring);
-}
-
 }  // namespace sbgc::emulator

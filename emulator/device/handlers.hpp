@@ -25,16 +25,12 @@ Reaction handle(RequestContext&, const msg::AdjVarsStateRequest&, const Slots&,
 Reaction handle(RequestContext&, const msg::AdjVarsStateRequestExt&, const Slots&,
                 const RemoteControl&, const Parameters&);
 Reaction handle(RequestContext&, const msg::AdjVarsInfoRequest&, const Parameters&);
-Reaction handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, const Parameters&);
 Reaction handle(RequestContext&, const msg::SetAdjVarsValF&, Parameters&);
 Reaction handle(RequestContext&, const msg::GetAdjVarsValF&, const Parameters&);
 
 // calibration
-Reaction handle(RequestContext&, const msg::CalibAcc&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibAccExt&, CalibrationParts&);
-Reaction handle(RequestContext&, const msg::CalibGyro&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibGyroExt&, CalibrationParts&);
-Reaction handle(RequestContext&, const msg::CalibMag&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibExtGain&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibPoles&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibOffset&, Gimbal&, Parameters&);
@@ -50,19 +46,18 @@ Reaction handle(RequestContext&, const msg::CalibOrientCorr&, CalibrationParts&)
 Reaction handle(RequestContext&, const msg::CalibCogging&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibAccExtRef&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::AutoPid2&, CalibrationParts&);
+/// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
+Reaction calibrate_gyro(RequestContext&, CalibrationParts&, msg::CalibImu, msg::CalibAction,
+                        Duration length);
 
 // control
-Reaction handle(RequestContext&, const msg::Control&, ControlParts&);
 Reaction handle(RequestContext&, const msg::ControlExt&, ControlParts&);
 Reaction handle(RequestContext&, const msg::GetAnglesRequest&, Gimbal&);
 Reaction handle(RequestContext&, const msg::GetAnglesExtRequest&, Gimbal&, const Imus&,
                 const BoardOptions&);
 Reaction handle(RequestContext&, const msg::MotorsOn&, Tasks&, Gimbal&);
-Reaction handle(RequestContext&, const msg::MotorsOff&, Tasks&, Gimbal&);
 Reaction handle(RequestContext&, const msg::MotorsOffExt&, Tasks&, Gimbal&);
-Reaction handle(RequestContext&, const msg::ExecuteMenu&, Device&);
 Reaction handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
-Reaction handle(RequestContext&, const msg::HelperData&, Gimbal&);
 Reaction handle(RequestContext&, const msg::HelperDataExt&, Gimbal&);
 Reaction handle(RequestContext&, const msg::ControlExtCommand&, ControlParts&);
 Reaction handle(RequestContext&, const msg::ControlConfig&, ControlLink&, Modes&, Parameters&);
@@ -96,7 +91,6 @@ Reaction handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMoto
 
 // imu
 Reaction handle(RequestContext&, const msg::SelectImu3&, Imus&);
-Reaction handle(RequestContext&, const msg::SelectImu3Ext&, Imus&);
 Reaction handle(RequestContext&, const msg::AhrsHelperRequest&, Gimbal&, const Imus&);
 Reaction handle(RequestContext&, const msg::AhrsHelperRequestWide&, Gimbal&, const Imus&);
 Reaction handle(RequestContext&, const msg::AhrsHelperRequestExt&, Gimbal&, const Imus&,
@@ -131,10 +125,6 @@ Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, const I2cBus&
 Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, I2cBus&, const BoardOptions&, Eeprom&);
 Reaction handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
 Reaction handle(RequestContext&, const msg::ServoOutExt&, Outputs&, const Parameters&);
-Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, const I2cBus&,
-                const BoardOptions&, const Eeprom&, Gimbal&);
-Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, const I2cBus&,
-                const BoardOptions&, const Eeprom&, Gimbal&);
 Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
 Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, const RemoteControl&);
 
@@ -159,15 +149,9 @@ Reaction handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
 // system
 Reaction handle(RequestContext&, const msg::BoardInfoRequest&, const BoardOptions&, Gimbal&,
                 const Modes&, const Tuning&);
-Reaction handle(RequestContext&, const msg::BoardInfoRequestOneByte&, const BoardOptions&, Gimbal&,
-                const Modes&, const Tuning&);
-Reaction handle(RequestContext&, const msg::BoardInfoRequestExt&, const BoardOptions&, Gimbal&,
-                const Modes&, const Tuning&);
 Reaction handle(RequestContext&, const msg::BoardInfo3Request&, const BoardOptions&, const Memory&,
                 const FileSystem&, const Parameters&);
-Reaction handle(RequestContext&, const msg::ResetRequest&, Restarts&);
 Reaction handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
-Reaction handle(RequestContext&, const msg::BootMode3&, Restarts&);
 Reaction handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
 Reaction handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
 Reaction handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);

@@ -56,28 +56,6 @@ std::optional<double> signal_of(const RemoteControl& remote, std::uint16_t sourc
   return remote.signal(msg::RcMap(static_cast<Raw>(source)));
 }
 
-/// Describes as many variables as fit into one body, from this one on.
-Reaction describe(RequestContext& context, const Parameters& parameters, msg::VariableId first) {
-  msg::AdjVarsInfo answer;
-  answer.total_number = parameters.variable_count();
-  std::array<std::uint8_t, max_body_size> body{};
-  for (const VariableInfo& variable : variables) {
-    const auto value = parameters.variable(variable.id);
-    if (variable.id < first || !value) continue;
-    msg::AdjVarInfo one;
-    one.var_id = variable.id;
-    constexpr std::size_t longest_name = 16;
-    one.name.assign(std::string_view(variable.name).substr(0, longest_name));
-    one.range_min = saturated_raw<std::int16_t>(variable.range.lowest);
-    one.range_max = saturated_raw<std::int16_t>(variable.range.highest);
-    one.value = *value;
-    msg::AdjVarsInfo more = answer;
-    if (!more.vars.push_back(one) || !encode(more, body)) break;
-    answer = more;
-  }
-  return context.answer(answer);
-}
-
 }  // namespace
 
 Reaction handle(RequestContext& context, const msg::GetAdjVarsVal& request,
@@ -138,13 +116,26 @@ Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& requ
   return context.answer(state);
 }
 
+/// Describes as many variables as fit into one body, from this one on.
 Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
                 const Parameters& parameters) {
-  return describe(context, parameters, request.start_id);
+  msg::AdjVarsInfo answer;
+  answer.total_number = parameters.variable_count();
+  std::array<std::uint8_t, max_body_size> body{};
+  for (const VariableInfo& variable : variables) {
+    const auto value = parameters.variable(variable.id);
+    if (variable.id < request.start_id || !value) continue;
+    msg::AdjVarInfo one;
+    one.var_id = variable.id;
+    constexpr std::size_t longest_name = 16;
+    one.name.assign(std::string_view(variable.name).substr(0, longest_name));
+    one.range_min = saturated_raw<std::int16_t>(variable.range.lowest);
+    one.range_max = saturated_raw<std::int16_t>(variable.range.highest);
+    one.value = *value;
+    msg::AdjVarsInfo more = answer;
+    if (!more.vars.push_back(one) || !encode(more, body)) break;
+    answer = more;
+  }
+  return context.answer(answer);
 }
-Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&,
-                const Parameters& parameters) {
-  return describe(context, parameters, msg::VariableId{});
-}
-
 }  // namespace sbgc::emulator

@@ -75,7 +75,6 @@ void Slots::apply_parameters(const Parameters& parameters, Instant now) {
 }
 
 void Slots::advance(Instant now, Device& device) {
-  if (now < next_) return;
   next_ = next_ + period;
   if (next_ <= now) next_ = now + period;  // past values of a signal are unknown
   // Actions first, because they may switch the profile.

@@ -10,7 +10,7 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-#include "device/calibration/calibration_parts.hpp"
+#include "device/calibration/calibrations.hpp"
 
 namespace sbgc::emulator {
 

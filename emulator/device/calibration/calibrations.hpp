@@ -6,13 +6,34 @@
 #include <optional>
 
 #include <sbgc/emulator/board_options.hpp>
+#include <sbgc/emulator/memory.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/time.hpp>
 
-#include "device/calibration/calibration_parts.hpp"
-
 namespace sbgc::emulator {
+
+class AutoTuning;
+class Calibrations;
+class Outputs;
+class Parameters;
+class Ports;
+class Restarts;
+struct Imus;
+
+/// The parts that calibrations and the automatic tuning use.
+struct CalibrationParts {
+  const BoardOptions& options;
+  Memory& memory;
+  Parameters& parameters;
+  Gimbal& gimbal;
+  Imus& imus;
+  Outputs& outputs;
+  Ports& ports;
+  Restarts& restarts;
+  Calibrations& calibrations;
+  AutoTuning& auto_tuning;
+};
 
 /// Runs one calibration at a time: it measures, starts over if the gimbal moves, and stores the
 /// result. CMD_CALIB_INFO reports the progress.

@@ -12,8 +12,6 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/calibration/actions.hpp"
-
 namespace sbgc::emulator {
 namespace {
 
@@ -44,10 +42,8 @@ Reaction begin(RequestContext& context, CalibrationParts& parts, Kind kind, std:
 /// Starts a calibration that is confirmed only at its end.
 Reaction begin_silently(RequestContext& context, CalibrationParts& parts, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
-  if (!parts.calibrations.start(parts, kind, 0, requester, context.now)) {
-    return context.refuse(msg::BoardErrorCode::wrong_state);
-  }
-  return Reaction::executed;
+  const bool starts = parts.calibrations.start(parts, kind, 0, requester, context.now);
+  return starts ? Reaction::executed : context.refuse(msg::BoardErrorCode::wrong_state);
 }
 
 /// The duration that a host requests; 0 is the usual one.
@@ -169,23 +165,14 @@ Reaction carry_out(RequestContext& context, CalibrationParts& parts, const Senso
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::CalibAcc&, CalibrationParts& parts) {
-  return carry_out(context, parts, acc, msg::CalibImu::active, msg::CalibAction::regular);
-}
 Reaction handle(RequestContext& context, const msg::CalibAccExt& request, CalibrationParts& parts) {
   return carry_out(context, parts, acc, request.imu_idx, request.action);
-}
-Reaction handle(RequestContext& context, const msg::CalibGyro&, CalibrationParts& parts) {
-  return carry_out(context, parts, gyro, msg::CalibImu::active, msg::CalibAction::regular);
 }
 Reaction handle(RequestContext& context, const msg::CalibGyroExt& request,
                 CalibrationParts& parts) {
   return carry_out(context, parts, gyro, request.imu_idx, request.action, length_of(request));
 }
 
-Reaction handle(RequestContext& context, const msg::CalibMag&, CalibrationParts& parts) {
-  return begin(context, parts, Kind::mag, 0, false);
-}
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
 Reaction handle(RequestContext& context, const msg::CalibMagExt& request, CalibrationParts& parts) {
   const auto imu = index_of(parts.imus, request.imu_idx);

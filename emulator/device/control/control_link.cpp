@@ -51,7 +51,6 @@ void ControlLink::adjust(Tuning& tuning) const {
 }
 
 void ControlLink::advance(Instant now, QuaternionControl& quaternions, Gimbal& gimbal) {
-  if (end_ > now) return;
   end_ = Instant::never;
   is_active_ = false;
   quaternions.end();

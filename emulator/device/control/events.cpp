@@ -40,7 +40,6 @@ void Events::watch(Device& device, Instant now) {
 }
 
 void Events::advance(Instant now, Device& device) {
-  if (next_ > now) return;
   // Notices that the battery is empty.
   static_cast<void>(device.gimbal.sample(now));
   watch(device, now);

@@ -45,30 +45,6 @@ Reaction control(RequestContext& context, ControlParts& parts, const AxisTargets
   return parts.control_link.confirms() ? context.confirm() : Reaction::executed;
 }
 
-/// Both forms of CMD_CONTROL have data for each axis.
-template <class Request>
-Reaction control(RequestContext& context, ControlParts& parts, const Request& request,
-                 const Axes<msg::ControlMode>& modes) {
-  AxisTargets targets;
-  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
-    const msg::Angle14 angle = request.axes[axis].angle;
-    targets[axis] = {modes[axis], request.real_speed(axis), angle.degrees(), angle.raw()};
-  }
-  return control(context, parts, targets);
-}
-
-Reaction turn_motors(RequestContext& context, Tasks& tasks, Gimbal& gimbal, bool on) {
-  tasks.set_motors(gimbal, on, context.now);
-  // An empty battery keeps the motors off.
-  if (on && gimbal.stopped_by_battery()) return context.refuse(msg::BoardErrorCode::wrong_state);
-  return context.confirm();
-}
-
-Reaction execute(RequestContext& context, Device& device, msg::MenuCommand action) {
-  if (execute_menu(device, action, context.now)) return context.confirm();
-  return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
-}
-
 constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
 
 Vector in_degrees(const Xyz<msg::RadianRate>& speed) {
@@ -112,35 +88,23 @@ Reaction control_attitude(RequestContext& context, ControlParts& parts, const Re
 }
 
 /// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
-/// the simulation knows the frame.
-template <class Data>
-bool is_help(const Data& data) {
-  bool is_used = data.frame_acc != Xyz<msg::Acceleration>{} ||
-                 data.frame_angle_roll != msg::Angle14{} ||
-                 data.frame_angle_pitch != msg::Angle14{};
-  if constexpr (requires { data.frame_speed; }) {
-    is_used = is_used || data.frame_speed != Xyz<msg::GyroRate>{} ||
-              data.coord_sys.flags().has(msg::HelperDataFlag::use_frame_heading);
-  }
-  return is_used;
-}
-
-/// Assumption: an unknown COORD_SYS counts as the default one.
-template <class Data>
-Reaction help(RequestContext& context, Gimbal& gimbal, const Data& data) {
-  if (is_help(data)) gimbal.help(context.now);
-  return context.confirm();
+/// the simulation knows the frame. Assumption: an unknown COORD_SYS counts as the default one.
+bool is_help(const msg::HelperDataExt& data) {
+  return data.frame_acc != Xyz<msg::Acceleration>{} || data.frame_angle_roll != msg::Angle14{} ||
+         data.frame_angle_pitch != msg::Angle14{} || data.frame_speed != Xyz<msg::GyroRate>{} ||
+         data.coord_sys.flags().has(msg::HelperDataFlag::use_frame_heading);
 }
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::Control& request, ControlParts& parts) {
-  const msg::ControlMode mode = request.control_mode;
-  return control(context, parts, request, {mode, mode, mode});
-}
-
 Reaction handle(RequestContext& context, const msg::ControlExt& request, ControlParts& parts) {
-  return control(context, parts, request, request.control_mode);
+  AxisTargets targets;
+  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+    const msg::Angle14 angle = request.axes[axis].angle;
+    targets[axis] = {request.control_mode[axis], request.real_speed(axis), angle.degrees(),
+                     angle.raw()};
+  }
+  return control(context, parts, targets);
 }
 
 Reaction handle(RequestContext& context, const msg::ControlExtCommand& request,
@@ -203,12 +167,10 @@ Reaction handle(RequestContext& context, const msg::GetAnglesExtRequest& /*reque
 
 Reaction handle(RequestContext& context, const msg::MotorsOn& /*request*/, Tasks& tasks,
                 Gimbal& gimbal) {
-  return turn_motors(context, tasks, gimbal, true);
-}
-
-Reaction handle(RequestContext& context, const msg::MotorsOff& /*request*/, Tasks& tasks,
-                Gimbal& gimbal) {
-  return turn_motors(context, tasks, gimbal, false);
+  tasks.set_motors(gimbal, true, context.now);
+  // An empty battery keeps the motors off.
+  if (gimbal.stopped_by_battery()) return context.refuse(msg::BoardErrorCode::wrong_state);
+  return context.confirm();
 }
 
 // Assumption: brakes are as strong as the friction of a motor without current.
@@ -216,20 +178,16 @@ Reaction handle(RequestContext& context, const msg::MotorsOffExt& request, Tasks
                 Gimbal& gimbal) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
-    case msg::MotorsOffMode::brake: return turn_motors(context, tasks, gimbal, false);
-    case msg::MotorsOffMode::safe_stop:
-      tasks.stop_safely(gimbal, context.now);
-      return context.confirm();
+    case msg::MotorsOffMode::brake: tasks.set_motors(gimbal, false, context.now); break;
+    case msg::MotorsOffMode::safe_stop: tasks.stop_safely(gimbal, context.now); break;
+    default:
+      return context.refuse(msg::BoardErrorCode::wrong_params,
+                            static_cast<std::uint32_t>(request.mode));
   }
-  return context.refuse(msg::BoardErrorCode::wrong_params,
-                        static_cast<std::uint32_t>(request.mode));
+  return context.confirm();
 }
 
 // The actions of the menu use almost all parts.
-Reaction handle(RequestContext& context, const msg::ExecuteMenu& request, Device& device) {
-  return execute(context, device, request.cmd_id);
-}
-
 Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
   if (!execute_menu(device, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
@@ -253,12 +211,9 @@ Reaction handle(RequestContext& context, const msg::SyncMotors& request, Tasks& 
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::HelperData& request, Gimbal& gimbal) {
-  return help(context, gimbal, request);
-}
-
 Reaction handle(RequestContext& context, const msg::HelperDataExt& request, Gimbal& gimbal) {
-  return help(context, gimbal, request);
+  if (is_help(request)) gimbal.help(context.now);
+  return context.confirm();
 }
 
 }  // namespace sbgc::emulator

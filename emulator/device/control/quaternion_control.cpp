@@ -137,7 +137,6 @@ msg::ControlQuatStatus QuaternionControl::status(Gimbal& gimbal, const Tuning& t
 }
 
 void QuaternionControl::advance(Instant now, Gimbal& gimbal, const Tuning& tuning) {
-  if (next_ > now) return;
   turn(gimbal, tuning, now);
   next_ = now + turn_period;
 }

@@ -10,9 +10,24 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-#include "device/control/control_parts.hpp"
-
 namespace sbgc::emulator {
+
+class ControlLink;
+class Parameters;
+class QuaternionControl;
+class Tasks;
+struct Modes;
+
+/// The parts that commands to move the camera use.
+struct ControlParts {
+  ControlLink& control_link;
+  QuaternionControl& quaternions;
+  Tasks& tasks;
+  Modes& modes;
+  Gimbal& gimbal;
+  const Parameters& parameters;
+  const Tuning& tuning;
+};
 
 struct AxisTarget {
   msg::ControlMode mode{};

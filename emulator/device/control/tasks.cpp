@@ -99,7 +99,6 @@ void Tasks::synchronize(Gimbal& gimbal, std::size_t axis, double degrees, Durati
 }
 
 void Tasks::advance(Instant now, Device& device) {
-  if (next_ > now) return;
   if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device.gimbal, now))) {
     set_motors(device.gimbal, false, now);
   }

@@ -7,21 +7,12 @@
 
 #include <sbgc/meta/enums.hpp>
 
-#include "device/calibration/actions.hpp"
 #include "device/realtime/custom_data.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/attitude.hpp"
 
 namespace sbgc::emulator {
 namespace {
-
-Reaction select_imu(RequestContext& context, Imus& imus, msg::SelectedImu imu) {
-  const bool exists =
-      imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && imus.has_frame);
-  if (!exists) return RequestContext::ignore();
-  imus.selected = imu;
-  return context.confirm();
-}
 
 bool has_external_imu(const BoardOptions& options) {
   return features_ext_of(options).has(msg::BoardFeaturesExtBit::ext_imu);
@@ -101,13 +92,12 @@ Reaction report_or_set_attitude(RequestContext& context, Gimbal& gimbal, const I
 }  // namespace
 
 Reaction handle(RequestContext& context, const msg::SelectImu3& request, Imus& imus) {
-  return select_imu(context, imus, request.imu_type);
+  const bool exists = request.imu_type == msg::SelectedImu::main ||
+                      (request.imu_type == msg::SelectedImu::frame && imus.has_frame);
+  if (!exists) return RequestContext::ignore();
+  imus.selected = request.imu_type;
+  return context.confirm();
 }
-/// Ignores the other parameters, which are undocumented.
-Reaction handle(RequestContext& context, const msg::SelectImu3Ext& request, Imus& imus) {
-  return select_imu(context, imus, request.imu_type);
-}
-
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
 Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Imus& imus,
                 CalibrationParts& parts) {

@@ -23,8 +23,8 @@
 #include <sbgc/types.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/features.hpp"
 #include "device/firmware_limits.hpp"
-#include "device/known_values.hpp"
 #include "device/parameters/factory_parameters.hpp"
 #include "device/storage/eeprom.hpp"
 #include "device/storage/eeprom_records.hpp"

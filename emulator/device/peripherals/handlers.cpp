@@ -2,25 +2,9 @@
 
 #include "device/handlers.hpp"
 
-#include <optional>
-#include <vector>
-
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
-namespace {
-
-/// Answers with the bytes that the chip sent, if there is one.
-Reaction answer_with(RequestContext& context,
-                     const std::optional<std::vector<std::uint8_t>>& bytes) {
-  if (!bytes) return context.refuse(msg::BoardErrorCode::operation_failed);
-  if (bytes->empty()) return context.refuse(msg::BoardErrorCode::wrong_params);
-  msg::I2cReadRegBuf answer;
-  for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
-  return context.answer(answer);
-}
-
-}  // namespace
 
 Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs& outputs,
                 const Parameters& parameters) {
@@ -49,25 +33,14 @@ Reaction handle(RequestContext& context, const msg::BeepSound& request, Outputs&
 Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequest& request,
                 const I2cBus& i2c, const BoardOptions& options, const Eeprom& memory,
                 Gimbal& gimbal) {
-  return answer_with(context, i2c.read(options, memory, gimbal, request.device_addr,
-                                       request.reg_addr, request.data_len.raw(), context.now));
+  const auto bytes = i2c.read(options, memory, gimbal, request.device_addr, request.reg_addr,
+                              request.data_len.raw(), context.now);
+  if (!bytes) return context.refuse(msg::BoardErrorCode::operation_failed);
+  if (bytes->empty()) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::I2cReadRegBuf answer;
+  for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
+  return context.answer(answer);
 }
-/// Assumption: the first register, as the emulated chips have no pointer of their own.
-Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request,
-                const I2cBus& i2c, const BoardOptions& options, const Eeprom& memory,
-                Gimbal& gimbal) {
-  return answer_with(context, i2c.read(options, memory, gimbal, request.device_addr, 0,
-                                       request.data_len.raw(), context.now));
-}
-/// Assumption: the emulated chips use the lower byte of the address.
-Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request,
-                const I2cBus& i2c, const BoardOptions& options, const Eeprom& memory,
-                Gimbal& gimbal) {
-  return answer_with(context, i2c.read(options, memory, gimbal, request.device_addr,
-                                       static_cast<std::uint8_t>(request.reg_addr),
-                                       request.data_len.raw(), context.now));
-}
-
 Reaction handle(RequestContext& context, const msg::I2cWriteRegBuf& request, I2cBus& i2c,
                 const BoardOptions& options, Eeprom& memory) {
   const bool answers =

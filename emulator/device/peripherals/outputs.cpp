@@ -7,7 +7,7 @@
 #include <sbgc/meta/peripherals.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/known_values.hpp"
+#include "device/features.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -171,12 +171,6 @@ bool Outputs::play(const msg::BeepSound& sound, Instant now) {
 void Outputs::signal(const Parameters& parameters, msg::BeeperMode event, Instant now) {
   if (!parameters.of<msg::ReadParams3>().beeper_modes.has(event)) return;
   if (const auto sound = sound_of(event)) sound_ = Sound{*sound, now + standard_sound};
-}
-
-Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
-
-void Outputs::advance(Instant now) {
-  if (sound_ && sound_->end <= now) sound_.reset();
 }
 
 }  // namespace sbgc::emulator

@@ -57,8 +57,8 @@ class Outputs {
   void signal(const Parameters& parameters, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 
-  Instant next() const;
-  void advance(Instant now);
+  Instant next() const { return sound_ ? sound_->end : Instant::never; }
+  void advance(Instant /*now*/) { sound_.reset(); }
 
  private:
   static constexpr std::size_t pin_count = 10;

@@ -12,8 +12,22 @@
 namespace sbgc::emulator {
 namespace {
 
-Reaction introduce(RequestContext& context, const BoardOptions& options, Gimbal& gimbal,
-                   const Modes& modes, const Tuning& tuning) {
+/// Without a notice there is no response, because the board restarts.
+template <class Request>
+Reaction restart(RequestContext& context, Restarts& restarts, const Request& request,
+                 bool to_bootloader) {
+  if (request.confirm.has(msg::ResetOption::notify)) {
+    static_cast<void>(context.answer(roles::Reset{}));
+  }
+  restarts.schedule(context.now + milliseconds(request.delay_ms.raw()), to_bootloader);
+  return Reaction::executed;
+}
+
+}  // namespace
+
+Reaction handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/,
+                const BoardOptions& options, Gimbal& gimbal, const Modes& modes,
+                const Tuning& tuning) {
   msg::BoardInfo info;
   info.board_ver = options.board;
   info.firmware_ver = options.firmware;
@@ -29,35 +43,6 @@ Reaction introduce(RequestContext& context, const BoardOptions& options, Gimbal&
     info.base_frw_ver = options.firmware;
   }
   return context.answer(info);
-}
-
-/// Without a notice there is no response, because the board restarts.
-Reaction restart(RequestContext& context, Restarts& restarts, bool notify, msg::Milliseconds delay,
-                 bool to_bootloader) {
-  if (notify) static_cast<void>(context.answer(roles::Reset{}));
-  restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
-  return Reaction::executed;
-}
-
-}  // namespace
-
-Reaction handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/,
-                const BoardOptions& options, Gimbal& gimbal, const Modes& modes,
-                const Tuning& tuning) {
-  return introduce(context, options, gimbal, modes, tuning);
-}
-
-Reaction handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*request*/,
-                const BoardOptions& options, Gimbal& gimbal, const Modes& modes,
-                const Tuning& tuning) {
-  return introduce(context, options, gimbal, modes, tuning);
-}
-
-// The configuration is for Bluetooth LE modules between board and host, which are not emulated.
-Reaction handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/,
-                const BoardOptions& options, Gimbal& gimbal, const Modes& modes,
-                const Tuning& tuning) {
-  return introduce(context, options, gimbal, modes, tuning);
 }
 
 Reaction handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/,
@@ -88,22 +73,12 @@ Reaction handle(RequestContext& context, const msg::BoardInfo3Request& /*request
   return context.answer(info);
 }
 
-Reaction handle(RequestContext& context, const msg::ResetRequest& /*request*/, Restarts& restarts) {
-  return restart(context, restarts, false, {}, false);
-}
-
 Reaction handle(RequestContext& context, const msg::ResetRequestExt& request, Restarts& restarts) {
-  return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
-                 false);
-}
-
-Reaction handle(RequestContext& context, const msg::BootMode3& /*request*/, Restarts& restarts) {
-  return restart(context, restarts, false, {}, true);
+  return restart(context, restarts, request, false);
 }
 
 Reaction handle(RequestContext& context, const msg::BootMode3Ext& request, Restarts& restarts) {
-  return restart(context, restarts, request.confirm.has(msg::ResetOption::notify), request.delay_ms,
-                 true);
+  return restart(context, restarts, request, true);
 }
 
 Reaction handle(RequestContext& context, const msg::ReadStateVarsRequest&,

@@ -91,7 +91,6 @@ void StateVariables::store(Memory& memory) const {
 
 void StateVariables::advance(Instant now, Gimbal& gimbal, const Parameters& parameters,
                              Memory& memory) {
-  if (next_ > now) return;
   count(gimbal, now);
   next_ = now + count_period;
   const auto flags = parameters.of<msg::ReadParamsExt2>().general_flags2;
