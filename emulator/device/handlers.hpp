@@ -1,6 +1,8 @@
 /// Handlers of the requests that need code of their own, grouped by the family in spec/:
-/// device/<family>/handlers.cpp implements them. All other requests are answered from the model
-/// alone: parameters/access.hpp reads and writes parameters, default_response.hpp handles the rest.
+/// device/<family>/handlers.cpp implements them. A handler takes the parts of the device that it
+/// uses. equivalents.hpp has the requests that mean the same as another one. All others are
+/// answered from the model alone: parameters/access.hpp reads and writes parameters,
+/// default_response.hpp handles the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include <sbgc/meta/calibration.hpp>
@@ -44,20 +43,6 @@ Reaction begin_silently(RequestContext& context, CalibrationParts& parts, Kind k
   const Calibrations::Requester requester{context.port, context.command};
   const bool starts = parts.calibrations.start(parts, kind, 0, requester, context.now);
   return starts ? Reaction::executed : context.refuse(msg::BoardErrorCode::wrong_state);
-}
-
-/// The duration that a host requests; 0 is the usual one.
-template <class Request>
-Duration length_of(const Request& request) {
-  return milliseconds(request.time_ms.raw());
-}
-
-/// True if the model names the value.
-template <class E>
-bool is_known(E value) {
-  return std::ranges::any_of(EnumMeta<E>::values, [value](const ValueInfo& info) {
-    return info.value == static_cast<std::int64_t>(value);
-  });
 }
 
 Reaction restart(RequestContext& context, CalibrationParts& parts) {
@@ -170,7 +155,8 @@ Reaction handle(RequestContext& context, const msg::CalibAccExt& request, Calibr
 }
 Reaction handle(RequestContext& context, const msg::CalibGyroExt& request,
                 CalibrationParts& parts) {
-  return carry_out(context, parts, gyro, request.imu_idx, request.action, length_of(request));
+  return carry_out(context, parts, gyro, request.imu_idx, request.action,
+                   milliseconds(request.time_ms.raw()));
 }
 
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
@@ -243,8 +229,9 @@ Reaction handle(RequestContext& context, const msg::CalibBat& request, const Boa
 Reaction handle(RequestContext& context, const msg::EncodersCalibOffset4& request,
                 CalibrationParts& parts) {
   if (!has_encoders(parts.options)) return context.refuse(msg::BoardErrorCode::not_supported);
-  const bool is_motor = !request.for_motor || is_known(*request.for_motor);
-  if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
+  if (request.for_motor && !knows(context.versions(), *request.for_motor)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
   return begin(context, parts, Kind::encoder_offset, 0, false);
 }
 Reaction handle(RequestContext& context, const msg::EncodersCalibFldOffset4&,

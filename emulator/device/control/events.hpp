@@ -1,7 +1,6 @@
 /// Events that hosts want to hear of.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 

@@ -1,10 +1,6 @@
 #include "device/control/modes.hpp"
 
-#include <cmath>
-
 #include "device/device.hpp"
-#include "device/parameters/gimbal_tuning.hpp"
-#include "physics/attitude.hpp"
 
 namespace sbgc::emulator {
 

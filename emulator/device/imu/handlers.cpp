@@ -165,9 +165,7 @@ Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&,
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
 Reaction handle(RequestContext& context, const msg::ExtImuCmd& request,
                 const BoardOptions& options) {
-  if (!has_external_imu(options)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+  if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);
   msg::ExtImuCmd answer;
   answer.cmd_id = request.cmd_id;
   static_cast<void>(context.confirm());
@@ -178,9 +176,7 @@ Reaction handle(RequestContext& context, const msg::ExtImuCmd& request,
 Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request,
                 const BoardOptions& options) {
   using enum msg::ExtSensCommand;
-  if (!has_external_imu(options)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+  if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);
   static_cast<void>(context.confirm());
   msg::ExtSensCmd answer;
   switch (request.cmd_id) {

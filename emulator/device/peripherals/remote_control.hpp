@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/parameters.hpp>

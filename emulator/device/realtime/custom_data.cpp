@@ -1,8 +1,5 @@
 #include "device/realtime/custom_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "device/device.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/quantities.hpp"

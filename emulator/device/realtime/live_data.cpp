@@ -1,7 +1,5 @@
 #include "device/realtime/live_data.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <sbgc/detail/meta_limits.hpp>
