@@ -813,6 +813,15 @@ class TenthDecibels
   using Quantity::Quantity;
 };
 
+/// Size in 32-bit words.
+/// Unit: byte, one count is 4.
+class WordCount
+    : public detail::Quantity<WordCount, std::uint32_t, unit::byte, 4, 1>,
+      public unit::byte::Accessors<WordCount> {
+ public:
+  using Quantity::Quantity;
+};
+
 /// Offset in pages of 64 bytes.
 /// Unit: byte, one count is 64.
 class Pages

@@ -454,6 +454,11 @@ struct UnitMeta<msg::TenthDecibels> {
 };
 
 template <>
+struct UnitMeta<msg::WordCount> {
+  static constexpr UnitInfo info{"byte", 4, 1};
+};
+
+template <>
 struct UnitMeta<msg::Pages> {
   static constexpr UnitInfo info{"byte", 64, 1};
 };
