@@ -125,6 +125,7 @@ Reaction handle(RequestContext&, const msg::RealtimeData&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustom2Request&, Device&);
 Reaction handle(RequestContext&, const msg::DataStreamInterval&, Device&);
 
 // scripting

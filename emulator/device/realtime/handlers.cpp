@@ -40,6 +40,15 @@ Reaction handle(RequestContext& context, const msg::RealtimeDataCustomRequest& r
   return context.answer(data);
 }
 
+Reaction handle(RequestContext& context, const msg::RealtimeDataCustom2Request& request,
+                Device& device) {
+  msg::RealtimeDataCustom2Request known = request;
+  limit_to(device.versions(), known);
+  msg::RealtimeDataCustom2 data;
+  measure(device, known.flags, context.now, data);
+  return context.answer(data);
+}
+
 Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Device& device) {
   switch (device.streams.change(device, context.port, request, context.now)) {
     case Streams::Change::done: break;

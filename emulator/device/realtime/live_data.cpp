@@ -46,12 +46,27 @@ Xyz<float> vector(const Vector& from) {
   return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
 }
 
-Axes<msg::Acceleration> accelerations(const Sample& sample) {
+Axes<msg::Acceleration> accelerations(const Vector& measured) {
   Axes<msg::Acceleration> to;
   for (std::size_t axis = 0; axis < to.size(); ++axis) {
-    to[axis] = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+    to[axis] = saturated<msg::Acceleration>(measured[sensor_axis(axis)]);
   }
   return to;
+}
+
+/// Assumption: the scale of the raw data depends on the sensor.
+Axes<std::int16_t> magnetometer(const Sample& sample) {
+  Axes<std::int16_t> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+/// The 16-bit clock wraps every 65.5 s.
+msg::MillisecondClock clock_of(const Device& device, Instant now) {
+  return msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
 }
 
 Axes<msg::GyroRate> rates(const Axes<double>& from) {
@@ -70,7 +85,7 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  const Axes<msg::Acceleration> acceleration = accelerations(sample);
+  const Axes<msg::Acceleration> acceleration = accelerations(sample.acceleration);
   const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = acceleration[axis];
@@ -128,10 +143,9 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
   const Sample sample = device.gimbal.sample(now);
   measure_common(device, port, now, sample, data);
   if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
-  for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
+  data.mag_data = magnetometer(sample);
+  for (std::size_t axis = 0; axis < data.balance_error.size(); ++axis) {
     data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
-    // Assumption: the scale of the raw data depends on the sensor.
-    data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
   if (device.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
@@ -168,6 +182,7 @@ std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
     code = decode(std::span(empty).first(size), data, {request.flags}).code;
     ++size;
   }
+  if (request.flags.has(msg::RealtimeDataCustomFlag::include_flags)) data.flags = request.flags;
   if (code != Code::ok || !encode(data, body)) return {};
   return request.flags;
 }
@@ -177,9 +192,8 @@ void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags bloc
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  // The 16-bit clock wraps every 65.5 s.
-  data.timestamp_ms = msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
   if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
   if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
   if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
@@ -202,8 +216,41 @@ void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags bloc
   }
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
-  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample);
+  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample.acceleration);
   measure_later(device, port, blocks, now, data);
+}
+
+void measure(Device& device, msg::RealtimeDataCustom2Flags blocks, Instant now,
+             msg::RealtimeDataCustom2& data) {
+  using Flag = msg::RealtimeDataCustom2Flag;
+  const Sample sample = device.gimbal.sample(now);
+  const bool has_frame = device.has_frame_imu();
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
+  if (blocks.has(Flag::frame_imu_angles)) {
+    data.frame_imu_angles = has_frame ? angles(sample.frame) : Axes<msg::Angle14>{};
+  }
+  if (blocks.has(Flag::frame_gyro)) {
+    data.frame_gyro = has_frame ? rates(turning(sample.frame_speed)) : Axes<msg::GyroRate>{};
+  }
+  if (blocks.has(Flag::frame_acc)) {
+    // Only gravity: the frame does not accelerate.
+    data.frame_acc = has_frame ? accelerations(sample.frame_up) : Axes<msg::Acceleration>{};
+  }
+  if (blocks.has(Flag::debug)) data.debug = std::array<std::int16_t, 4>{};
+  if (blocks.has(Flag::mag_sens_data)) data.mag_sens_data = magnetometer(sample);
+  if (blocks.has(Flag::pin_state)) {
+    // Nothing is assigned to the inputs.
+    constexpr msg::InputStates unavailable(0xAAAA);
+    data.pin_state = msg::PinStates{unavailable, unavailable, {}};
+  }
+  if (blocks.has(Flag::stab_err_ampl)) {
+    auto& errors = data.stab_err_ampl.emplace();
+    for (std::size_t axis = 0; axis < errors.size(); ++axis) {
+      errors[axis] =
+          saturated<msg::Millidegrees>(std::abs(sample.targets[axis] - sample.angles[axis]));
+    }
+  }
 }
 
 void measure(Device& device, Instant now, msg::GetAngles& data) {
@@ -239,6 +286,7 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
          use_if<msg::RealtimeDataCustom>(
              device, request,
              [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
+         use_if<msg::RealtimeDataCustom2>(device, request, yes) ||
          use_if<msg::Event>(device, request, yes) ||
          use_if<msg::CanDrvTelemetry>(
              device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
@@ -273,6 +321,9 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
                const auto blocks = known_blocks(device, blocks_of(request));
                return blocks && offer(msg::RealtimeDataCustom{}, port, *blocks);
              }) ||
+         use_if<msg::RealtimeDataCustom2>(
+             device, request,
+             [&] { return offer(msg::RealtimeDataCustom2{}, *request.config.custom2_flags); }) ||
          use_if<msg::CanDrvTelemetry>(device, request,
                                       [&] {
                                         return offer(msg::CanDrvTelemetry{},

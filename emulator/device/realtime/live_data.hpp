@@ -18,6 +18,8 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& 
 void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data);
 void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks, Instant now,
              msg::RealtimeDataCustom& data);
+void measure(Device& device, msg::RealtimeDataCustom2Flags blocks, Instant now,
+             msg::RealtimeDataCustom2& data);
 /// Returns the requested blocks that the firmware knows; nothing if they do not fit into a body.
 std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
                                                          msg::RealtimeDataCustomFlags blocks);

@@ -74,6 +74,8 @@ using AllMessages = TypeList<
     msg::RealtimeData4Request,
     msg::RealtimeDataCustom,
     msg::RealtimeDataCustomRequest,
+    msg::RealtimeDataCustom2,
+    msg::RealtimeDataCustom2Request,
     msg::DataStreamInterval,
     msg::CanDrvTelemetry,
     msg::CanDrvState,
@@ -237,11 +239,15 @@ using AllMessages = TypeList<
 /// Facts from earlier messages of a conversation that later bodies need for decoding.
 struct Contexts {
   msg::RealtimeDataCustom::Context realtime_data_custom{};
+  msg::RealtimeDataCustom2::Context realtime_data_custom2{};
   msg::CanDrvTelemetry::Context can_drv_telemetry{};
   msg::DebugVars3::Context debug_vars3{};
 
   constexpr const msg::RealtimeDataCustom::Context& of(const msg::RealtimeDataCustom&) const noexcept {
     return realtime_data_custom;
+  }
+  constexpr const msg::RealtimeDataCustom2::Context& of(const msg::RealtimeDataCustom2&) const noexcept {
+    return realtime_data_custom2;
   }
   constexpr const msg::CanDrvTelemetry::Context& of(const msg::CanDrvTelemetry&) const noexcept {
     return can_drv_telemetry;
@@ -254,7 +260,11 @@ struct Contexts {
   }
   constexpr void learn(const msg::DataStreamInterval& message) noexcept {
     detail::learn(message.config.flags, realtime_data_custom.flags);
+    detail::learn(message.config.custom2_flags, realtime_data_custom2.flags);
     detail::learn(message.config.telemetry_flags, can_drv_telemetry.flags);
+  }
+  constexpr void learn(const msg::RealtimeDataCustom2Request& message) noexcept {
+    detail::learn(message.flags, realtime_data_custom2.flags);
   }
   constexpr void learn(const msg::DebugVarsInfo3& message) noexcept {
     debug_vars3.types.clear();
@@ -272,6 +282,7 @@ struct Contexts {
   static constexpr bool learns_from =
       std::is_same_v<M, msg::RealtimeDataCustomRequest> ||
       std::is_same_v<M, msg::DataStreamInterval> ||
+      std::is_same_v<M, msg::RealtimeDataCustom2Request> ||
       std::is_same_v<M, msg::DebugVarsInfo3>;
 };
 
@@ -403,6 +414,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::SetAdjVarsValF>{}), Code::ok;
       case 136:  // CMD_PASS_PROTECT_READ
         return use(Type<msg::PassProtectRead>{}), Code::ok;
+      case 139:  // CMD_REALTIME_DATA_CUSTOM2
+        return use(Type<msg::RealtimeDataCustom2>{}), Code::ok;
       case 141:  // CMD_CONTROL_QUAT_STATUS
         return use(Type<msg::ControlQuatStatus>{}), Code::ok;
       case 150:  // CMD_EXT_SENS_CMD
@@ -690,6 +703,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::PassProtectReadRequest>{}), Code::ok;
       case 137:  // CMD_PASS_PROTECT_WRITE
         return use(Type<msg::PassProtectWrite>{}), Code::ok;
+      case 139:  // CMD_REALTIME_DATA_CUSTOM2
+        return use(Type<msg::RealtimeDataCustom2Request>{}), Code::ok;
       case 140:  // CMD_CONTROL_QUAT
         if (size == 2) return use(Type<msg::ControlQuatDisabled>{}), Code::ok;
         if (size == 10) return use(Type<msg::ControlQuatAttitudePacked>{}), Code::ok;

@@ -261,6 +261,8 @@ enum class CommandToBoard : std::uint8_t {
   pass_protect_read = 136,
   /// CMD_PASS_PROTECT_WRITE: Choose what a password protects.
   pass_protect_write = 137,
+  /// CMD_REALTIME_DATA_CUSTOM2: More live data of the requested blocks.
+  realtime_data_custom2 = 139,
   /// CMD_CONTROL_QUAT: Move the camera, with attitude and speed in space.
   control_quat = 140,
   /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
@@ -415,6 +417,8 @@ enum class CommandFromBoard : std::uint8_t {
   set_adj_vars_val_f = 134,
   /// CMD_PASS_PROTECT_READ: What a password protects.
   pass_protect_read = 136,
+  /// CMD_REALTIME_DATA_CUSTOM2: More live data of the requested blocks.
+  realtime_data_custom2 = 139,
   /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
   control_quat_status = 141,
   /// CMD_EXT_SENS_CMD: A message of an external sensor's own protocol.
@@ -1359,6 +1363,17 @@ enum class CanImuSensor : std::uint8_t {
   vectornav_vn100_200_uart = 64,
   /// VECTORNAV_VN100_200_SPI: VectorNav VN-100 or VN-200, over SPI.
   vectornav_vn100_200_spi = 65,
+};
+
+/// State of an input.
+/// Source: Vendor's code of 2026.
+enum class InputState : std::uint8_t {
+  /// LOW: Low.
+  low = 0,
+  /// HIGH: High.
+  high = 1,
+  /// UNAVAILABLE: Unavailable or not assigned.
+  unavailable = 2,
 };
 
 /// Reason for an emergency stop.
@@ -2818,8 +2833,36 @@ enum class RealtimeDataCustomFlag : std::uint32_t {
   follow_dist = 0x04000000,
   /// Limits of an external target. Since firmware 2.73.8.
   ext_target_limit = 0x08000000,
+  /// FRAME_CAM_ANGLE_20: Joint angles in high resolution.
+  frame_cam_angle_20 = 0x10000000,
+  /// MAIN_IMU_STATE: State of the main IMU.
+  main_imu_state = 0x20000000,
+  /// INCLUDE_FLAGS: FLAGS in each sample.
+  include_flags = 0x80000000,
 };
 using RealtimeDataCustomFlags = Flags<RealtimeDataCustomFlag>;
+
+/// Data blocks of CMD_REALTIME_DATA_CUSTOM2.
+/// Source: Vendor's code of 2026.
+enum class RealtimeDataCustom2Flag : std::uint32_t {
+  /// FRAME_IMU_ANGLES: Angles of the frame IMU.
+  frame_imu_angles = 0x00000001,
+  /// FRAME_GYRO: Gyroscope of the frame IMU.
+  frame_gyro = 0x00000002,
+  /// FRAME_ACC: Accelerometer of the frame IMU.
+  frame_acc = 0x00000004,
+  /// DEBUG: Values for debugging.
+  debug = 0x00000008,
+  /// MAG_SENS_DATA: Magnetometer.
+  mag_sens_data = 0x00000010,
+  /// PIN_STATE: State of the inputs.
+  pin_state = 0x00000020,
+  /// STAB_ERR_AMPL: Amplitude of the stabilization error. Since firmware 2.74.4.
+  stab_err_ampl = 0x00000040,
+  /// INCLUDE_FLAGS: FLAGS in each sample.
+  include_flags = 0x80000000,
+};
+using RealtimeDataCustom2Flags = Flags<RealtimeDataCustom2Flag>;
 
 /// State of the system.
 /// Source: Later firmware.
@@ -4341,6 +4384,103 @@ class EncoderConfigExt {
   raw_type raw_{};
 };
 
+/// State of eight inputs.
+/// Source: Vendor's code of 2026.
+class InputStates {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr InputStates() = default;
+  constexpr explicit InputStates(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Input 1.
+  constexpr InputState input_1() const noexcept {
+    return static_cast<InputState>(raw_ & 0x03);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_1(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x03, 0);
+  }
+
+  /// Input 2.
+  constexpr InputState input_2() const noexcept {
+    return static_cast<InputState>((raw_ & 0x0C) >> 2);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_2(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x0C, 2);
+  }
+
+  /// Input 3.
+  constexpr InputState input_3() const noexcept {
+    return static_cast<InputState>((raw_ & 0x30) >> 4);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_3(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x30, 4);
+  }
+
+  /// Input 4.
+  constexpr InputState input_4() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC0) >> 6);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_4(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC0, 6);
+  }
+
+  /// Input 5.
+  constexpr InputState input_5() const noexcept {
+    return static_cast<InputState>((raw_ & 0x300) >> 8);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_5(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x300, 8);
+  }
+
+  /// Input 6.
+  constexpr InputState input_6() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC00) >> 10);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_6(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC00, 10);
+  }
+
+  /// Input 7.
+  constexpr InputState input_7() const noexcept {
+    return static_cast<InputState>((raw_ & 0x3000) >> 12);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_7(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x3000, 12);
+  }
+
+  /// Input 8.
+  constexpr InputState input_8() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC000) >> 14);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_8(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC000, 14);
+  }
+
+  friend constexpr bool operator==(const InputStates&, const InputStates&) = default;
+  friend constexpr auto operator<=>(const InputStates&, const InputStates&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
 /// Control mode and options, for one axis or for all.
 /// Source: Variables L1148.
 class ControlMode {
@@ -5092,6 +5232,8 @@ template <>
 inline constexpr bool is_flag<msg::OtherFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::RealtimeDataCustomFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::RealtimeDataCustom2Flag> = true;
 template <>
 inline constexpr bool is_flag<msg::StateFlag> = true;
 template <>

@@ -182,6 +182,8 @@ constexpr std::size_t largest_request(std::uint8_t id, const Availability& versi
       return 0;
     case 136:  // CMD_PASS_PROTECT_READ
       return 0;
+    case 139:  // CMD_REALTIME_DATA_CUSTOM2
+      return 10;
     case 140:  // CMD_CONTROL_QUAT
       if (is_supported<msg::ControlQuatSpeedAttitude>(versions)) return 30;
       if (is_supported<msg::ControlQuatSpeedAttitudePacked>(versions)) return 22;

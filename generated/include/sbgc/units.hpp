@@ -687,6 +687,15 @@ class Radians
   using Quantity::Quantity;
 };
 
+/// Size of an angle in thousandths of a degree.
+/// Unit: deg, one count is 1/1000.
+class Millidegrees
+    : public detail::Quantity<Millidegrees, std::uint16_t, unit::deg, 1, 1000>,
+      public unit::deg::Accessors<Millidegrees> {
+ public:
+  using Quantity::Quantity;
+};
+
 /// Angular speed in thousandths of a degree per second, with a wide range.
 /// Unit: deg/s, one count is 1/1000.
 class LongFineSpeed

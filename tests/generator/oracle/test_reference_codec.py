@@ -413,7 +413,7 @@ def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
         yield f"{leaf.path}: nothing at all"
     if leaf.type in ("text", "string"):
         yield from missing_lengths(leaf, {len(text_to_bytes(value)) for value in values})
-    if isinstance(field.type, (Blob, Struct)):
+    if isinstance(field.type, (Blob, Struct)) or field.repeats_context:
         return
     if isinstance(field.type, Announced):
         pairs = {pair for number in numbers_of(values) for pair in number.items()}

@@ -50,6 +50,7 @@ struct RealtimeData;
 struct RealtimeData3Request;
 struct RealtimeData4Request;
 struct RealtimeDataCustomRequest;
+struct RealtimeDataCustom2Request;
 struct DataStreamInterval;
 struct CanDrvStateRequest;
 struct RealtimeDataCanDrvRequest;
@@ -499,6 +500,15 @@ class Calls {
   /// Since firmware 2.59, board 3.0.
   template <class M = msg::RealtimeDataCustomRequest>
   CallResult<M> realtime_data_custom(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request live data of the blocks in FLAGS.
+  /// Effect: reads.
+  /// Since firmware 2.74.2.
+  template <class M = msg::RealtimeDataCustom2Request>
+  CallResult<M> realtime_data_custom2(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

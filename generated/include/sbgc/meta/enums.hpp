@@ -125,6 +125,7 @@ struct EnumMeta<msg::CommandToBoard> {
       {"CMD_GET_ADJ_VARS_VAL_F", 135, "Request the values of adjustable variables in floating point."},
       {"CMD_PASS_PROTECT_READ", 136, "What a password protects."},
       {"CMD_PASS_PROTECT_WRITE", 137, "Choose what a password protects."},
+      {"CMD_REALTIME_DATA_CUSTOM2", 139, "More live data of the requested blocks."},
       {"CMD_CONTROL_QUAT", 140, "Move the camera, with attitude and speed in space."},
       {"CMD_CONTROL_QUAT_STATUS", 141, "State of the control with quaternions."},
       {"CMD_CONTROL_QUAT_CONFIG", 142, "Configure the control with quaternions."},
@@ -203,6 +204,7 @@ struct EnumMeta<msg::CommandFromBoard> {
       {"CMD_ADJ_VARS_INFO", 132, "Names, ranges and values of adjustable variables."},
       {"CMD_SET_ADJ_VARS_VAL_F", 134, "Values of adjustable variables in floating point."},
       {"CMD_PASS_PROTECT_READ", 136, "What a password protects."},
+      {"CMD_REALTIME_DATA_CUSTOM2", 139, "More live data of the requested blocks."},
       {"CMD_CONTROL_QUAT_STATUS", 141, "State of the control with quaternions."},
       {"CMD_EXT_SENS_CMD", 150, "A message of an external sensor's own protocol."},
       {"CMD_TRANSPARENT_SAPI", 151, "Data from a serial port of a device on the CAN bus."},
@@ -811,6 +813,16 @@ struct EnumMeta<msg::CanImuSensor> {
       {"VECTORNAV_VN100_200_SPI", 65, "VectorNav VN-100 or VN-200, over SPI."},
   };
   static constexpr EnumInfo info{"CanImuSensor", values, false};
+};
+
+template <>
+struct EnumMeta<msg::InputState> {
+  static constexpr ValueInfo values[] = {
+      {"LOW", 0, "Low."},
+      {"HIGH", 1, "High."},
+      {"UNAVAILABLE", 2, "Unavailable or not assigned."},
+  };
+  static constexpr EnumInfo info{"InputState", values, false};
 };
 
 template <>
@@ -1801,8 +1813,26 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
       {"SW_LIMITS_DIST", 33554432, "Distances to the software limits.", {.firmware = 2738}},
       {"FOLLOW_DIST", 67108864, "Distance in follow mode.", {.firmware = 2738}},
       {"EXT_TARGET_LIMIT", 134217728, "Limits of an external target.", {.firmware = 2738}},
+      {"FRAME_CAM_ANGLE_20", 268435456, "Joint angles in high resolution."},
+      {"MAIN_IMU_STATE", 536870912, "State of the main IMU."},
+      {"INCLUDE_FLAGS", 2147483648, "FLAGS in each sample."},
   };
   static constexpr EnumInfo info{"RealtimeDataCustomFlags", values, true};
+};
+
+template <>
+struct EnumMeta<msg::RealtimeDataCustom2Flag> {
+  static constexpr ValueInfo values[] = {
+      {"FRAME_IMU_ANGLES", 1, "Angles of the frame IMU."},
+      {"FRAME_GYRO", 2, "Gyroscope of the frame IMU."},
+      {"FRAME_ACC", 4, "Accelerometer of the frame IMU."},
+      {"DEBUG", 8, "Values for debugging."},
+      {"MAG_SENS_DATA", 16, "Magnetometer."},
+      {"PIN_STATE", 32, "State of the inputs."},
+      {"STAB_ERR_AMPL", 64, "Amplitude of the stabilization error.", {.firmware = 2744}},
+      {"INCLUDE_FLAGS", 2147483648, "FLAGS in each sample."},
+  };
+  static constexpr EnumInfo info{"RealtimeDataCustom2Flags", values, true};
 };
 
 template <>
@@ -2468,6 +2498,21 @@ struct PackedMeta<msg::EncoderConfigExt> {
       {.name = "multi_turn", .mask = 0xE0, .shift = 5, .values = &EnumMeta<msg::MultiTurn>::info},
   };
   static constexpr PackedInfo info{"EncoderConfigExt", "", nullptr, parts};
+};
+
+template <>
+struct PackedMeta<msg::InputStates> {
+  static constexpr PartInfo parts[] = {
+      {.name = "input_1", .mask = 0x03, .shift = 0, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_2", .mask = 0x0C, .shift = 2, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_3", .mask = 0x30, .shift = 4, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_4", .mask = 0xC0, .shift = 6, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_5", .mask = 0x300, .shift = 8, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_6", .mask = 0xC00, .shift = 10, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_7", .mask = 0x3000, .shift = 12, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_8", .mask = 0xC000, .shift = 14, .values = &EnumMeta<msg::InputState>::info},
+  };
+  static constexpr PackedInfo info{"InputStates", "", nullptr, parts};
 };
 
 template <>

@@ -384,6 +384,11 @@ struct UnitMeta<msg::Radians> {
 };
 
 template <>
+struct UnitMeta<msg::Millidegrees> {
+  static constexpr UnitInfo info{"deg", 1, 1000};
+};
+
+template <>
 struct UnitMeta<msg::LongFineSpeed> {
   static constexpr UnitInfo info{"deg/s", 1, 1000};
 };

@@ -218,6 +218,8 @@ void Table::add_later_devices() {
            [=](Host&, const Packets& packets) {
              EXPECT_EQ(only<msg::PassProtectRead>(packets).flags, port);
            }});
+  add<msg::RealtimeDataCustom2Request>(
+      {.request = {.flags = msg::RealtimeDataCustom2Flag::pin_state}});
   add<msg::SetDebugPortRequest>({.request = {.action = msg::DebugPortAction::start}});
 }
 
