@@ -135,6 +135,7 @@ Reaction handle(RequestContext&, const msg::RealtimeData&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustom2Request&, Device&);
 Reaction handle(RequestContext&, const msg::DataStreamInterval&, Streams&, Ports&,
                 const BoardOptions&, const Imus&, Gimbal&);
 
@@ -157,6 +158,8 @@ Reaction handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
 Reaction handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
 Reaction handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
 Reaction handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
+Reaction handle(RequestContext&, const msg::PassProtectReadRequest&, const Memory&);
+Reaction handle(RequestContext&, const msg::PassProtectWrite&, Memory&);
 Reaction handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

@@ -156,6 +156,16 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
       highest[axis] = saturated<msg::LongAngle14>(tuning.axes[axis].remote_max);
     }
   }
+  if (blocks.has(Flag::frame_cam_angle_20)) {
+    data.frame_cam_angle_20 =
+        has_joints ? axes_of<msg::Angle20>(sample.joints) : Axes<msg::Angle20>{};
+  }
+  if (blocks.has(Flag::main_imu_state)) {
+    msg::MainImuState& state = data.main_imu_state.emplace();
+    state = {};
+    state.g_ref_error = saturated<msg::AngleError>(sample.gravity_error);
+    state.h_ref_error = saturated<msg::AngleError>(sample.heading_error);
+  }
 }
 
 }  // namespace sbgc::emulator

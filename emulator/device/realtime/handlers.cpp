@@ -29,6 +29,13 @@ Reaction handle(RequestContext& context, const msg::RealtimeDataCustomRequest& r
   return context.answer(custom_data(device, context.port, *blocks, context.now));
 }
 
+Reaction handle(RequestContext& context, const msg::RealtimeDataCustom2Request& request,
+                Device& device) {
+  msg::RealtimeDataCustom2Request known = request;
+  limit_to(context.versions(), known);
+  return context.answer(custom_data_2(device, known.flags, context.now));
+}
+
 Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Streams& streams,
                 Ports& ports, const BoardOptions& options, const Imus& imus, Gimbal& gimbal) {
   const auto command = static_cast<std::uint32_t>(request.cmd_id);

@@ -45,12 +45,27 @@ Xyz<float> vector(const Vector& from) {
   return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
 }
 
-Axes<msg::Acceleration> accelerations(const Sample& sample) {
+Axes<msg::Acceleration> accelerations(const Vector& measured) {
   Axes<msg::Acceleration> to;
   for (std::size_t axis = 0; axis < to.size(); ++axis) {
-    to[axis] = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+    to[axis] = saturated<msg::Acceleration>(measured[sensor_axis(axis)]);
   }
   return to;
+}
+
+/// Assumption: the scale of the raw data depends on the sensor.
+Axes<std::int16_t> magnetometer(const Sample& sample) {
+  Axes<std::int16_t> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+/// The 16-bit clock wraps every 65.5 s.
+msg::MillisecondClock clock_of(const Device& device, Instant now) {
+  return msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
 }
 
 Axes<msg::GyroRate> rates(const Axes<double>& from) {
@@ -69,7 +84,7 @@ Axes<msg::Angle14> wire(const Axes<double>& from) {
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  const Axes<msg::Acceleration> acceleration = accelerations(sample);
+  const Axes<msg::Acceleration> acceleration = accelerations(sample.acceleration);
   const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = acceleration[axis];
@@ -124,10 +139,9 @@ msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now
   const Sample sample = device.gimbal.sample(now);
   measure_common(device, port, now, sample, data);
   if (knows_joints(device.options, device.imus)) data.rotor_angle = wire(sample.joints);
-  for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
+  data.mag_data = magnetometer(sample);
+  for (std::size_t axis = 0; axis < data.balance_error.size(); ++axis) {
     data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
-    // Assumption: the scale of the raw data depends on the sensor.
-    data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
   if (device.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
@@ -165,6 +179,7 @@ std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
     code = decode(std::span(empty).first(size), data, {request.flags}).code;
     ++size;
   }
+  if (request.flags.has(msg::RealtimeDataCustomFlag::include_flags)) data.flags = request.flags;
   if (code != Code::ok || !encode(data, body)) return {};
   return request.flags;
 }
@@ -175,9 +190,8 @@ msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
   msg::RealtimeDataCustom data;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  // The 16-bit clock wraps every 65.5 s.
-  data.timestamp_ms = msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
   if (blocks.has(Flag::imu_angles)) data.imu_angles = wire(sample.angles);
   if (blocks.has(Flag::target_angles)) data.target_angles = wire(sample.targets);
   if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
@@ -201,8 +215,43 @@ msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
   }
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
-  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample);
+  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample.acceleration);
   measure_later(device, port, blocks, now, data);
+  return data;
+}
+
+msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2Flags blocks,
+                                       Instant now) {
+  using Flag = msg::RealtimeDataCustom2Flag;
+  msg::RealtimeDataCustom2 data;
+  const Sample sample = device.gimbal.sample(now);
+  const bool has_frame = device.imus.has_frame;
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
+  if (blocks.has(Flag::frame_imu_angles)) {
+    data.frame_imu_angles = has_frame ? wire(sample.frame) : Axes<msg::Angle14>{};
+  }
+  if (blocks.has(Flag::frame_gyro)) {
+    data.frame_gyro = has_frame ? rates(turning(sample.frame_speed)) : Axes<msg::GyroRate>{};
+  }
+  if (blocks.has(Flag::frame_acc)) {
+    // Only gravity: the frame does not accelerate.
+    data.frame_acc = has_frame ? accelerations(sample.frame_up) : Axes<msg::Acceleration>{};
+  }
+  if (blocks.has(Flag::debug)) data.debug = std::array<std::int16_t, 4>{};
+  if (blocks.has(Flag::mag_sens_data)) data.mag_sens_data = magnetometer(sample);
+  if (blocks.has(Flag::pin_state)) {
+    // Nothing is assigned to the inputs.
+    constexpr msg::InputStates unavailable(0xAAAA);
+    data.pin_state = msg::PinStates{unavailable, unavailable, {}};
+  }
+  if (blocks.has(Flag::stab_err_ampl)) {
+    auto& errors = data.stab_err_ampl.emplace();
+    for (std::size_t axis = 0; axis < errors.size(); ++axis) {
+      errors[axis] =
+          saturated<msg::Millidegrees>(std::abs(sample.targets[axis] - sample.angles[axis]));
+    }
+  }
   return data;
 }
 
@@ -246,6 +295,7 @@ bool can_stream(const BoardOptions& options, const Imus& imus, Gimbal& gimbal,
     case msg::RealtimeDataCustom::command:
       return is_supported<msg::RealtimeDataCustom>(versions) &&
              known_blocks(versions, blocks_of(request));
+    case msg::RealtimeDataCustom2::command: return is_supported<msg::RealtimeDataCustom2>(versions);
     case msg::Event::command: return is_supported<msg::Event>(versions);
     case msg::CanDrvTelemetry::command:
       return is_supported<msg::CanDrvTelemetry>(versions) && *config.drv_id < can_drivers(options);
@@ -278,6 +328,8 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
       const auto blocks = known_blocks(versions, blocks_of(request));
       return blocks && offer(custom_data(device, port, *blocks, now));
     }
+    case msg::RealtimeDataCustom2::command:
+      return offer(custom_data_2(device, *config.custom2_flags, now));
     case msg::CanDrvTelemetry::command:
       return offer(telemetry(device, *config.drv_id, *config.telemetry_flags, now));
     case msg::ExtMotorsState::command:

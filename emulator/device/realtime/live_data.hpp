@@ -21,6 +21,8 @@ msg::RealtimeData3 realtime_data_3(Device& device, std::size_t port, Instant now
 msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now);
 msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
                                     msg::RealtimeDataCustomFlags blocks, Instant now);
+msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2Flags blocks,
+                                       Instant now);
 /// Returns the requested blocks that the firmware knows; nothing if they do not fit into a body.
 std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
                                                          msg::RealtimeDataCustomFlags blocks);

@@ -92,6 +92,18 @@ Reaction handle(RequestContext& context, const msg::WriteStateVars& request,
   return context.confirm();
 }
 
+Reaction handle(RequestContext& context, const msg::PassProtectReadRequest& /*request*/,
+                const Memory& memory) {
+  return context.answer(msg::PassProtectRead{.flags = msg::PassProtectFlags(memory.pass_protect)});
+}
+
+/// Only the flags are kept: the emulated board asks nobody for a password.
+Reaction handle(RequestContext& context, const msg::PassProtectWrite& request, Memory& memory) {
+  if (memory.is_unsaved || memory.pass_protect != request.flags.raw()) ++memory.revision;
+  memory.pass_protect = request.flags.raw();
+  return context.confirm();
+}
+
 /// The keys of real boards are secret: this signature only depends on board and message.
 Reaction handle(RequestContext& context, const msg::SignMessageRequest& request,
                 const BoardOptions& options) {

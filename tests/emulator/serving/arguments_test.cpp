@@ -72,14 +72,14 @@ TEST(Arguments, Versions) {
   EXPECT_EQ(parse_firmware("2.59").minor(), 59);
   EXPECT_EQ(parse_firmware("2.59b0"), msg::FirmwareVersion(2590)) << "as decode prints it";
   EXPECT_EQ(parse_firmware("2.73.1"), msg::FirmwareVersion(2731));
-  EXPECT_EQ(parse_firmware("2.74"), msg::FirmwareVersion(2740)) << "the newest emulated version";
-  for (const char* text : {"2.74b1", "2.75", "3.00", "9.99"}) {
+  EXPECT_EQ(parse_firmware("2.74.5"), msg::FirmwareVersion(2745)) << "the newest emulated version";
+  for (const char* text : {"2.74.6", "2.75", "3.00", "9.99"}) {
     try {
       parse_firmware(text);
       ADD_FAILURE() << text;
     } catch (const std::invalid_argument& error) {
       EXPECT_THAT(error.what(), StartsWith(std::string("firmware ") + text + " is not emulated"));
-      EXPECT_THAT(error.what(), HasSubstr("only up to 2.74:"));
+      EXPECT_THAT(error.what(), HasSubstr("only up to 2.74.5:"));
     }
   }
   EXPECT_EQ(parse_board("3.2"), msg::BoardVersion(32));
