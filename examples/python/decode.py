@@ -45,6 +45,7 @@ class Decoder:
         self.enums = {
             e["name"]: {v["name"]: v["value"] for v in e["values"]} for e in model["enums"]
         }
+        self.parts = {p["name"]: {x["name"]: x for x in p["parts"]} for p in model["packed"]}
 
     def choose(self, direction: str, number: int, size: int) -> Object:
         """The message of a body. The longest form of a command may be longer than described."""
@@ -110,17 +111,28 @@ class Decoder:
 
     def holds(self, when: Object, levels: list[Any]) -> bool:
         """True if a condition holds. A condition on a missing field does not."""
+        for joined, together in (("all", all), ("one_of", any)):
+            if joined in when:
+                return together(self.holds(term, levels) for term in when[joined])
         if "context" in when:
             value, enum = (
                 self.context.get(when["context"], 0),
                 self.enum_of_context[when["context"]],
             )
         else:
-            values, nodes = next(level for level in levels if when["field"] in level[1])
-            value, enum = values.get(when["field"]), nodes[when["field"]].get("enum")
+            first, *steps = re.findall(r"\w+", when["field"])
+            value, node = next((v.get(first), n[first]) for v, n in levels if first in n)
+            for step in steps:
+                value = value[int(step) if isinstance(value, list) else step]
+                node = node.get(step, node)
+            enum = node.get("enum")
         if value is None:
             return False
-        value, numbers = int(value), self.enums.get(enum, {})
+        value = int(value)
+        if "part" in when:
+            part = self.parts[node["packed"]][when["part"]]
+            value, enum = number_in(part, value), part["enum"]
+        numbers = self.enums.get(enum, {})
         asked = {key: [numbers.get(n, n) for n in when.get(key, ())] for key in KEYS_OF_CONDITION}
         has = {n for key in ("has", "any", "has_not") for n in asked[key] if value & n == n}
         return (
@@ -129,6 +141,7 @@ class Decoder:
             and has.isdisjoint(asked["has_not"])
             and (not asked["is"] or value in asked["is"])
             and value not in asked["is_not"]
+            and when.get("at_least", value) <= value <= when.get("at_most", value)
         )
 
     def read(self, node: Object, facts: Object, body: Body, path: str, levels: list[Any]) -> Any:
@@ -173,7 +186,11 @@ class Decoder:
     ) -> list[Any]:
         """The elements that a field counts, or those up to the end of the body."""
         if "counted_by" in facts:
-            count, counts = int(levels[0][0][facts["counted_by"]]), facts.get("counted_in")
+            values, nodes = levels[0]
+            count, counts = int(values[facts["counted_by"]]), facts.get("counted_in")
+            if "counted_by_part" in facts:
+                parts = self.parts[nodes[facts["counted_by"]]["packed"]]
+                count = number_in(parts[facts["counted_by_part"]], count)
             if counts != "bytes":
                 count = {"bits": bin(count).count("1"), "minus_1": count + 1}.get(counts, count)
                 return [element(body) for _ in range(count)]
@@ -219,6 +236,17 @@ def number(kind: str, body: Body) -> Any:
     if math.isnan(value):
         return f"nan:{raw:0{2 * len(data)}x}"
     return str(value) if math.isinf(value) else value
+
+
+def number_in(part: Object, raw: int) -> int:
+    """The number in a part of a packed value."""
+    if part["mask"] is None:  # decimal digits
+        raw //= part["divide"] or 1
+        return raw % part["modulo"] if part["modulo"] else raw
+    value, most = (raw & part["mask"]) >> part["shift"], part["mask"] >> part["shift"]
+    if part.get("signed") and value > most // 2:
+        return int(value - most - 1)
+    return int(-value if raw & part.get("sign", 0) else value)
 
 
 def announced(types: list[str], body: Body) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, Optional
@@ -158,21 +159,27 @@ class FieldMaker(TypeMaker):
         dim, count = self.dimension(scope, kind)
         node = self.decorate({"name": name + dim, "type": kind.name}, kind, scope)
         scope.add(node, kind.least * count, kind.memory * count, True)
-        if kind.values and not dim:
-            self.depend_on(scope, name, kind)
+        is_integer = kind.name in (*INTEGERS, "u24", "i24")
+        is_integer = is_integer or (kind.is_quantity and kind.number in INTEGERS)
+        if dim in ("", "[axis]", "[4]") and (kind.values or kind.parts or is_integer):
+            self.depend_on(scope, name + {"": "", "[axis]": ".yaw", "[4]": "[2]"}[dim], kind)
         if kind.name == "VariableId" and not dim:
             scope.variables.append(name)
 
     def depend_on(self, scope: Scope, name: str, kind: Kind) -> None:
         """Allows later fields to depend on this one."""
-        scope.known.append((name, kind))
-        if kind.is_flags and scope.in_message:
+        if kind.parts:
+            scope.known += [(f"{name}.{part}", inner) for part, inner in kind.parts]
+        else:
+            scope.known.append((name, kind))
+        if kind.is_flags and scope.in_message and name.isidentifier():
             scope.flags += [(name, flag) for flag, mask in kind.values if mask]
 
     def add_condition_source(self, scope: Scope) -> None:
         """Adds an enum or flag set that other fields may depend on."""
         integers = [Kind(n, SIZES[n], SIZES[n], number=n) for n in ("u8", "i16")]
-        kind = self.random.choice(self.enums + self.flag_sets + integers)
+        packed = [kind for kind in self.packed if kind.parts]
+        kind = self.random.choice(self.enums + self.flag_sets + integers + packed)
         name = self.field_name()
         scope.add(self.said({"name": name, "type": kind.name}), kind.least, kind.memory, True)
         self.depend_on(scope, name, kind)
@@ -202,6 +209,9 @@ class FieldMaker(TypeMaker):
         sources += [("context", n, k) for n, k in scope.contexts] * 3
         if not sources:
             return None
+        joined = self.joined(scope) if self.chance(0.2) else None
+        if joined is not None:
+            return joined
         key, name, kind = self.random.choice(sources)
         if kind.is_flags:
             flags = [flag for flag, mask in kind.values if mask]
@@ -218,10 +228,26 @@ class FieldMaker(TypeMaker):
             return when
         names: list[Any] = [value for value, _ in kind.values]
         if not names:  # an integer
-            names = [0, 1, 2, 100]
+            low, high = kind.limits or INTEGERS.get(kind.number, (0, 255))
+            names = [number for number in (0, 1, 2, 100) if low <= number <= high]
+            if self.chance(0.4) and high > 2:
+                word = self.random.choice(("at_least", "at_most"))
+                return {key: name, word: self.random.choice([n for n in names if low < n < high])}
+            names = names[: high - low]  # not all of a few values
         chosen = self.random.sample(names, self.random.randint(1, min(3, len(names))))
         word = "is_not" if self.chance(0.2) else "is"
         return {key: name, word: chosen if len(chosen) > 1 else chosen[0]}
+
+    def joined(self, scope: Scope) -> Optional[Node]:
+        """Returns a condition on several fields, if there are some."""
+        names = list(dict.fromkeys(re.split(r"[.\[]", name)[0] for name, _ in scope.known))
+        if len(names) < 2:
+            return None
+        terms = []
+        for wanted in self.random.sample(names, 2):
+            known = [one for one in scope.known if re.split(r"[.\[]", one[0])[0] == wanted]
+            terms.append(self.condition(replace(scope, known=known, contexts=[])))
+        return {self.random.choice(("all", "one_of")): terms}
 
     def add_conditional(self, scope: Scope) -> None:
         """Adds a field that is present only under a condition on another field."""
@@ -232,7 +258,7 @@ class FieldMaker(TypeMaker):
         dim, count = self.dimension(scope, kind)
         name = self.field_name()
         node = self.decorate({"name": name + dim, "type": kind.name, "when": when}, kind, scope)
-        if "field" in when and kind.fixed and self.chance(0.3):
+        if "context" not in when and kind.fixed and self.chance(0.3):
             when["may_be_missing"] = True
         scope.budget -= kind.least * count
         scope.add(node, 0, kind.memory * count + 4, False)
@@ -279,6 +305,9 @@ class FieldMaker(TypeMaker):
         """Adds a list with an element for each bit of a flag set, perhaps with a condition."""
         here = {f.get("name") for f in scope.fields if "when" not in f}
         known = [name for name, kind in scope.known if kind.is_flags and name in here]
+        for name, kind in scope.known:
+            if kind.is_count and name.partition(".")[0] in here and name.count(".") == 1:
+                known += [name] if "." in name and "yaw" not in name else []
         if not known:
             return self.add_condition_source(scope)
         kind = self.number_kind()
@@ -334,7 +363,8 @@ class FieldMaker(TypeMaker):
         if scope.has_lists or not scope.fixed or scope.budget < 8:
             return
         here = {f.get("name") for f in scope.fields if "when" not in f}
-        known = [(name, kind) for name, kind in scope.known if name in here]
+        bases = [re.sub(r"\[.*", "", str(name)) for name in here]
+        known = [one for one in scope.known if re.split(r"[.\[]", one[0])[0] in bases]
         if not known:
             self.add_condition_source(scope)
             known = [scope.known[-1]]

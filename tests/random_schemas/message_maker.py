@@ -185,7 +185,9 @@ class MessageMaker(FieldMaker):
             if direction == "to_board":
                 content["effect"] = self.effect(scope)
                 content["answer"] = self.answer(scope)
-            if self.chance(0.2):
+            if (
+                self.chance(0.2) and not last
+            ):  # of a request, what is longer than all forms is surplus
                 content["until"] = {"firmware": self.random.choice(("2.60", "2.68b7"))}
             forms[form] = {**content, "as": name}
             self.add_body(name, scope, direction)

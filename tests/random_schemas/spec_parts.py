@@ -27,7 +27,8 @@ MAX_MEMORY = 100_000
 class Kind:
     """A type: at least `least` bytes on the wire, exactly if `fixed`; `memory` bytes in C++.
 
-    `number` is the underlying scalar; `values` are those of an enum or flag set (`is_flags`).
+    `number` is the underlying scalar; `values` are those of an enum or flag set (`is_flags`); `parts` are
+    those of a packed value. `limits` are those of an integer.
     """
 
     name: str
@@ -41,6 +42,9 @@ class Kind:
     unit: Optional[str] = None
     takes_rest: bool = False
     needs_family: str = ""
+    parts: tuple[tuple[str, Kind], ...] = ()
+    limits: Optional[tuple[int, int]] = None
+    is_count: bool = False
 
 
 @dataclass

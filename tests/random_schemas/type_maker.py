@@ -33,6 +33,7 @@ class TypeMaker:
         self.enums: list[Kind] = []
         self.flag_sets: list[Kind] = []
         self.packed: list[Kind] = []
+        self.parts: dict[str, Kind] = {}
         self.structs: list[Kind] = []
         self.has_reset = False
         self.bodies: list[Body] = []
@@ -201,6 +202,22 @@ class TypeMaker:
             node["main"] = self.random.choice(named)
         return self.add_packed(number, node)
 
+    def part_kind(self, number: str, part: Node, type_: Optional[Kind], width: int) -> Kind:
+        """Returns what conditions on a part may look at."""
+        if type_ is not None:
+            return type_
+        most = (1 << width) - 1
+        if "signed" in part:
+            limits = (-(most // 2) - 1, most // 2)
+        elif "sign" in part:
+            limits = (-(most >> 1), most >> 1)
+        else:
+            limits = (0, most)
+        is_in_place = "mask" in part  # the number is not shifted
+        shift = (part["mask"] & -part["mask"]).bit_length() - 1 if is_in_place else 0
+        is_plain = shift == 0 and not {"signed", "sign"} & set(part)
+        return Kind("", 0, 0, number=number, limits=limits, is_count=is_plain and most > 1)
+
     def make_wide_packed(self) -> Kind:
         """Makes a packed integer of 64 bits."""
         parts: list[Node] = [
@@ -223,17 +240,21 @@ class TypeMaker:
         else:
             part["bits"] = bit if width == 1 else f"{bit}..{bit + width - 1}"
         what = self.random.random()
+        type_: Optional[Kind] = None
         if not in_place and what < 0.3:
-            part["type"] = self.make_enum(number, (1 << width) - 1).name
+            type_ = self.make_enum(number, (1 << width) - 1)
         elif not in_place and what < 0.5:
-            part["type"] = self.make_flags(number, width).name
+            type_ = self.make_flags(number, width)
         elif what < 0.5:
-            part["type"] = self.make_flags_in_place(number, bit, width).name
+            type_ = self.make_flags_in_place(number, bit, width)
         elif what < 0.6 and not in_place and width > 1:
             part["signed"] = True
         elif what < 0.7 and not in_place and width > 1:
             part["bits"] = f"{bit}..{bit + width - 2}" if width > 2 else bit
             part["sign"] = bit + width - 1
+        if type_ is not None:
+            part["type"] = type_.name
+        self.parts[part["name"]] = self.part_kind(number, part, type_, width)
         return self.said(part, False)
 
     def make_flags_in_place(self, number: str, bit: int, width: int) -> Kind:
@@ -251,6 +272,8 @@ class TypeMaker:
             self.said({"name": self.unique("middle_"), "divide": 10, "modulo": 10}, False),
             self.said({"name": self.unique("low_"), "modulo": 10}, False),
         ]
+        for part in parts[1:]:
+            self.parts[part["name"]] = Kind("", 0, 0, number=number, limits=(0, 9))
         display = "{%s}.{%s:02}" % (parts[0]["name"], parts[2]["name"])
         return self.add_packed(number, {"type": number, "display": display, "parts": parts})
 
@@ -277,7 +300,10 @@ class TypeMaker:
         """Adds the entry of a packed integer."""
         name = self.unique("Packed")
         self.section(self.any_family(), "packed")[name] = self.sourced(node)
-        return Kind(name, SIZES[number], SIZES[number], number=number)
+        known = [
+            (p["name"], self.parts[p["name"]]) for p in node["parts"] if p["name"] in self.parts
+        ]
+        return Kind(name, SIZES[number], SIZES[number], number=number, parts=tuple(known))
 
     def make_variables(self) -> None:
         """Makes adjustable variables, or none at all."""

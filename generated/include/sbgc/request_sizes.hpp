@@ -14,7 +14,8 @@ namespace sbgc {
 /// Returns the size of the largest form of a request that a board with these versions has. The
 /// board ignores the bytes after it. Returns max_body_size if there are none, because the form
 /// ends in a list or keeps a tail.
-constexpr std::size_t largest_request(std::uint8_t id, const Availability& versions) noexcept {
+constexpr std::size_t largest_request(
+    std::uint8_t id, [[maybe_unused]] const Availability& versions) noexcept {
   switch (id) {
     case 20:  // CMD_BOARD_INFO_3
       return 0;

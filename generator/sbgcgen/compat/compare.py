@@ -357,7 +357,7 @@ def _effects_by_value(old: Effect | None, new: Effect | None) -> dict[str, tuple
         return {}
     conditions = [*_conditions(old), *_conditions(new)]
     enums = [when.enum for when in _conditions(old) if when.enum and not when.is_on_flags]
-    if not enums or len({(when.source, when.from_context) for when in conditions}) != 1:
+    if not enums or len({(when.subject, when.from_context) for when in conditions}) != 1:
         return {}
     return {
         value.name: (_effect_at(old, value.value), _effect_at(new, value.value))
@@ -371,7 +371,7 @@ def _conditions(effect: Effect) -> list[Condition]:
 
 def _effect_at(effect: Effect, value: int) -> Words:
     """The words of the first case that holds for a value."""
-    cases = (case for case in effect.cases if case.when is None or case.when.holds(value))
+    cases = (case for case in effect.cases if case.when is None or case.when.accepts(value))
     return tuple(next((case.words for case in cases), ()))
 
 
@@ -391,7 +391,7 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
     when = case.when
     if when is None:
         return "else"
-    return f"{when.source} {when.words}"
+    return when.words
 
 
 def _compare_roles(messages: Pair) -> None:

@@ -20,6 +20,7 @@ from sbgcgen.model import (
     Enum,
     Field,
     Packed,
+    Part,
     Quantity,
     Struct,
     Type,
@@ -46,7 +47,15 @@ def wire_type(type_: Type) -> Any:
 
 def wire_form(field: Field) -> Any:
     """The layout of a field: its type, number of elements, and condition."""
-    return (wire_type(field.type), _times(field), _condition(field.when), field.counting)
+    counting = (field.counting, _bits(field.counter_part))
+    return (wire_type(field.type), _times(field), _condition(field.when), counting)
+
+
+def _bits(part: Part | None) -> Any:
+    """The place of a part of a packed value."""
+    if part is None:
+        return None
+    return (part.mask, part.shift, part.divide, part.modulo, part.signed, part.sign)
 
 
 def _times(field: Field) -> Any:
@@ -61,7 +70,9 @@ def _condition(when: Condition | None) -> Any:
         for flags in (when.flags, when.any_flags, when.no_flags)
     ]
     numbers = (when.negated, sorted(when.numbers))
-    return (when.from_context, masks, numbers, when.may_be_missing)
+    rest = (_bits(when.part), when.at_least, when.at_most)
+    terms = (when.joined, [(term.source, _condition(term)) for term in when.terms])
+    return (when.from_context, masks, numbers, when.may_be_missing, rest, terms)
 
 
 def places(fields: Fields) -> list[Place]:
@@ -90,9 +101,9 @@ def case_places(fields: Fields) -> list[Place]:
 def _exclude(one: Field, other: Field) -> bool:
     """True if no body has both fields, because of different values of one field."""
     a, b = one.when, other.when
-    if a is None or b is None or a.is_on_flags or b.is_on_flags or a.negated or b.negated:
+    if a is None or b is None or not (a.is_on_values and b.is_on_values):
         return False
-    same = (a.source, a.from_context) == (b.source, b.from_context)
+    same = (a.subject, a.from_context) == (b.subject, b.from_context)
     return same and not set(a.numbers) & set(b.numbers)
 
 
@@ -307,6 +318,9 @@ def _compare_field(
         pair.mark(SOURCE, "index", _index(old), _index(new))
     pair.mark(WIRE, "counted by", names.get(old.counter, old.counter), new.counter)
     pair.compare(WIRE, "counted in", "counting")
+    parts = [f.counter_part.name if f.counter_part else "" for f in (old, new)]
+    if _bits(old.counter_part) != _bits(new.counter_part):
+        pair.mark(WIRE, "counted by part", *parts)
     pair.compare(WIRE, "may be absent", "appended")
     _compare_conditions(pair, names)
     # A new default changes what a program sends that does not set the field.
@@ -393,7 +407,10 @@ def _when_text(when: Condition | None) -> str:
     if when is None:
         return "always"
     missing = ", may be missing" if when.may_be_missing else ""
-    return f"{when.source} {_accepted(when)}{missing}"
+    if when.terms:
+        word = " and " if when.joined == "all" else " or "
+        return word.join(_when_text(term) for term in when.terms) + missing
+    return f"{when.subject} {_accepted(when)}{missing}"
 
 
 def _accepted(when: Condition) -> str:
@@ -401,7 +418,9 @@ def _accepted(when: Condition) -> str:
     if not when.is_on_flags:
         names = {v.value: f"{v.name} ({v.value:#x})" for v in when.values}
         words = " ".join(names.get(number, f"{number:#x}") for number in when.numbers)
-        return f"is not {words}" if when.negated else f"is {words}"
+        limits = (("at least", when.at_least), ("at most", when.at_most))
+        said = [f"{'is not' if when.negated else 'is'} {words}"] if words else []
+        return ", ".join(said + [f"{word} {n}" for word, n in limits if n is not None])
     parts = (("has", when.flags), ("any of", when.any_flags), ("not", when.no_flags))
     return ", ".join(
         f"{word} {' '.join(f'{f.name} ({f.value:#x})' for f in flags)}"

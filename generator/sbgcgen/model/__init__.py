@@ -26,7 +26,6 @@ from sbgcgen.model.bodies import (
     Announced,
     Announcement,
     Blob,
-    Condition,
     Constant,
     Context,
     Field,
@@ -40,6 +39,7 @@ from sbgcgen.model.bodies import (
     field_rules,
     scalar_of,
 )
+from sbgcgen.model.conditions import Condition, satisfying, value_at
 from sbgcgen.model.answers import (
     Answer,
     AnswerCase,

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.bodies import Condition, Field
+from sbgcgen.model.bodies import Field
+from sbgcgen.model.conditions import Condition
 from sbgcgen.model.values import EnumValue
 
 

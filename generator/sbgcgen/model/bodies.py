@@ -9,6 +9,8 @@ from functools import cached_property
 from itertools import takewhile
 from typing import Any, Union
 
+from sbgcgen.model.conditions import Condition
+from sbgcgen.model.packed_text import part_of
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
     SCALARS,
@@ -19,6 +21,7 @@ from sbgcgen.model.values import (
     Enum,
     EnumValue,
     Packed,
+    Part,
     Quantity,
     Scalar,
 )
@@ -149,79 +152,6 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
 
 
 @dataclass(frozen=True)
-class Condition:
-    """A condition on the flags or the value of a context or an earlier field.
-
-    For flags: all of `flags`, at least one of `any_flags`, and none of `no_flags` are set. For other
-    numbers: the value is one of `numbers`, or if `negated` none of them; `values` are their names.
-    If the earlier field is missing (see `source_may_be_missing`), the condition does not hold.
-    """
-
-    source: str
-    from_context: bool
-    enum: Enum | None  # None for a plain integer
-    flags: tuple[EnumValue, ...] = ()
-    any_flags: tuple[EnumValue, ...] = ()
-    no_flags: tuple[EnumValue, ...] = ()
-    numbers: tuple[int, ...] = ()
-    values: tuple[EnumValue, ...] = ()
-    negated: bool = False
-    may_be_missing: bool = False
-    source_may_be_missing: bool = False
-
-    @cached_property
-    def is_on_flags(self) -> bool:
-        return self.enum is not None and self.enum.kind == "flags"
-
-    @cached_property
-    def mask(self) -> int:
-        """The flags that must all be set."""
-        return _mask(self.flags)
-
-    @property
-    def clauses(self) -> tuple[tuple[str, str, tuple[Any, ...]], ...]:
-        """The parts that must all hold: a verb, a conjunction, and values or numbers.
-
-        For example ("has", "and", (FLAG_A, FLAG_B)), ("lacks", "and", (FLAG_C,)).
-        """
-        if not self.is_on_flags:
-            return (("is not" if self.negated else "is", "or", self.values or self.numbers),)
-        clauses = (
-            ("has", "and", self.flags),
-            ("has", "or", self.any_flags),
-            ("lacks", "and", self.no_flags),
-        )
-        return tuple(clause for clause in clauses if clause[2])
-
-    @property
-    def words(self) -> str:
-        """The clauses in words, such as "has FLAG_A and FLAG_B, and lacks FLAG_C"."""
-        return ", and ".join(
-            f"{verb} " + f" {join} ".join(str(getattr(v, "name", v)) for v in values)
-            for verb, join, values in self.clauses
-        )
-
-    def holds(self, value: int | None) -> bool:
-        """True if the condition holds for a value of its source, which is None if missing."""
-        if value is None:
-            return False
-        if self.is_on_flags:
-            return (
-                value & self.mask == self.mask
-                and (not self.any_flags or any(value & f.value == f.value for f in self.any_flags))
-                and not (self.no_flags and any(value & f.value == f.value for f in self.no_flags))
-            )
-        return (value in self.numbers) != self.negated
-
-
-def _mask(flags: tuple[EnumValue, ...]) -> int:
-    mask = 0
-    for flag in flags:
-        mask |= flag.value
-    return mask
-
-
-@dataclass(frozen=True)
 class Alternative:
     """Another unit of the same bytes, selected by a flag of an earlier field.
 
@@ -245,8 +175,8 @@ class Field:
     copies), "general" (the same in all copies), "state" (not a parameter), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
     `since` ends the body before the field. `counting` is how the counter of a list counts:
-    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1". `default` is
-    the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
+    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1"; it may be
+    the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
     the `axis`, or of the index.
     An `unconfirmed` field comes from a single source or is contradicted by another.
@@ -263,6 +193,7 @@ class Field:
     count: int = 0
     index: tuple[str, ...] = ()
     counter: str = ""
+    counter_part: Part | None = None
     is_counter: bool = False
     minimum: Fraction | None = None
     maximum: Fraction | None = None
@@ -314,7 +245,14 @@ class Field:
     @cached_property
     def has_hidden_counter(self) -> bool:
         """True if the size of the list implies its counter, which is no member then."""
-        return bool(self.counter) and self.counting != "bits"
+        return bool(self.counter) and self.counting != "bits" and self.counter_part is None
+
+    def counted(self, counter: int) -> int:
+        """The number that the value of a visible counter stands for."""
+        if self.counting == "bits":
+            return bin(counter).count("1")
+        count = part_of(self.counter_part, counter) if self.counter_part else counter
+        return count + (self.counting == "minus_1")
 
     @cached_property
     def is_variable(self) -> bool:

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sbgcgen.model.bodies import Condition, Type
+from sbgcgen.model.bodies import Type
+from sbgcgen.model.conditions import Condition
 
 # Every effect of the spec language, the most harmless first, with its description.
 EFFECTS: dict[str, str] = {

@@ -9,7 +9,8 @@ from typing import Any
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
-from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
+from sbgcgen.model.bodies import Context, Field, Leaf, Struct
+from sbgcgen.model.conditions import Condition
 from sbgcgen.model.effects import Effect, StopPattern
 from sbgcgen.model.values import Alias, Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case

@@ -9,7 +9,7 @@ _FIELD = re.compile(
     r"(?P<head>[A-Za-z][A-Za-z0-9_]*?)"
     r"(?P<expand>\{(?P<kind>[A-Z]+|[0-9]+\.\.[0-9]+)\})?"
     r"(?P<rest>[A-Za-z0-9_]*)"
-    r"(?P<array>\[(?P<index>[A-Za-z0-9_]*)\])?\Z"
+    r"(?P<array>\[(?P<index>[A-Za-z0-9_.]*)\])?\Z"
 )
 
 

@@ -18,6 +18,7 @@ from sbgcgen.model import (
     Type,
     conditions,
     element_of,
+    satisfying,
 )
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.edges import Edge, counting, edges
@@ -110,7 +111,7 @@ def full_context(message: Message) -> Fields:
     for when in conditions(message):
         if when.from_context:
             known = context.get(when.source, 0)
-            wanted = satisfying(when)[0]
+            wanted = satisfying(when)[0][when.source]
             context[when.source] = known | wanted if when.is_on_flags else wanted
     context.update({c.name: all_types(c) for c in message.contexts if c.announced})
     return context
@@ -122,17 +123,8 @@ def typical_context(message: Message) -> Fields:
     for when in conditions(message):
         known = context.get(when.source, 0)
         if when.from_context and when.is_on_flags and bin(known).count("1") < 2:
-            context[when.source] = known | satisfying(when)[0]
+            context[when.source] = known | satisfying(when)[0][when.source]
     return {**full_context(message), **context}
-
-
-def satisfying(when: Condition) -> list[int]:
-    """Values that satisfy a condition, without other bits; for a negated one, the smallest."""
-    if when.is_on_flags:
-        return [when.mask | flag.value for flag in when.any_flags] or [when.mask]
-    if when.negated:
-        return [next(value for value in range(256) if when.holds(value))]
-    return list(when.numbers)
 
 
 def variable_parts(
@@ -191,10 +183,8 @@ class _Composer:
         return values
 
     def _is_present(self, when: Condition, values: Fields) -> bool:
-        known = self.choice.context if when.from_context else values
-        if when.may_be_missing and self.choice.leave_out:
-            return False
-        return when.holds(known.get(when.source, 0 if when.from_context else None))
+        is_left_out = when.may_be_missing and self.choice.leave_out
+        return not is_left_out and when.holds_in(values, self.choice.context)
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
@@ -218,8 +208,8 @@ class _Composer:
         if isinstance(member.type, Announced):
             return self._announced(member, member.type, name)
         count = member.count if member.dim == "fixed" else self._length(member, fields, name)
-        if member.counting == "bits":
-            count = bin(int(values[member.counter])).count("1")
+        if member.counter and not member.has_hidden_counter:
+            count = member.counted(int(values[member.counter]))
         if is_bytes(member):
             return counting(count).hex()
         if member.dim == "fixed":
@@ -279,6 +269,8 @@ class _Composer:
         self, member: Field, path: str, around: Any = None, type_: Type | None = None
     ) -> Any:
         type_, choice = type_ or member.type, self.choice
+        if path in choice.forced:
+            return choice.forced[path]
         if isinstance(type_, Struct):
             return self.fields(type_, f"{path}.", around or {})
         if isinstance(type_, Blob) and type_.kind == "string":

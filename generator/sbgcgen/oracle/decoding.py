@@ -98,8 +98,8 @@ def _is_present(field: Field, reader: _Reader, values: Fields, context: Fields) 
         return False
     if when is None:
         return True
-    value = context.get(when.source, 0) if when.from_context else values.get(when.source)
-    return when.holds(value) and not (when.may_be_missing and reader.left() < (field.size or 0))
+    is_missing = when.may_be_missing and reader.left() < (field.size or 0)
+    return when.holds_in(values, context) and not is_missing
 
 
 def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fields]:
@@ -161,14 +161,12 @@ def _count(field: Field, reader: _Reader, values: Fields) -> int:
 
 def _counted(field: Field, counter: int, reader: _Reader) -> int:
     """The number of elements for the value of a counter."""
-    if field.counting == "bits":
-        return bin(counter).count("1")
     if field.counting == "bytes":
         size = 1 if is_bytes(field) else _size_of(field.type)
         if counter % size:
             raise CodecError("count_mismatch", field.name, reader.at)
         return counter // size
-    return counter + 1 if field.counting == "minus_1" else counter
+    return field.counted(counter)
 
 
 def _size_of(type_: Type) -> int:
@@ -222,7 +220,7 @@ def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}
     for field in type_.fields:
-        if field.when and not field.when.holds(around.get(field.when.source)):
+        if field.when and not field.when.holds_in(around):
             continue
         values[field.name] = _read_field(field, inner, values, {})
     return values

@@ -81,7 +81,7 @@ def _write_member(
     elif field.when:
         # Encoding has no context, so fields that depend on one are written if present.
         if not field.when.from_context:
-            wanted = field.when.holds(conditions.get(field.when.source))
+            wanted = field.when.holds_in(conditions)
             if present != wanted and (present or not field.when.may_be_missing):
                 raise CodecError("presence_mismatch", name, writer.at)
             if wanted and not present:
@@ -120,9 +120,9 @@ def counter_of(counted: Field, value: Any) -> int:
 
 
 def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
-    if field.counting == "bits":
+    if field.counter and not field.has_hidden_counter:
         count = len(value) // 2 if is_bytes(field) else len(value)
-        if count != bin(int(around[field.counter])).count("1"):
+        if count != field.counted(int(around[field.counter])):
             raise CodecError("count_mismatch", name, writer.at)
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Context, Field, Message, Struct
+from sbgcgen.model import Context, Field, Message, Struct, satisfying
 from sbgcgen.oracle.announced import announced_types, announcing
 from sbgcgen.oracle.codec import CodecError
-from sbgcgen.oracle.compose import Choice, Places, compose, satisfying
+from sbgcgen.oracle.compose import Choice, Places, compose
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
 from sbgcgen.oracle.json_values import plain, to_json
@@ -90,7 +90,7 @@ def _conditions_of(path: str, fields: tuple[Field, ...]) -> dict[str, Any]:
     field = next(f for f in fields if f.name == name)
     found: dict[str, Any] = {}
     if field.when and not field.when.from_context:
-        found[field.when.source] = satisfying(field.when)[0]
+        found.update(satisfying(field.when)[0])
     if rest and isinstance(field.type, Struct):
         found.update(_conditions_of(rest, field.type.fields))
     return found

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import copy
+import re
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Optional
 
-from sbgcgen.model import Blob, Message, conditions
+from sbgcgen.model import Blob, Condition, Field, Message, conditions, satisfying, value_at
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import (
     Choice,
@@ -18,7 +20,6 @@ from sbgcgen.oracle.compose import (
     documented_length,
     first_that_fits,
     full_context,
-    satisfying,
     typical_context,
     variable_parts,
 )
@@ -93,9 +94,8 @@ def cases_of(message: Message) -> Iterator[dict[str, Any]]:
     """For each condition, the options of a choice that satisfies it."""
     seen = []
     for when in conditions(message):
-        for value in satisfying(when):
-            key = "context" if when.from_context else "forced"
-            case = {key: {when.source: value}}
+        for value in satisfying(_with_those_of_sources(when, message)):
+            case = {"context" if when.from_context else "forced": value}
             if case not in seen:
                 seen.append(case)
                 yield case
@@ -104,6 +104,20 @@ def cases_of(message: Message) -> Iterator[dict[str, Any]]:
             known = all_types(context)
             for types in (known, known[:1], known[:1] * 254):
                 yield {"context": {context.name: types}}
+
+
+def _with_those_of_sources(when: Condition, message: Message) -> Condition:
+    """The condition, and those under which its sources are present."""
+    needed = [
+        field.when
+        for field in message.fields
+        if field.when and field.name in {test.source for test in when.tests}
+    ]
+    if when.from_context or not needed or any(other.from_context for other in needed):
+        return when
+    terms = (when, *(_with_those_of_sources(other, message) for other in needed))
+    together = Condition("", False, None, joined="all", terms=terms)
+    return together if satisfying(together) else when
 
 
 class _Maker:
@@ -166,14 +180,14 @@ class _Maker:
         for path, member, beside in variable_parts(self.message.fields):
             case: dict[str, Any] = {"context": full_context(self.message)}
             if member.when and not member.when.from_context:
-                case["forced"] = {member.when.source: satisfying(member.when)[0]}
-            if member.counting == "bits":
+                case["forced"] = satisfying(member.when)[0]
+            if member.counter and not member.has_hidden_counter:
                 prefix = path[: len(path) - len(member.name)]
-                masks = (0, 1, (1 << 8 * counter_size(beside, member)) - 1)
-                for mask in masks:
+                for mask in _counts(member, counter_size(beside, member)):
                     forced = {**case.get("forced", {}), f"{prefix}{member.counter}": mask}
                     choice = self.choice(**{**case, "forced": forced})
-                    self.add(choice, f"{path} with an element for each bit of {mask:#x}")
+                    what = "an element for each bit" if member.counting == "bits" else "the count"
+                    self.add(choice, f"{path} with {what} of {mask:#x}")
                 continue
             if member.dim in ("counted", "rest") and not path.endswith("[]"):
                 documented = documented_length(beside, member)
@@ -236,14 +250,15 @@ class _Maker:
     def out_of_place(self) -> None:
         """Conditional fields that are present or missing contrary to their condition."""
         for case in self.cases():
-            for source, value in case.get("forced", {}).items():
-                other = self.value_of_no_condition(source)
-                if other is None:
+            forced = case.get("forced", {})
+            for source, value in forced.items():
+                other = self.value_of_no_condition(source, forced)
+                if other is None or value_at(compose(self.message, self.choice()), source) is None:
                     continue
                 there = compose(self.message, self.choice(**case))
-                self.add_refused({**there, source: other}, f"with another {source}")
-                absent = compose(self.message, self.choice(forced={source: other}))
-                self.add_refused({**absent, source: value}, f"missing for this {source}")
+                self.add_refused(_with(there, source, other), f"with another {source}")
+                absent = compose(self.message, self.choice(forced={**forced, source: other}))
+                self.add_refused(_with(absent, source, value), f"missing for this {source}")
 
     # Inputs
 
@@ -259,10 +274,12 @@ class _Maker:
                     continue
         raise AssertionError(f"no body of {self.message.name} fits")
 
-    def value_of_no_condition(self, source: str) -> Optional[int]:
+    def value_of_no_condition(self, source: str, others: Fields) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""
-        asked = [when for when in conditions(self.message) if when.source == source]
-        values = (value for value in range(128) if not any(w.holds(value) for w in asked))
+        asked = [w for w in conditions(self.message) if source in {t.source for t in w.tests}]
+        values = (
+            n for n in range(128) if not any(w.holds_in({**others, source: n}) for w in asked)
+        )
         return next(values, None)
 
     def choice(self, **options: Any) -> Choice:
@@ -311,6 +328,26 @@ class _Maker:
             return False
         self.seen.add(key)
         return True
+
+
+def _counts(member: Field, size: int) -> list[int]:
+    """Values of a visible counter: for no, one and all elements."""
+    part = member.counter_part
+    if part is None:
+        return [0, 1, (1 << 8 * size) - 1]
+    most = part.limits[1]
+    return sorted({part.bits_of(n) for n in (0, 1, min(3, most), most)})
+
+
+def _with(fields: Fields, path: str, value: int) -> Fields:
+    """The fields with another value at a path."""
+    steps = re.findall(r"\w+", path)
+    result = copy.deepcopy(fields)
+    found: Any = result
+    for step in steps[:-1]:
+        found = found[int(step)] if isinstance(found, list) else found[step]
+    found[int(steps[-1]) if isinstance(found, list) else steps[-1]] = value
+    return result
 
 
 class _Random:

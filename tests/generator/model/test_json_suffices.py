@@ -10,7 +10,8 @@ from typing import Any
 import jsonschema
 import pytest
 
-from support import GENERATOR, PROJECT
+from sbgcgen.cli import main
+from support import GENERATOR, PROJECT, write_spec
 
 EXAMPLE = PROJECT / "examples/python/decode.py"
 MODEL: dict[str, Any] = json.loads((PROJECT / "generated/simplebgc.json").read_text("utf-8"))
@@ -46,6 +47,73 @@ def test_the_example_decodes_every_vector(path: Path) -> None:
         wanted = vector.get("chosen", vector.get("message"))
         if wanted is not None:
             assert decoder.choose(direction, vector["id"], len(body))["name"] == wanted, vector
+
+
+CONDITIONS = """family: probe
+summary: Conditions of every kind.
+packed:
+  Setup:
+    type: u16
+    summary: Several things.
+    source: L1
+    parts:
+      - {name: mode, bits: 0..1, type: Mode, summary: What to do.}
+      - {name: count, bits: 2..4, summary: How many.}
+      - {name: offset, bits: 5..7, signed: true, summary: How far.}
+      - {name: on, bits: 8, summary: Whether at all.}
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: All of them.
+    from_board:
+      source: L1
+      fields:
+        - {name: S, type: Setup, summary: Setup.}
+        - {name: ANGLE, type: Angle, summary: An angle.}
+        - {name: "N[3]", type: u8, summary: Numbers.}
+        - {name: "M[axis]", type: Setup, summary: Setups.}
+        - {name: COUNT, type: Share, summary: How many.}
+        - {name: "L[S.count]", type: u16, summary: Numbers.}
+        - {name: "K[COUNT]", type: u8, summary: Numbers.}
+        - {name: A, type: u8, when: {field: S.mode, is: MODE_ON}, summary: One.}
+        - {name: B, type: u8, when: {field: S.offset, at_most: -2}, summary: One.}
+        - {name: C, type: u16, when: {field: ANGLE, at_least: 5, at_most: 7}, summary: One.}
+        - {name: D, type: u8, when: {field: "N[1]", is_not: [0, 3]}, summary: One.}
+        - {name: E, type: u16, when: {field: M.yaw.on, is: 1}, summary: One.}
+        - {name: F, type: u8, when: {all: [{field: S.on, is: 1}, {field: A, is: 2}]}, summary: One.}
+        - name: G
+          type: u8
+          when: {one_of: [{field: "N[2]", at_least: 9}, {all: [{field: S.on, is: 0}, {field: M.roll.count, is: 5}]}]}
+          summary: One.
+quantities:
+  Share: {type: u8, unit: "%", accessor: percent, scale: 1, summary: A share.}
+"""
+
+
+def test_the_example_decodes_conditions_of_every_kind(tmp_path: Path) -> None:
+    spec = write_spec(tmp_path, CONDITIONS)
+    assert main(["generate", "--spec", str(spec), "--output", str(tmp_path / "out")]) == 0
+    model = json.loads((tmp_path / "out/simplebgc.json").read_text("utf-8"))
+    (message,) = [m for m in model["messages"] if m["name"] == "Probe"]
+    decoder, whole = example().Decoder(model), set()
+    for vector in map(json.loads, (tmp_path / "out/vectors/probe.jsonl").open(encoding="utf-8")):
+        body = bytes.fromhex(vector.get("hex", ""))
+        if "hex" in vector and "fields" in vector:
+            assert decoder.decode(message, body, {}) == vector["fields"], vector
+            whole |= vector["fields"].keys()
+        elif "hex" in vector:
+            with pytest.raises(Exception, match="too short|too long"):
+                decoder.decode(message, body, {})
+    assert whole - {"tail"} == {
+        "s",
+        "angle",
+        "n",
+        "m",
+        "count",
+        "l",
+        "k",
+        *"abcdefg",
+    }, "each occurs"
 
 
 def test_the_model_has_a_schema() -> None:

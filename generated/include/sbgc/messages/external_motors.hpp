@@ -138,22 +138,22 @@ struct ExtMotorsControl {
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     if (cursor.present(!self.data_set.has(ExtMotorsControlField::setpoint_32bit) && !self.data_set.has(ExtMotorsControlField::param1_16bit) && !self.data_set.has(ExtMotorsControlField::param1_32bit), self.setpoint16, "setpoint16")) {
-      cursor.counted_by_bits(*self.setpoint16, self.for_motors, "setpoint16");
+      cursor.counted_by(*self.setpoint16, detail::count_bits(self.for_motors.raw()), "setpoint16");
     }
     if (cursor.present(self.data_set.has(ExtMotorsControlField::setpoint_32bit) && !self.data_set.has(ExtMotorsControlField::param1_16bit) && !self.data_set.has(ExtMotorsControlField::param1_32bit), self.setpoint32, "setpoint32")) {
-      cursor.counted_by_bits(*self.setpoint32, self.for_motors, "setpoint32");
+      cursor.counted_by(*self.setpoint32, detail::count_bits(self.for_motors.raw()), "setpoint32");
     }
     if (cursor.present(self.data_set.has(ExtMotorsControlField::param1_16bit) && !self.data_set.has(ExtMotorsControlField::setpoint_32bit), self.setpoint16_param16, "setpoint16_param16")) {
-      cursor.counted_by_bits(*self.setpoint16_param16, self.for_motors, "setpoint16_param16");
+      cursor.counted_by(*self.setpoint16_param16, detail::count_bits(self.for_motors.raw()), "setpoint16_param16");
     }
     if (cursor.present(self.data_set.has(ExtMotorsControlField::param1_32bit) && !self.data_set.has(ExtMotorsControlField::setpoint_32bit) && !self.data_set.has(ExtMotorsControlField::param1_16bit), self.setpoint16_param32, "setpoint16_param32")) {
-      cursor.counted_by_bits(*self.setpoint16_param32, self.for_motors, "setpoint16_param32");
+      cursor.counted_by(*self.setpoint16_param32, detail::count_bits(self.for_motors.raw()), "setpoint16_param32");
     }
     if (cursor.present(self.data_set.has(ExtMotorsControlField::setpoint_32bit) && self.data_set.has(ExtMotorsControlField::param1_16bit), self.setpoint32_param16, "setpoint32_param16")) {
-      cursor.counted_by_bits(*self.setpoint32_param16, self.for_motors, "setpoint32_param16");
+      cursor.counted_by(*self.setpoint32_param16, detail::count_bits(self.for_motors.raw()), "setpoint32_param16");
     }
     if (cursor.present(self.data_set.has(ExtMotorsControlField::setpoint_32bit) && self.data_set.has(ExtMotorsControlField::param1_32bit) && !self.data_set.has(ExtMotorsControlField::param1_16bit), self.setpoint32_param32, "setpoint32_param32")) {
-      cursor.counted_by_bits(*self.setpoint32_param32, self.for_motors, "setpoint32_param32");
+      cursor.counted_by(*self.setpoint32_param32, detail::count_bits(self.for_motors.raw()), "setpoint32_param32");
     }
   }
 };

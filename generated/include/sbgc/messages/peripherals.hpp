@@ -139,7 +139,7 @@ struct ServoOutExt {
   using FixedMembers = Members<&ServoOutExt::servo_bits>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.counted_by_bits(self.servo_time, self.servo_bits, "servo_time");
+    cursor.counted_by(self.servo_time, detail::count_bits(self.servo_bits.raw()), "servo_time");
   }
 };
 

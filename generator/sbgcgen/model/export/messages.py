@@ -43,6 +43,9 @@ def _until(until: Until | None) -> dict[str, str | None] | None:
 def _condition(when: Condition | None) -> dict[str, Any] | None:
     if when is None:
         return None
+    if when.terms:
+        terms = [_condition(term) for term in when.terms]
+        return {when.joined: terms, "may_be_missing": when.may_be_missing}
     result: dict[str, Any] = {
         "context" if when.from_context else "field": when.source,
         "has": [f.name for f in when.flags],
@@ -55,7 +58,8 @@ def _condition(when: Condition | None) -> dict[str, Any] | None:
         result["has_not"] = [f.name for f in when.no_flags]
     if when.negated:
         result["is_not"] = _accepted(when)
-    return result
+    part = when.part.name if when.part else None
+    return result | given(part=part, at_least=when.at_least, at_most=when.at_most)
 
 
 def _accepted(when: Condition) -> list[Any]:
@@ -114,6 +118,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         role=field.role or None,
         value_of_variable=field.variable or None,
         counted_by=field.counter or None,
+        counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
         when=_condition(leaf.when),
         alternative=_alternative(field.alternative),
@@ -246,6 +251,7 @@ def _group(path: str, field: Field) -> dict[str, Any]:
         when=_condition(field.when),
         may_be_missing=field.appended or None,
         counted_by=field.counter or None,
+        counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
         min_count=None if field.index else field.min_count or None,
         max_count=None if field.index else field.max_count,
@@ -263,8 +269,9 @@ def _leaf_in(leaf: Leaf, groups: list[tuple[str, Field]]) -> dict[str, Any]:
         if isinstance(group.type, Struct) and group.may_be_absent:
             result["may_be_missing"] = True
         if group.counter and leaf.field.dim not in ("counted", "rest"):
+            part = group.counter_part.name if group.counter_part else None
             result["counted_by"] = group.counter
-            result.update(given(counted_in=_counted_in(group)))
+            result.update(given(counted_by_part=part, counted_in=_counted_in(group)))
     return result
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.model import (
     Announced,
@@ -12,6 +14,7 @@ from sbgcgen.model import (
     Layout,
     Message,
     Packed,
+    Part,
     Quantity,
     Scalar,
     Struct,
@@ -158,11 +161,12 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
                 text = f"'{field.name}', which has its own size, is not always present"
                 hint = "it occurs once, without a condition, in a message without counted lists"
                 found.add(field.at, "SBGC033", text, hint)
-            for when in (inner.when for inner in field.type.fields if inner.when):
-                source = earlier.get(when.source)
-                known = source is not None and source.dim == "one"
-                if source is not None and when.enum is not None:
-                    known = known and source.type == when.enum
+            inner = [inner.when for inner in field.type.fields if inner.when]
+            for when in (test for condition in inner for test in condition.tests):
+                source = earlier.get(re.split(r"[.\[]", when.source)[0])
+                known = source is not None
+                if source is not None and source.name == when.source and when.part is None:
+                    known = when.enum is None or source.type == when.enum
                 if when.from_context or not known:
                     text = (
                         f"'{field.name}' depends on '{when.source}', which is not an earlier field"
@@ -183,7 +187,9 @@ def _takes_rest(struct: Struct) -> bool:
 def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> str:
     if counter is None:
         return "it is not in the same list"
-    if field.counting == "bits":
+    if field.counter and not field.has_hidden_counter:
+        if field.counter_part is not None and not _is_count(field.counter_part):
+            return f"its part '{field.counter_part.name}' is not an unsigned number"
         if counter.dim != "one":
             return "it is not a single field"
         return "it is not always present" if counter.may_be_absent else ""
@@ -191,11 +197,16 @@ def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> 
         return "the elements vary in size"
     if counter.name in counted:
         return "it counts another list"
-    if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:
+    scalar = counter.scalar if isinstance(counter.type, (Scalar, Quantity)) else None
+    if scalar is None or scalar.minimum != 0 or scalar.size == 3:
         return "it is not an unsigned number"
     if counter.dim != "one":
         return "it is not a single field"
     return "it is not always present" if counter.when is not None else ""
+
+
+def _is_count(part: Part) -> bool:
+    return part.enum is None and part.quantity is None and part.limits[0] == 0
 
 
 # References to other fields and messages

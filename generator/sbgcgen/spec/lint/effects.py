@@ -64,6 +64,6 @@ def _overlap(effect: Effect) -> bool:
     if len(conditions) < 2:
         return False
     numbers = [number for when in conditions for number in when.numbers]
-    are_values = all(when.numbers and not when.negated for when in conditions)
-    is_one_field = len({when.source for when in conditions}) == 1
+    are_values = all(when.is_on_values for when in conditions)
+    is_one_field = len({when.subject for when in conditions}) == 1
     return not (are_values and is_one_field and len(numbers) == len(set(numbers)))

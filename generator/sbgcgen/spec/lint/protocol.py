@@ -238,7 +238,8 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
 
 def _check_marked(settings: Settings, found: Diagnostics) -> None:
     """Fields with the role "state" or "general" must be usable by code that knows only bytes."""
-    shaping = {when.source for when in conditions(settings.message) if not when.from_context}
+    tests = [test for when in conditions(settings.message) for test in when.tests]
+    shaping = {test.source.split(".")[0] for test in tests if not test.from_context}
     for field in settings.message.fields:
         if field.role not in ("general", "state"):
             continue

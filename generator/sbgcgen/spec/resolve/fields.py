@@ -16,6 +16,8 @@ from sbgcgen.model import (
     Enum,
     Field,
     FieldRule,
+    Packed,
+    Part,
     Position,
     Quantity,
     Scalar,
@@ -331,7 +333,12 @@ class FieldResolver:
     ) -> dict[str, Any]:
         """How many elements and bytes a field has, as members of Field."""
         dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
+        by = next((f for f in earlier if f.name == counter), None)
+        part = _counter_part(by, str(name.index))
         counting = self._counting(node, counter, earlier)
+        if part is not None and counting == "bytes":
+            hint = "only a field of its own counts bytes"
+            self.found.add(at, "SBGC043", f"'{part.name}' is a part of a packed value", hint)
         size, max_count = size_of(type_), node.get("max_count")
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
@@ -342,11 +349,14 @@ class FieldResolver:
         if counting == "bits":
             flags = next(f.type for f in earlier if f.name == counter)
             capacity = min(capacity, 8 * (size_of(flags) or 0))
+        if part is not None:
+            capacity = min(capacity, part.limits[1] + (counting == "minus_1"))
         return {
             "dim": dim,
             "count": count,
             "index": index,
             "counter": counter,
+            "counter_part": part,
             "counting": counting,
             "size": None if size is None or dim in ("counted", "rest") else size * count,
             "capacity": min(capacity, len(index)) if dim == "rest" and index else capacity,
@@ -439,13 +449,20 @@ class FieldResolver:
         if name.index in self.indices:
             return name.index, len(self.indices[name.index]), self.indices[name.index], ""
         names = {f.spec_name: f for f in earlier}
-        if name.index not in names:
-            hint = did_you_mean(name.index, [*names, *self.indices])
+        whole, _, part = name.index.partition(".")
+        if part and whole in names and _counter_part(names[whole], name.index) is None:
+            packed = names[whole].type
+            parts = [p.name for p in packed.parts] if isinstance(packed, Packed) else []
+            hint = did_you_mean(part, parts) or "a part is that of a packed value"
+            self.found.add(at, "SBGC025", f"'{whole}' has no part '{part}'", hint)
+            return "fixed", 1, (), ""
+        if whole not in names:
+            hint = did_you_mean(whole, [*names, *self.indices])
             hint = hint or "a list is counted by a field before it"
             message = f"'{name.index}' is neither an index nor an earlier field"
             self.found.add(at, "SBGC025", message, hint)
             return "fixed", 1, (), ""
-        return "counted", 0, (), names[name.index].name
+        return "counted", 0, (), names[whole].name
 
     # Checks
 
@@ -482,6 +499,14 @@ def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
         for node in nodes:
             if "struct" in node and "fields" in node:
                 yield family, node
+
+
+def _counter_part(counter: Field | None, index: str) -> Part | None:
+    """The part of a packed counter that NAME[COUNTER.part] refers to."""
+    wanted = index.partition(".")[2]
+    if counter is None or not isinstance(counter.type, Packed):
+        return None
+    return next((part for part in counter.type.parts if part.name == wanted), None)
 
 
 def _number_reserved(fields: list[Field]) -> list[Field]:

@@ -277,24 +277,19 @@ class MessageResolver:
         for message in messages:
             key = message.command, message.direction
             sizes[key] = max(sizes.get(key, 0), message.max_size)
+        longest = [m.max_size == sizes[m.command, m.direction] for m in messages]
+        keeps = [m.keeps_tail and is_last for m, is_last in zip(messages, longest)]
+        owners = {id(m.body): keep for m, keep in zip(messages, keeps) if not m.same_as}
         result = []
-        for message in messages:
-            longest = message.max_size == sizes[message.command, message.direction]
-            open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
-            keeps = message.keeps_tail and longest
-            is_open = open_ended and longest
-            takes_surplus = message.direction == "to_board" and longest and message.has_end
-            message = replace(
-                message, keeps_tail=keeps, is_open=is_open, takes_surplus=takes_surplus
-            )
-            result.append(message)
-        owners = {id(m.body): m.keeps_tail for m in result if not m.same_as}
-        return [
-            replace(m, keeps_tail=owners.get(id(m.body), m.keeps_tail))
-            if m.same_as and self.drafts[m.name, m.direction].get("tail") is None
-            else m
-            for m in result
-        ]
+        for message, is_last, keep in zip(messages, longest, keeps):
+            if message.same_as and self.drafts[message.name, message.direction].get("tail") is None:
+                keep = owners.get(id(message.body), keep)
+            is_open = is_last and (keep or any(f.dim == "rest" for f in message.fields))
+            message = replace(message, keeps_tail=keep, is_open=is_open)
+            has_room = message.has_end and message.max_size < self.fields.max_body
+            is_request = message.direction == "to_board" and not message.contexts
+            result.append(replace(message, takes_surplus=is_request and is_last and has_room))
+        return result
 
     def _settle_types(self, message: Message) -> Message:
         """Complete the announced types of contexts, which need all messages."""

@@ -2,9 +2,26 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any
 
-from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Scalar, Type
+from sbgcgen.model import (
+    Alternative,
+    Condition,
+    Context,
+    Enum,
+    Field,
+    Packed,
+    Part,
+    Quantity,
+    Scalar,
+    Struct,
+    Type,
+    satisfying,
+    scalar_of,
+)
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import Map
@@ -15,15 +32,58 @@ _RULE = "SBGC026"
 _WORDS = {
     "a flag set": ("has", "any", "has_not"),
     "an enum": ("is", "is_not"),
-    "an integer": ("is", "is_not"),
+    "an integer": ("is", "is_not", "at_least", "at_most"),
 }
 _ALL = tuple(dict.fromkeys(word for words in _WORDS.values() for word in words))
+_SEVERAL = ("all", "one_of")
 
 
-def _kind(type_: Type | None) -> str:
-    if isinstance(type_, Enum):
-        return "a flag set" if type_.kind == "flags" else "an enum"
-    return "an integer" if isinstance(type_, Scalar) and not type_.is_float else ""
+@dataclass(frozen=True)
+class _Source:
+    """The number that a condition looks at: its path, its type, and the part of a packed value."""
+
+    path: str
+    type: Type
+    may_be_missing: bool = False
+    part: Part | None = None
+
+    @property
+    def enum(self) -> Enum | None:
+        if self.part is not None:
+            return self.part.enum
+        return self.type if isinstance(self.type, Enum) else None
+
+    @property
+    def quantity(self) -> Quantity | None:
+        if self.part is not None:
+            return self.part.quantity
+        return self.type if isinstance(self.type, Quantity) else None
+
+    @property
+    def kind(self) -> str:
+        """The key in _WORDS; "" if there is no condition on such a value."""
+        if self.enum is not None:
+            return "a flag set" if self.enum.kind == "flags" else "an enum"
+        is_integer = isinstance(self.type, (Scalar, Quantity)) and self.limits is not None
+        return "an integer" if self.part is not None or is_integer else ""
+
+    @property
+    def limits(self) -> tuple[int, int] | None:
+        """The lowest and highest number; None if it has none."""
+        if self.part is not None and self.part.modulo:
+            return 0, self.part.modulo - 1
+        if self.part is not None:
+            return self.part.limits
+        scalar = scalar_of(self.type)
+        if scalar is None or scalar.minimum is None or scalar.maximum is None:
+            return None
+        return scalar.minimum, scalar.maximum
+
+    @property
+    def is_wrapped(self) -> bool:
+        """True if C++ has the number in a class."""
+        is_24 = self.part is None and isinstance(self.type, Scalar) and self.type.size == 3
+        return self.quantity is not None or is_24
 
 
 class ReferenceResolver:
@@ -37,34 +97,63 @@ class ReferenceResolver:
     def condition(
         self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
     ) -> Condition | None:
-        """The condition under `when`, which refers to a context or one of the `earlier` fields."""
+        """The condition under `when`, which refers to a context or to the `earlier` fields."""
         when = node.get("when")
-        if not isinstance(when, Map):
-            return None
-        unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
-        if when.get("context") in unknown:
-            return None  # the context's unknown type has been reported
-        with self.found.at(when):
-            source, type_, may_be_missing = _source(when, earlier, contexts)
-            _check_words(when, type_)
-            chosen = {word: self._values(type_, when, word) for word in _ALL}
-            self._check_clauses(when, chosen)
-            enum = type_ if isinstance(type_, Enum) else None
-            values = chosen["is"] or chosen["is_not"]
-            return Condition(
-                source,
-                "context" in when,
-                enum,
-                flags=chosen["has"],
-                any_flags=chosen["any"],
-                no_flags=chosen["has_not"],
-                numbers=tuple(v if isinstance(v, int) else v.value for v in values),
-                values=values if enum else (),
-                negated="is_not" in when,
-                may_be_missing=bool(when.get("may_be_missing", False)),
-                source_may_be_missing=may_be_missing,
+        return self._condition(when, earlier, contexts) if isinstance(when, Map) else None
+
+    def _condition(
+        self, when: Map, earlier: list[Field], contexts: tuple[Context, ...]
+    ) -> Condition | None:
+        joined = next((word for word in _SEVERAL if word in when), "")
+        may_be_missing = bool(when.get("may_be_missing", False))
+        condition: Condition | None = None
+        before = len(self.found.found)
+        if joined:
+            terms = [self._condition(term, earlier, ()) for term in when[joined]]
+            known = tuple(term for term in terms if term is not None)
+            if len(known) < len(terms):
+                return None
+            condition = Condition(
+                "", False, None, joined=joined, terms=known, may_be_missing=may_be_missing
             )
-        return None
+        else:
+            unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
+            if when.get("context") in unknown:
+                return None  # the context's unknown type has been reported
+            with self.found.at(when):
+                source = _source(when, earlier, contexts)
+                condition = self._test(when, source, may_be_missing)
+                if len(self.found.found) == before:
+                    _check_sense(condition, source)
+        if condition is not None and len(self.found.found) == before and not satisfying(condition):
+            hint = "its parts exclude each other"
+            self.found.add(when.position, _RULE, "the condition never holds", hint)
+            return None
+        return condition
+
+    def _test(self, when: Map, source: _Source, may_be_missing: bool) -> Condition:
+        """A condition on one number."""
+        _check_words(when, source)
+        chosen = {word: self._values(source, when, word) for word in _ALL}
+        self._check_clauses(when, chosen)
+        values = chosen["is"] or chosen["is_not"]
+        return Condition(
+            source.path,
+            "context" in when,
+            source.enum,
+            flags=chosen["has"],
+            any_flags=chosen["any"],
+            no_flags=chosen["has_not"],
+            numbers=tuple(v if isinstance(v, int) else v.value for v in values),
+            values=values if source.enum else (),
+            negated="is_not" in when,
+            may_be_missing=may_be_missing,
+            source_may_be_missing=source.may_be_missing,
+            part=source.part,
+            is_wrapped=source.is_wrapped,
+            at_least=next(iter(chosen["at_least"]), None),
+            at_most=next(iter(chosen["at_most"]), None),
+        )
 
     def _check_clauses(self, when: Map, chosen: dict[str, tuple[Any, ...]]) -> None:
         """Report clauses without bits, and those that contradict each other."""
@@ -81,12 +170,12 @@ class ReferenceResolver:
                 hint = "it must be set and must not be set"
                 self.found.add(when.at("has_not"), _RULE, message, hint)
 
-    def _values(self, type_: Type, node: Map, key: str) -> tuple[Any, ...]:
+    def _values(self, source: _Source, node: Map, key: str) -> tuple[Any, ...]:
         said = node.get(key, [])
         result = []
         for name in said if isinstance(said, list) else [said]:
             with self.found.at(node):
-                result.append(_value(type_, name, node, key))
+                result.append(_value(source, name, node, key))
         return tuple(result)
 
     def alternative(self, node: Map) -> Alternative | None:
@@ -122,29 +211,91 @@ class ReferenceResolver:
         return ""
 
 
-def _source(
-    when: Map, earlier: list[Field], contexts: tuple[Context, ...]
-) -> tuple[str, Type, bool]:
-    """What a condition looks at: its name and type, and whether it may be missing."""
+def _source(when: Map, earlier: list[Field], contexts: tuple[Context, ...]) -> _Source:
+    """What a condition looks at."""
     key = "context" if "context" in when else "field"
-    known: dict[str, tuple[str, Type, bool]]
-    if key == "context":
-        known = {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
-    else:
-        known = {f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"}
     wanted = str(when.get(key))
-    if wanted not in known:
-        hint = did_you_mean(wanted, known) or f"known here: {', '.join(known) or 'none'}"
-        raise Mistake(_RULE, f"'{wanted}' is not an earlier {key}", hint, key)
-    if not _kind(known[wanted][1]):
+    name = wanted
+    known: dict[str, Any]
+    if key == "context":
+        known = {c.name.upper(): c for c in contexts if c.type is not None}
+    else:
+        known = {f.spec_name: f for f in earlier if f.dim == "one"}
+        known |= {f.spec_name: f for f in earlier if f.index or f.dim == "fixed"}
+        name = re.split(r"[.\[]", wanted)[0]
+    if name not in known:
+        hint = did_you_mean(name, known) or f"known here: {', '.join(known) or 'none'}"
+        raise Mistake(_RULE, f"'{name}' is not an earlier {key}", hint, key)
+    if key == "context":
+        source = _Source(known[name].name, known[name].type)
+    else:
+        source = _at(known[name], wanted)
+    if not source.kind:
         message = f"'{wanted}' is neither an integer nor a flag set"
-        raise Mistake(_RULE, message, "a condition needs values or flags", key)
-    return known[wanted]
+        hint = "a condition needs values or flags"
+        if isinstance(source.type, Packed):
+            hint = f"name a part: {', '.join(f'{wanted}.{p.name}' for p in source.type.parts)}"
+        raise Mistake(_RULE, message, hint, key)
+    return source
 
 
-def _check_words(when: Map, type_: Type) -> None:
+def _at(field: Field, wanted: str) -> _Source:
+    """The number at a path that begins with a field: NAME, NAME[2], NAME.yaw, each with .part."""
+    path, is_element = field.name, field.dim == "one"
+    steps = re.findall(r"[\w]+", wanted)[1:]
+    for step in steps:
+        type_ = field.type
+        if not is_element:
+            if step.isdigit() and int(step) < field.count and field.dim == "fixed":
+                path, is_element = f"{path}[{step}]", True
+            elif step.upper() in field.index and field.dim in ("axis", "xyz"):
+                path, is_element = f"{path}.{step}", True
+            else:
+                break
+        elif isinstance(type_, Struct) and not type_.is_region:
+            inner = next((f for f in type_.fields if f.spec_name == step), None)
+            if inner is None or field.may_be_absent:
+                break
+            field, path, is_element = inner, f"{path}.{inner.name}", inner.dim == "one"
+        elif isinstance(type_, Packed) and step is steps[-1]:
+            part = next((p for p in type_.parts if p.name == step), None)
+            if part is None:
+                hint = did_you_mean(step, [p.name for p in type_.parts])
+                hint = hint or f"parts: {', '.join(p.name for p in type_.parts)}"
+                raise Mistake(_RULE, f"{type_.name} has no part '{step}'", hint, "field")
+            return _Source(path, type_, field.may_be_absent, part)
+        else:
+            break
+    else:
+        if is_element and (field.dim == "one" or not field.may_be_absent):
+            return _Source(path, field.type, field.may_be_absent)
+    one = f"{field.spec_name}.{field.index[0].lower()}" if field.index else f"{field.spec_name}[0]"
+    hint = f"name one element, such as {one}" if not is_element else "write it like MODE.part"
+    if field.dim != "one" and field.may_be_absent:
+        hint = "an element of a list that may be missing cannot be looked at"
+    raise Mistake(_RULE, f"'{wanted}' is not one number", hint, "field")
+
+
+def _check_sense(condition: Condition, source: _Source) -> None:
+    """A condition on an integer holds for some of its values, and not for all."""
+    if source.enum is not None or source.limits is None:
+        return
+    lowest, highest = source.limits
+    numbers: Iterable[int] = range(lowest, highest + 1)
+    if highest - lowest > 255:  # it is decided near the limits and the numbers that are named
+        named = {*condition.numbers, condition.at_least or 0, condition.at_most or 0}
+        near = {number + step for number in named for step in (-1, 0, 1)}
+        numbers = sorted({lowest, highest} | {n for n in near if lowest <= n <= highest})
+    holds = {condition.accepts(number) for number in numbers}
+    if len(holds) == 1:
+        always = "always" if holds == {True} else "never"
+        hint = f"the values of '{condition.subject}' are {lowest} to {highest}"
+        raise Mistake(_RULE, f"the condition on '{condition.subject}' {always} holds", hint)
+
+
+def _check_words(when: Map, source: _Source) -> None:
     """A condition names values of its source, with the words for its kind."""
-    wanted, kind = when.get("context", when.get("field")), _kind(type_)
+    wanted, kind = when.get("context", when.get("field")), source.kind
     words = [word for word in _ALL if word in when]
     hint = f"use '{_WORDS[kind][0]}' for it"
     if not words:
@@ -153,19 +304,20 @@ def _check_words(when: Map, type_: Type) -> None:
         raise Mistake(_RULE, f"'{wanted}' is {kind}", hint)
 
 
-def _value(type_: Type, name: Any, when: Map, key: str) -> Any:
+def _value(source: _Source, name: Any, when: Map, key: str) -> Any:
     """A value of an enum or flag set, or a number."""
-    if isinstance(type_, Enum):
-        by_name = {value.name: value for value in type_.values}
+    enum = source.enum
+    if enum is not None:
+        by_name = {value.name: value for value in enum.values}
         if name not in by_name:
-            hint = did_you_mean(str(name), by_name) or f"see {type_.at}"
-            raise Mistake(_RULE, f"{type_.name} has no value '{name}'", hint, key)
+            hint = did_you_mean(str(name), by_name) or f"see {enum.at}"
+            raise Mistake(_RULE, f"{enum.name} has no value '{name}'", hint, key)
         return by_name[name]
-    assert isinstance(type_, Scalar)
+    wanted, (lowest, highest) = when.get("field"), source.limits or (0, 0)
     if not isinstance(name, int):
-        hint = f"'{when.get('field')}' has no named values"
-        raise Mistake(_RULE, f"'{name}' is not an integer", hint, key)
-    if not type_.holds(name):
-        hint = f"its type is {type_.name}: {type_.minimum} to {type_.maximum}"
-        raise Mistake(_RULE, f"'{when.get('field')}' is never {name}", hint, key)
+        raise Mistake(_RULE, f"'{name}' is not an integer", f"'{wanted}' has no named values", key)
+    if not lowest <= name <= highest:
+        scalar = None if source.part else scalar_of(source.type)
+        hint = f"its type is {scalar.name}: " if scalar else "its bits hold "
+        raise Mistake(_RULE, f"'{wanted}' is never {name}", f"{hint}{lowest} to {highest}", key)
     return name

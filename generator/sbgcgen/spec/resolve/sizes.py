@@ -55,7 +55,8 @@ def max_size(fields: tuple[Field, ...], limit: int) -> int:
     by_name = {field.name: field for field in fields}
     for field in fields:
         if field.dim in ("counted", "rest"):
-            count = field.capacity if field.counting == "bits" else field.max_count
+            is_limited = field.counting == "bits" or field.counter_part is not None
+            count = field.capacity if is_limited else field.max_count
             if field.has_hidden_counter and by_name[field.counter].maximum is not None:
                 maximum = by_name[field.counter].maximum
                 assert maximum is not None
@@ -95,7 +96,7 @@ def _is_beside(other: Field, member: Field) -> bool | None:
         return True
     if other.when is None or member.when is None or other.when.source != member.when.source:
         return None
-    if member.when.is_on_flags or member.when.negated:
+    if not member.when.is_on_values or member.when.part != other.when.part:
         return None
-    found = {other.when.holds(number) for number in member.when.numbers}
+    found = {other.when.accepts(number) for number in member.when.numbers}
     return found.pop() if len(found) == 1 else None

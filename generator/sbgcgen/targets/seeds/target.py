@@ -275,9 +275,8 @@ def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
         scalar = scalar_of(field.type)
         value = special.value % (1 << 8 * scalar.size)
         yield f"{field.name}_{special.value}", value.to_bytes(scalar.size, "little")
-    if field.when and field.when.enum:
-        size = field.when.enum.scalar.size
-        when = field.when
+    for when in field.when.tests if field.when else ():
+        size = when.enum.scalar.size if when.enum else 0
         for named in (*when.values, *when.flags, *when.any_flags, *when.no_flags):
             yield named.identifier, (named.value % (1 << 8 * size)).to_bytes(size, "little")
 

@@ -37,13 +37,12 @@ struct Meta<WithSurplus<M>> : Meta<M> {
   }
 };
 
-/// True if the bytes after M are surplus: it is the largest form of a request and has no open end.
+/// True if the bytes after M are surplus: it is the largest form of a request, has no open end, and
+/// needs no context.
 template <Message M>
-inline constexpr bool takes_surplus = M::direction ==
-                                      Direction::to_board&& M::max_size <
-                                          max_body_size&& M::max_size ==
-                                      largest_request(static_cast<std::uint8_t>(M::command),
-                                                      newest);
+inline constexpr bool takes_surplus =
+    M::direction == Direction::to_board && !detail::HasContext<M> && M::max_size < max_body_size &&
+    M::max_size == largest_request(static_cast<std::uint8_t>(M::command), newest);
 
 /// A message as its receiver reads it: with the surplus, if there may be any.
 template <Message M>

@@ -93,11 +93,11 @@ class Reader {
     if (!status_) out.clear();
   }
 
-  /// Reads a list with an element for each bit that is set in `flags`.
-  template <class T, std::size_t n, class Flags>
-  constexpr void counted_by_bits(BoundedArray<T, n>& out, const Flags& flags,
-                                 const char* field) noexcept {
-    counted(out, count_bits(flags.raw()), field);
+  /// Reads a list of which another member says how many elements it has.
+  template <class T, std::size_t n>
+  constexpr void counted_by(BoundedArray<T, n>& out, std::size_t count,
+                            const char* field) noexcept {
+    counted(out, count, field);
   }
   /// As count() and counted(), for a counter that does not hold the number of elements.
   template <Counting, class T, class List>

@@ -103,11 +103,11 @@ class Writer {
     }
   }
 
-  /// Writes a list with an element for each bit that is set in `flags`.
-  template <class T, std::size_t n, class Flags>
-  constexpr void counted_by_bits(const BoundedArray<T, n>& in, const Flags& flags,
-                                 const char* field) noexcept {
-    if (status_ && in.size() != count_bits(flags.raw())) return fail(Code::count_mismatch, field);
+  /// Writes a list of which another member says how many elements it has.
+  template <class T, std::size_t n>
+  constexpr void counted_by(const BoundedArray<T, n>& in, std::size_t count,
+                            const char* field) noexcept {
+    if (status_ && in.size() != count) return fail(Code::count_mismatch, field);
     rest(in, field);
   }
   /// As count() and counted(), for a counter that does not hold the number of elements.

@@ -164,7 +164,7 @@ class LeafWalk {
   }
   template <class T>
   void variable(T value, const VariableInfo& variable, const Place& place) {
-    integer(value, place, wire_size<T>, {.unit = &variable.unit}, false);
+    integer(static_cast<std::int64_t>(value), place, wire_size<T>, {.unit = &variable.unit}, false);
   }
   void counter(const Counter& counter, const Place& place) {
     add({.path = place.path,
