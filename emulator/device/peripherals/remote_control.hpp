@@ -32,9 +32,9 @@ class RemoteControl {
   /// The raw signal of the source that is mapped to an axis.
   std::optional<double> own(const Parameters& parameters, std::size_t axis) const;
   /// The signal that controls an axis: trimmed, mixed and shaped according to the parameters.
-  std::optional<double> axis(const Parameters& parameters, std::size_t axis) const;
+  std::optional<double> axis(const Parameters& in_use, std::size_t axis) const;
   /// In FOLLOW_MODE_FC, the angle of the flight controller that an axis follows; otherwise empty.
-  std::optional<double> followed(const Parameters& parameters, std::size_t axis) const;
+  std::optional<double> followed(const Parameters& in_use, std::size_t axis) const;
   /// Shapes a signal, -1..1, by the direction, trim, dead band and curve of an axis.
   static double shaped(const msg::ReadParams3& parameters, std::size_t axis, double signal);
   /// Swaps the signals of two axes until the board restarts; used by the menu.
