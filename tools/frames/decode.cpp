@@ -30,8 +30,8 @@
 #include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
+#include "values/firmware_text.hpp"
 
 namespace sbgc::tools {
 
@@ -115,7 +115,7 @@ DecodePlan plan_of(const DecodeOptions& options) {
   }
   if (!options.firmware.empty()) {
     // Any board: which features it has is not known.
-    plan.output.versions = Availability{serving::read_firmware(options.firmware).raw(), 0xFF};
+    plan.output.versions = Availability{parse_firmware(options.firmware)->raw(), 0xFF};
   }
   try {
     for (const std::string& name : options.messages) plan.output.filter.add_message(name);
@@ -481,12 +481,8 @@ void add_decode(CLI::App& app, CommandContext& context) {
                    "Firmware of the board, such as 2.59: name what it does not know")
       ->type_name("VERSION")
       ->check([](const std::string& text) -> std::string {
-        try {
-          serving::read_firmware(text);
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-        return {};
+        if (parse_firmware(text)) return {};
+        return fmt::format("'{}' is not {}", text, firmware_example);
       });
   auto* const hex = command->add_flag(
       "--hex", options.hex, "Read hex text, which is also recognized without this option");

@@ -28,6 +28,7 @@
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
 #include "serving/service.hpp"
+#include "values/firmware_text.hpp"
 
 namespace sbgc::tools {
 
@@ -160,11 +161,19 @@ std::string problem_of_path(const std::string& path) {
   return path.empty() ? "the path is empty" : "";
 }
 
+msg::FirmwareVersion firmware_to_emulate(const std::string& text) {
+  const auto version = parse_firmware(text);
+  std::string problem = version ? serving::problem_of(*version)
+                                : fmt::format("'{}' is not {}", text, firmware_example);
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  return *version;
+}
+
 void add_board_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
   emulator::BoardOptions& board = service.emulator.board;
   add_parsed(
-      command, "--firmware", serving::parse_firmware,
+      command, "--firmware", firmware_to_emulate,
       [&](msg::FirmwareVersion version) {
         board.firmware = version;
         service.firmware_is_given = true;

@@ -162,7 +162,10 @@ def satisfying(when: Condition) -> list[dict[str, int]]:
         known = choices.setdefault(test.source, set())
         known |= {old | new for old in known for new in _candidates(test) if old >= 0 and new >= 0}
         known.update(_candidates(test))
-    found = (dict(zip(choices, values)) for values in product(*[sorted(known) for known in choices.values()]))
+    found = (
+        dict(zip(choices, values))
+        for values in product(*[sorted(known) for known in choices.values()])
+    )
     return [values for values in found if when.holds_in(values, values)][:4]
 
 
