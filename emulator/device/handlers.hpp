@@ -92,6 +92,7 @@ Reaction handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
 Reaction handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
 Reaction handle(RequestContext&, const msg::GyroCorrection&, Device&);
 Reaction handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
+Reaction handle(RequestContext&, const msg::SelectImu3CalibrateShort&, Device&);
 Reaction handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
 Reaction handle(RequestContext&, const msg::ExtImuCmd&, Device&);
 Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
@@ -110,6 +111,7 @@ Reaction handle(RequestContext&, const msg::ProfileSet&, Device&);
 // peripherals
 Reaction handle(RequestContext&, const msg::TriggerPin&, Device&);
 Reaction handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
+Reaction handle(RequestContext&, const msg::ServoOutFour&, Outputs&, Parameters&);
 Reaction handle(RequestContext&, const msg::BeepSound&, Outputs&);
 Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
 Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);

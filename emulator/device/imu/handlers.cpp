@@ -122,6 +122,15 @@ Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request
                         milliseconds(request.time_ms.raw()));
 }
 
+Reaction handle(RequestContext& context, const msg::SelectImu3CalibrateShort& request,
+                Device& device) {
+  return handle(
+      context,
+      msg::SelectImu3Calibrate{
+          .imu_type = request.imu_type, .action = request.action, .time_ms = request.time_ms},
+      device);
+}
+
 Reaction handle(RequestContext& context, const msg::AhrsHelperRequest& request, Device& device) {
   return report_attitude_only(context, device, request);
 }

@@ -2,6 +2,9 @@
 
 #include "device/handlers.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -22,14 +25,27 @@ Reaction read_i2c(RequestContext& context, Device& device, msg::I2cDevice chip,
 }  // namespace
 
 Reaction handle(RequestContext& context, const msg::TriggerPin& request, Device& device) {
+  using enum msg::PinState;
   const bool switched = device.outputs.set_pin(device, request.pin_id, request.state);
-  return switched ? context.confirm() : RequestContext::ignore();
+  if (!switched) return RequestContext::ignore();
+  if (request.state != input_pull_up && request.state != input_pull_down) return context.confirm();
+  // Nothing is connected, so the pull decides.
+  const std::int8_t level = request.state == input_pull_up ? 1 : 0;
+  return context.confirm({.pin_id = request.pin_id, .pin_state = level});
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,
                 Parameters& parameters) {
   const bool fits = outputs.set_servos(parameters, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
+}
+
+Reaction handle(RequestContext& context, const msg::ServoOutFour& request, Outputs& outputs,
+                Parameters& parameters) {
+  msg::ServoOut all;
+  all.servo_time.fill(msg::ServoPulse(msg::ServoOut::floating));
+  std::ranges::copy(request.servo_time, all.servo_time.begin());
+  return handle(context, all, outputs, parameters);
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOutExt& request, Outputs& outputs,

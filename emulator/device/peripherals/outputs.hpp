@@ -60,6 +60,7 @@ class Outputs {
   void advance(Device& device, Instant now);
 
  private:
+  /// The first values of OutputPin are the pins of the board.
   static constexpr std::size_t pin_count = 10;
 
   std::array<std::optional<msg::PinState>, pin_count> pins_{};

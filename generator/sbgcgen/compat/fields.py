@@ -308,6 +308,7 @@ def _compare_field(
     pair.mark(WIRE, "counted by", names.get(old.counter, old.counter), new.counter)
     pair.compare(WIRE, "counted in", "counting")
     pair.compare(WIRE, "may be absent", "appended")
+    pair.compare(WIRE, "is present if it fits", "fits")
     _compare_conditions(pair, names)
     # A new default changes what a program sends that does not set the field.
     pair.compare(MEANING, "default")
