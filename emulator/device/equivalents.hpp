@@ -1,6 +1,8 @@
 /// Requests that mean the same as another one, which the board executes instead.
 #pragma once
 
+#include <algorithm>
+
 #include <sbgc/messages.hpp>
 
 namespace sbgc::emulator {
@@ -44,6 +46,15 @@ inline msg::ResetRequestExt equivalent(const msg::ResetRequest&) { return {}; }
 /// The other parameters are undocumented.
 inline msg::SelectImu3 equivalent(const msg::SelectImu3Ext& request) {
   return {.imu_type = request.imu_type};
+}
+inline msg::SelectImu3Calibrate equivalent(const msg::SelectImu3CalibrateShort& request) {
+  return {.imu_type = request.imu_type, .action = request.action, .time_ms = request.time_ms};
+}
+inline msg::ServoOut equivalent(const msg::ServoOutFour& request) {
+  msg::ServoOut all;
+  all.servo_time.fill(msg::ServoPulse(msg::ServoOut::floating));
+  std::ranges::copy(request.servo_time, all.servo_time.begin());
+  return all;
 }
 
 }  // namespace sbgc::emulator

@@ -62,6 +62,8 @@ class Decoder:
         A body may repeat such a fact. The first of both that fits exactly counts.
         """
         contexts = [context]
+        if any("fits" in leaf for leaf in message["layout"]):
+            contexts.append({**context, "": True})  # with the field that may fit
         for fact in message["context"]:
             if "repeated_by" in fact:
                 leaf = next(n for n in message["layout"] if n["path"] == fact["repeated_by"])
@@ -102,7 +104,10 @@ class Decoder:
             when = facts.get("when")
             if when and not self.holds(when, levels):
                 continue
-            if facts.get("may_be_missing") and not path and not body.left:
+            if facts.get("fits"):
+                if "" not in self.context:
+                    continue
+            elif facts.get("may_be_missing") and not path and not body.left:
                 continue  # inside a group, the key says that the group may be missing
             if when and when["may_be_missing"] and len(body.left) < size_of(node):
                 continue

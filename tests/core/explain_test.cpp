@@ -55,7 +55,7 @@ TEST(Explain, NamesAFlagOnlyIfNoOtherExplainsTheSize) {
   for (const ValueInfo& value : EnumMeta<Flag>::info.values) {
     all.set(static_cast<Flag>(value.value));
   }
-  EXPECT_EQ(custom(all, 255), "255 bytes, the flags need 395");
+  EXPECT_EQ(custom(all, 255), "255 bytes, the flags need 418");
 }
 
 TEST(Explain, KnowsFlagsOfTheMessageItself) {

@@ -125,5 +125,28 @@ TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
   EXPECT_EQ(unknown, lacking);
 }
 
+// The reference codec reads the same frames: tests/generator/oracle/test_vendor_2026.py.
+TEST(OutsideVectorsFile, FramesOfTheVendorsCodeDecodeAndComeBack) {
+  for (const Json& entry : read_json(SBGC_TEST_DATA "/vendor_2026.json")) {
+    SCOPED_TRACE(entry["meaning"].get<std::string>());
+    const ByteVector frame = from_hex(entry["hex"].get<std::string>());
+    const auto trailer = entry["framing"] == "v2" ? 2 : 1;
+    const ByteVector body(frame.begin() + 4, frame.end() - trailer);
+    const auto direction =
+        entry["direction"] == "to_board" ? Direction::to_board : Direction::from_board;
+    const MessageType* const type = find_message(direction, frame[1], body.size());
+    ASSERT_NE(type, nullptr);
+    auto message = type->make();
+    ASSERT_TRUE(message.decode(body));
+    EXPECT_EQ(encoded_body(message), body);
+    EXPECT_EQ(dom_of(message).value("tail", ""), "");
+    FieldValues values = spec_fields(message);
+    for (const auto& [name, expected] : entry["fields"].items()) {
+      const std::vector<double>& value = values[name];
+      if (expected.is_number() && value.size() == 1) EXPECT_EQ(value[0], expected.get<double>());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sbgc::test

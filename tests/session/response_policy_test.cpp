@@ -109,7 +109,8 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
                                 126, 128, 130, 140, 143, 144, 150, 151, 78,  81,  83};
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
-    const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate>;
+    const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate> ||
+                            std::same_as<M, sbgc::msg::SelectImu3CalibrateShort>;
     EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id) && !calibrates)
         << id
         << ": `unsafe` above lists the commands of which a second one does more than the first";

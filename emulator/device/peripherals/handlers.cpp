@@ -2,6 +2,8 @@
 
 #include "device/handlers.hpp"
 
+#include <cstdint>
+
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -10,7 +12,12 @@ Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs
                 const Parameters& parameters) {
   const bool switched =
       outputs.set_pin(parameters, context.versions(), request.pin_id, request.state);
-  return switched ? context.confirm() : RequestContext::ignore();
+  using enum msg::PinState;
+  if (!switched) return RequestContext::ignore();
+  if (request.state != input_pull_up && request.state != input_pull_down) return context.confirm();
+  // Nothing is connected, so the pull decides.
+  const std::int8_t level = request.state == input_pull_up ? 1 : 0;
+  return context.confirm({.pin_id = request.pin_id, .pin_state = level});
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,

@@ -91,7 +91,8 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
 bool Outputs::set_pin(const Parameters& parameters, Availability versions, msg::OutputPin pin,
                       msg::PinState state) {
   const bool exist = knows(versions, pin) && knows(versions, state);
-  if (!exist || is_taken(parameters, versions, pin)) return false;
+  // The emulated modules have no pins.
+  if (!exist || *index_of(pin) >= pin_count || is_taken(parameters, versions, pin)) return false;
   const auto& servo_out = parameters.of<msg::ReadParams3>().servo_out;
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     const bool is_servo =
@@ -103,9 +104,8 @@ bool Outputs::set_pin(const Parameters& parameters, Availability versions, msg::
 }
 
 std::optional<msg::PinState> Outputs::pin(msg::OutputPin pin) const {
-  static_assert(std::size(EnumMeta<msg::OutputPin>::values) == pin_count);
   const auto index = index_of(pin);
-  return index ? pins_[*index] : std::nullopt;
+  return index && *index < pin_count ? pins_[*index] : std::nullopt;
 }
 
 std::uint16_t Outputs::high_pins() const {

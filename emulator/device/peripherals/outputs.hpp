@@ -61,6 +61,7 @@ class Outputs {
   void advance(Instant /*now*/) { sound_.reset(); }
 
  private:
+  /// The first values of OutputPin are the pins of the board.
   static constexpr std::size_t pin_count = 10;
 
   std::array<std::optional<msg::PinState>, pin_count> pins_{};

@@ -158,6 +158,7 @@ using AllMessages = TypeList<
     msg::VibrationTestDataRequest,
     msg::SelectImu3,
     msg::SelectImu3Ext,
+    msg::SelectImu3CalibrateShort,
     msg::SelectImu3Calibrate,
     msg::AhrsHelper,
     msg::AhrsHelperRequest,
@@ -175,6 +176,7 @@ using AllMessages = TypeList<
     msg::BeepSound,
     msg::TriggerPin,
     msg::ServoOut,
+    msg::ServoOutFour,
     msg::ServoOutExt,
     msg::I2cWriteRegBuf,
     msg::I2cReadRegBuf,
@@ -450,7 +452,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::RealtimeData3Request>{}), Code::ok;
       case 24:  // CMD_SELECT_IMU_3
         if (size == 1) return use(Type<msg::SelectImu3>{}), Code::ok;
-        if (size >= 2 && size <= 11) return use(Type<msg::SelectImu3Ext>{}), Code::ok;
+        if (size >= 2 && size <= 10) return use(Type<msg::SelectImu3Ext>{}), Code::ok;
+        if (size == 11) return use(Type<msg::SelectImu3CalibrateShort>{}), Code::ok;
         if (size == 12) return use(Type<msg::SelectImu3Calibrate>{}), Code::ok;
         return Code::unknown_form;
       case 25:  // CMD_REALTIME_DATA_4
@@ -476,7 +479,9 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
       case 35:  // CMD_AUTO_PID
         return use(Type<msg::AutoPidRequest>{}), Code::ok;
       case 36:  // CMD_SERVO_OUT
-        return use(Type<msg::ServoOut>{}), Code::ok;
+        if (size == 8) return use(Type<msg::ServoOutFour>{}), Code::ok;
+        if (size == 16) return use(Type<msg::ServoOut>{}), Code::ok;
+        return Code::unknown_form;
       case 37:  // CMD_BODE_TEST_START_STOP
         return use(Type<msg::BodeTestStartStopRequest>{}), Code::ok;
       case 39:  // CMD_I2C_WRITE_REG_BUF

@@ -1967,9 +1967,9 @@ enum class ExtSensCommand : std::uint8_t {
   user_conf_log = 13,
 };
 
-/// Pins that a host can switch.
+/// Pins of the board that a host can switch.
 /// Source: Variables L1154.
-enum class OutputPin : std::uint8_t {
+enum class BoardPin : std::uint8_t {
   /// RC_INPUT_ROLL: The RC_ROLL pin.
   rc_input_roll = 1,
   /// RC_INPUT_PITCH: The RC_PITCH pin.
@@ -1992,7 +1992,82 @@ enum class OutputPin : std::uint8_t {
   pin_ssat_power = 33,
 };
 
-/// State of an output pin.
+/// Pins that a host can switch.
+/// Source: Variables L1154; Vendor's code of 2026.
+enum class OutputPin : std::uint8_t {
+  /// RC_INPUT_ROLL: The RC_ROLL pin.
+  rc_input_roll = 1,
+  /// RC_INPUT_PITCH: The RC_PITCH pin.
+  rc_input_pitch = 2,
+  /// EXT_FC_INPUT_ROLL: The FC_ROLL pin.
+  ext_fc_input_roll = 3,
+  /// EXT_FC_INPUT_PITCH: The FC_PITCH pin.
+  ext_fc_input_pitch = 4,
+  /// RC_INPUT_YAW: The RC_YAW pin. Since board 3.0.
+  rc_input_yaw = 5,
+  /// PIN_AUX1: The AUX1 pin; on 1.x boards, pin 2 of the microcontroller.
+  pin_aux1 = 16,
+  /// PIN_AUX2: The AUX2 pin; on 1.x boards, pin 11 of the microcontroller.
+  pin_aux2 = 17,
+  /// PIN_AUX3: The AUX3 pin; on 1.x boards, pin 12 of the microcontroller.
+  pin_aux3 = 18,
+  /// PIN_BUZZER: The buzzer; on 1.x boards, pin 32 of the microcontroller.
+  pin_buzzer = 32,
+  /// PIN_SSAT_POWER: The 3.3 V supply of the Spektrum connector; LOW turns it on.
+  pin_ssat_power = 33,
+  /// CAN_DRV1_AUX1: The AUX1 pin of CAN motor driver 1.
+  can_drv1_aux1 = 64,
+  /// CAN_DRV1_AUX2: The AUX2 pin of CAN motor driver 1.
+  can_drv1_aux2 = 65,
+  /// CAN_DRV1_AUX3: The AUX3 pin of CAN motor driver 1.
+  can_drv1_aux3 = 66,
+  /// CAN_DRV2_AUX1: The AUX1 pin of CAN motor driver 2.
+  can_drv2_aux1 = 67,
+  /// CAN_DRV2_AUX2: The AUX2 pin of CAN motor driver 2.
+  can_drv2_aux2 = 68,
+  /// CAN_DRV2_AUX3: The AUX3 pin of CAN motor driver 2.
+  can_drv2_aux3 = 69,
+  /// CAN_DRV3_AUX1: The AUX1 pin of CAN motor driver 3.
+  can_drv3_aux1 = 70,
+  /// CAN_DRV3_AUX2: The AUX2 pin of CAN motor driver 3.
+  can_drv3_aux2 = 71,
+  /// CAN_DRV3_AUX3: The AUX3 pin of CAN motor driver 3.
+  can_drv3_aux3 = 72,
+  /// CAN_DRV4_AUX1: The AUX1 pin of CAN motor driver 4.
+  can_drv4_aux1 = 73,
+  /// CAN_DRV4_AUX2: The AUX2 pin of CAN motor driver 4.
+  can_drv4_aux2 = 74,
+  /// CAN_DRV4_AUX3: The AUX3 pin of CAN motor driver 4.
+  can_drv4_aux3 = 75,
+  /// CAN_DRV5_AUX1: The AUX1 pin of CAN motor driver 5.
+  can_drv5_aux1 = 76,
+  /// CAN_DRV5_AUX2: The AUX2 pin of CAN motor driver 5.
+  can_drv5_aux2 = 77,
+  /// CAN_DRV5_AUX3: The AUX3 pin of CAN motor driver 5.
+  can_drv5_aux3 = 78,
+  /// CAN_DRV6_AUX1: The AUX1 pin of CAN motor driver 6.
+  can_drv6_aux1 = 79,
+  /// CAN_DRV6_AUX2: The AUX2 pin of CAN motor driver 6.
+  can_drv6_aux2 = 80,
+  /// CAN_DRV6_AUX3: The AUX3 pin of CAN motor driver 6.
+  can_drv6_aux3 = 81,
+  /// CAN_DRV7_AUX1: The AUX1 pin of CAN motor driver 7.
+  can_drv7_aux1 = 82,
+  /// CAN_DRV7_AUX2: The AUX2 pin of CAN motor driver 7.
+  can_drv7_aux2 = 83,
+  /// CAN_DRV7_AUX3: The AUX3 pin of CAN motor driver 7.
+  can_drv7_aux3 = 84,
+  /// CAN_IMU_AUX1: The AUX1 pin of the main CAN IMU.
+  can_imu_aux1 = 85,
+  /// CAN_IMU_AUX2: The AUX2 pin of the main CAN IMU.
+  can_imu_aux2 = 86,
+  /// CAN_IMU_FRAME_AUX1: The AUX1 pin of the CAN IMU of the frame.
+  can_imu_frame_aux1 = 88,
+  /// CAN_IMU_FRAME_AUX2: The AUX2 pin of the CAN IMU of the frame.
+  can_imu_frame_aux2 = 89,
+};
+
+/// State of a pin.
 /// Source: Variables L1155.
 enum class PinState : std::uint8_t {
   /// LOW: Low; sinks up to 40 mA.
@@ -2001,6 +2076,10 @@ enum class PinState : std::uint8_t {
   high = 1,
   /// FLOATING: Floating. Since firmware 2.66.
   floating = 2,
+  /// INPUT_PULL_UP: An input that is pulled up. Since firmware 2.74.3.
+  input_pull_up = 3,
+  /// INPUT_PULL_DOWN: An input that is pulled down. Since firmware 2.74.3.
+  input_pull_down = 4,
 };
 
 /// I2C bus of the board.
@@ -3063,6 +3142,9 @@ enum class ControlConfigFlag : std::uint16_t {
   servo_mode_disable = 0x0004,
   /// CONTROL_CONFIG_FLAG_LPF_EXT_RANGE: The filters have an extended range. Since firmware 2.72b3.
   lpf_ext_range = 0x0008,
+  /// CONTROL_CONFIG_FLAG_LPF_FREQUENCY_HZ: The filters are frequencies in Hz, by the name. Since
+  /// firmware 2.74.1.
+  lpf_frequency_hz = 0x0010,
 };
 using ControlConfigFlags = Flags<ControlConfigFlag>;
 
@@ -3076,8 +3158,10 @@ enum class ControlQuatFlag : std::uint8_t {
   /// ATTITUDE_LIMITED_180: Attitudes are within half a turn, and each is reached from the last one
   /// by the shortest way.
   attitude_limited_180 = 0x04,
-  /// ATT_REMOVE_ABSENT_AXES: Undocumented. Unconfirmed.
-  att_remove_absent_axes = 0x08,
+  /// ATTITUDE_REMOVE_ABSENT_AXES: By its name, axes without a motor are taken out of the attitude.
+  /// Since firmware 2.74.1.
+  attitude_remove_absent_axes = 0x08,
+  att_remove_absent_axes = attitude_remove_absent_axes,  ///< former name
   /// AUTO_TASK: For ATTITUDE: move as fast as automatic tasks do, and confirm when the attitude is
   /// reached within 1 degree. The motion ends after 10 s in any case.
   auto_task = 0x40,
@@ -3093,8 +3177,9 @@ enum class ControlQuatStatusFlag : std::uint16_t {
   attitude_packed = 0x0002,
   /// ATTITUDE_LIMITED_180: Attitudes are within half a turn.
   attitude_limited_180 = 0x0004,
-  /// ATT_REMOVE_ABSENT_AXES: Undocumented. Unconfirmed.
-  att_remove_absent_axes = 0x0008,
+  /// ATTITUDE_REMOVE_ABSENT_AXES: Axes without a motor are taken out of the attitude.
+  attitude_remove_absent_axes = 0x0008,
+  att_remove_absent_axes = attitude_remove_absent_axes,  ///< former name
   /// AUTO_TASK: The motion is an automatic task.
   auto_task = 0x0040,
 };
@@ -3102,27 +3187,27 @@ using ControlQuatStatusFlags = Flags<ControlQuatStatusFlag>;
 
 /// Data of CMD_CONTROL_QUAT_STATUS.
 /// Source: Later firmware.
-enum class ControlQuatStatusField : std::uint32_t {
+enum class ControlQuatStatusField : std::uint16_t {
   /// MODE: Mode and flags.
-  mode = 0x00000001,
+  mode = 0x0001,
   /// TARGET_ATTITUDE: Attitude of the last command.
-  target_attitude = 0x00000002,
+  target_attitude = 0x0002,
   /// SETPOINT_ATTITUDE: Attitude that the board stabilizes.
-  setpoint_attitude = 0x00000004,
+  setpoint_attitude = 0x0004,
   /// ACTUAL_ATTITUDE: Measured attitude.
-  actual_attitude = 0x00000008,
+  actual_attitude = 0x0008,
   /// TARGET_SPEED: Speed of the last command.
-  target_speed = 0x00000010,
+  target_speed = 0x0010,
   /// SETPOINT_SPEED: Speed that the board stabilizes.
-  setpoint_speed = 0x00000020,
+  setpoint_speed = 0x0020,
   /// ACTUAL_SPEED: Measured speed.
-  actual_speed = 0x00000040,
+  actual_speed = 0x0040,
   /// TARGET_ATTITUDE_PACKED: Attitude of the last command, packed.
-  target_attitude_packed = 0x00000080,
+  target_attitude_packed = 0x0080,
   /// SETPOINT_ATTITUDE_PACKED: Attitude that the board stabilizes, packed.
-  setpoint_attitude_packed = 0x00000100,
+  setpoint_attitude_packed = 0x0100,
   /// ACTUAL_ATTITUDE_PACKED: Measured attitude, packed.
-  actual_attitude_packed = 0x00000200,
+  actual_attitude_packed = 0x0200,
 };
 using ControlQuatStatusFields = Flags<ControlQuatStatusField>;
 
@@ -4298,19 +4383,19 @@ class ExtraButton {
   constexpr ExtraButton() = default;
   constexpr explicit ExtraButton(raw_type raw) noexcept : raw_(raw) {}
   /// A value of the part `pin` converts to the whole, with 0 in the other parts.
-  using enum OutputPin;
-  constexpr ExtraButton(OutputPin value) noexcept
+  using enum BoardPin;
+  constexpr ExtraButton(BoardPin value) noexcept
       : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x3FU)) {}
 
   /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// The pin.
-  constexpr OutputPin pin() const noexcept {
-    return static_cast<OutputPin>(raw_ & 0x3F);
+  constexpr BoardPin pin() const noexcept {
+    return static_cast<BoardPin>(raw_ & 0x3F);
   }
   /// Returns false and changes nothing if the value does not fit into its bits.
-  constexpr bool set_pin(OutputPin value) noexcept {
+  constexpr bool set_pin(BoardPin value) noexcept {
     return set(static_cast<raw_type>(value), 0x3F, 0);
   }
 

@@ -25,6 +25,7 @@ constexpr std::size_t largest_request(
       return 0;
     case 24:  // CMD_SELECT_IMU_3
       if (is_supported<msg::SelectImu3Calibrate>(versions)) return 12;
+      if (is_supported<msg::SelectImu3CalibrateShort>(versions)) return 11;
       if (is_supported<msg::SelectImu3Ext>(versions)) return max_body_size;
       return 1;
     case 25:  // CMD_REALTIME_DATA_4
@@ -50,7 +51,8 @@ constexpr std::size_t largest_request(
     case 35:  // CMD_AUTO_PID
       return 19;
     case 36:  // CMD_SERVO_OUT
-      return 16;
+      if (is_supported<msg::ServoOut>(versions)) return 16;
+      return 8;
     case 37:  // CMD_BODE_TEST_START_STOP
       return 30;
     case 40:  // CMD_I2C_READ_REG_BUF

@@ -795,6 +795,15 @@ class Millivolts
   using Quantity::Quantity;
 };
 
+/// Frequency in steps of 2 Hz.
+/// Unit: Hz, one count is 2.
+class TwoHertz
+    : public detail::Quantity<TwoHertz, std::uint8_t, unit::Hz, 2, 1>,
+      public unit::Hz::Accessors<TwoHertz> {
+ public:
+  using Quantity::Quantity;
+};
+
 /// Angle in whole degrees, without a sign.
 /// Unit: deg.
 class WideDegrees

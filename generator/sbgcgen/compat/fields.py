@@ -322,6 +322,7 @@ def _compare_field(
     if _bits(old.counter_part) != _bits(new.counter_part):
         pair.mark(WIRE, "counted by part", *parts)
     pair.compare(WIRE, "may be absent", "appended")
+    pair.compare(WIRE, "is present if it fits", "fits")
     _compare_conditions(pair, names)
     # A new default changes what a program sends that does not set the field.
     pair.compare(MEANING, "default")

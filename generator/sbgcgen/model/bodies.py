@@ -174,7 +174,8 @@ class Field:
     variable part. `role` is the field's role in a parameter set: "copy" (selects one of several
     copies), "general" (the same in all copies), "state" (not a parameter), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
-    `since` ends the body before the field. `counting` is how the counter of a list counts:
+    `since` ends the body before the field. `fits`: present only if the body has no end without the
+    field, but with it. `counting` is how the counter of a list counts:
     "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1"; it may be
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
@@ -212,6 +213,7 @@ class Field:
     role: str = ""
     typical: Any = field(default=None, hash=False)
     appended: bool = False
+    fits: bool = False
     counting: str = "elements"
     default: int = 0
     constant: bool = False
@@ -234,7 +236,7 @@ class Field:
     @cached_property
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
-        return self.when is not None or self.appended
+        return self.when is not None or self.appended or self.fits
 
     @cached_property
     def repeats_context(self) -> bool:

@@ -60,7 +60,7 @@ class Choice:
     Each round uses another edge value at every place, shifted by the place's number so that
     neighbors differ. `forced` has values of fields by path, `lengths` those of lists and texts.
     Other lists are long enough for all edge values, or minimal if `short`. The body ends before the
-    field `ends_before`. If `typical`, all values are ordinary, except those in `example` by path.
+    field `ends_before`. With `fits`, it has the field that may fit. If `typical`, all values are ordinary, except those in `example` by path.
     """
 
     places: Places
@@ -71,6 +71,7 @@ class Choice:
     short: bool = False
     leave_out: bool = False
     ends_before: str = ""
+    fits: bool = False
     typical: bool = False
     example: Fields = field(default_factory=dict)
     chosen: list[tuple[str, str]] = field(default_factory=list)
@@ -172,6 +173,8 @@ class _Composer:
             name = member.name
             if ends_before and path + name == ends_before:
                 return values
+            if member.fits and not self.choice.fits:
+                continue
             if member.when:
                 if not self._is_present(member.when, {**around, **values}):
                     continue

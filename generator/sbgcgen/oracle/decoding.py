@@ -17,6 +17,9 @@ from sbgcgen.oracle.json_values import float_from_bits, integer_of, text_from_by
 from sbgcgen.spec.resolve.sizes import size_of
 
 
+FITS = ""  # in the context: whether the field that may fit is there
+
+
 class _Reader:
     """A position in a body; reads name the field for errors."""
 
@@ -43,6 +46,8 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     body exactly counts; otherwise the context that is asked to be repeated.
     """
     context = context or {}
+    if any(field.fits for field in message.fields):
+        return _decode_fitting(message, body, context)
     repeats = next((f for f in message.fields if f.repeats_context), None)
     if repeats is None or repeats.when is None:
         return _decode(message, body, context)
@@ -60,6 +65,18 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
         if "tail" not in values:
             return values
     return _decode(message, body, {**context, when.source: tries[0]})
+
+
+def _decode_fitting(message: Message, body: bytes, context: Fields) -> Fields:
+    """Decode a body without the field that may fit, or with it if only that fits exactly."""
+    for fits in (False, True):
+        try:
+            values = _decode(message, body, {**context, FITS: fits})
+        except CodecError:
+            continue
+        if "tail" not in values:
+            return values
+    return _decode(message, body, context)
 
 
 def _decode(message: Message, body: bytes, context: Fields) -> Fields:
@@ -94,6 +111,8 @@ def _read_fields(body: Struct, reader: _Reader, context: Fields) -> Fields:
 
 def _is_present(field: Field, reader: _Reader, values: Fields, context: Fields) -> bool:
     when = field.when
+    if field.fits:
+        return bool(context.get(FITS))
     if field.appended and not reader.left():
         return False
     if when is None:

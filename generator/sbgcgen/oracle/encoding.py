@@ -92,7 +92,7 @@ def _write_member(
         _write_field(field, values[field.name], writer, name, values)
     elif field.appended:
         writer.missing.append((writer.at + 1, writer.at, name))
-    elif not field.optional:
+    elif not field.optional and not field.fits:
         raise CodecError("presence_mismatch", name, writer.at)
 
 

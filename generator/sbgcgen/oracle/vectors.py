@@ -166,6 +166,12 @@ class _Maker:
             if any(when.may_be_missing for when in conditions(self.message)):
                 self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
         for field in self.message.fields:
+            if field.fits and field.scalar:
+                for case in self.cases():
+                    self.add(self.choice(fits=True, **case), f"with {field.name}")
+                for value in (field.scalar.minimum, field.scalar.maximum):
+                    forced = {field.name: value}
+                    self.add(self.choice(fits=True, forced=forced), f"{field.name} = {value}")
             if field.appended:
                 choice = self.choice(ends_before=field.name)
                 self.add(choice, f"firmware that ends before {field.name}")

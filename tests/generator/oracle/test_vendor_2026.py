@@ -16,21 +16,6 @@ from support import PROJECT, project_layout
 FRAMES: list[dict[str, Any]] = json.loads(
     (PROJECT / "tests" / "data" / "vendor_2026.json").read_text(encoding="utf-8")
 )
-# Meanings of the frames that the model does not decode yet.
-OPEN = {
-    "CONTROL_QUAT_STATUS answer with a 16-bit DATA_SET echo",
-}
-
-
-def parameters() -> list[Any]:
-    return [
-        pytest.param(
-            frame,
-            id=frame["meaning"],
-            marks=[pytest.mark.xfail(strict=True)] if frame["meaning"] in OPEN else [],
-        )
-        for frame in FRAMES
-    ]
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +23,7 @@ def layout() -> Layout:
     return project_layout()
 
 
-@pytest.mark.parametrize("frame", parameters())
+@pytest.mark.parametrize("frame", FRAMES, ids=[frame["meaning"] for frame in FRAMES])
 def test_the_body_decodes(frame: dict[str, Any], layout: Layout) -> None:
     (found,) = read_frames(layout.framings, bytes.fromhex(frame["hex"]))
     message = choose_message(forms_of(layout), frame["direction"], found.id, len(found.body))

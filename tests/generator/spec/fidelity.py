@@ -51,7 +51,7 @@ def model_of_documents() -> Json:
         message["layout"] = [
             leaf
             for leaf in message["layout"]
-            if flags.isdisjoint((leaf.get("when") or {}).get("has", ()))
+            if "fits" not in leaf and flags.isdisjoint((leaf.get("when") or {}).get("has", ()))
         ]
     others -= {message["command"] for message in model["messages"]}
     model["commands"] = [command for command in model["commands"] if command["name"] not in others]

@@ -171,7 +171,7 @@ MUTATIONS: dict[str, Callable[[Json], object]] = {
     "packed part": lambda m: next(p for p in m["packed"] if p["name"] == "PackedQuaternion")[
         "parts"
     ][0].update(mask=1),
-    "stream": lambda m: leaf_of(m, "DataStreamInterval", "CONFIG")["cases"].pop(),
+    "stream": lambda m: leaf_of(m, "DataStreamInterval", "CONFIG")["cases"].pop(-2),
     "variable": lambda m: _variable(m, 81).update(max=255),
     "variable's version": lambda m: value_of(m, "VariableId", "EULER_ORDER").update(since=None),
 }

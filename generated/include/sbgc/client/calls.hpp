@@ -111,6 +111,7 @@ struct VibrationTestStartStopRequest;
 struct VibrationTestDataRequest;
 struct SelectImu3;
 struct SelectImu3Ext;
+struct SelectImu3CalibrateShort;
 struct SelectImu3Calibrate;
 struct AhrsHelperRequest;
 struct AhrsHelperRequestWide;
@@ -124,6 +125,7 @@ struct ImuAdvancedCalibRequest;
 struct BeepSound;
 struct TriggerPin;
 struct ServoOut;
+struct ServoOutFour;
 struct ServoOutExt;
 struct I2cWriteRegBuf;
 struct I2cReadRegBufRequest;
@@ -1027,6 +1029,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// The same, with one byte less.
+  /// Effect: stores, restarts, erases.
+  /// Since firmware 2.60.
+  template <class M = msg::SelectImu3CalibrateShort>
+  CallResult<M> select_imu_3_calibrate_short(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Select an IMU and calibrate it, or manage its calibrations.
   /// Effect: stores, restarts, erases.
   /// Since firmware 2.60.
@@ -1134,11 +1145,20 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Send PWM signals to servos.
+  /// Send PWM signals to eight servos.
   /// Effect: moves.
   /// Since board 3.0.
   template <class M = msg::ServoOut>
   CallResult<M> servo_out(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Send PWM signals to the servos 1 to 4.
+  /// Effect: moves.
+  /// Since board 3.0.
+  template <class M = msg::ServoOutFour>
+  CallResult<M> servo_out_four(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

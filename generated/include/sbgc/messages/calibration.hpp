@@ -66,8 +66,8 @@ struct AutoPid2Config {
   Bytes<1> reserved_1{};
   /// Lowest frequency of the test signal. Unit: Hz.
   TenthHertz test_freq_from{};
-  /// Highest frequency of the test signal. Unit: Hz. Unconfirmed.
-  SmallFrequency test_freq_to{};
+  /// Highest frequency of the test signal. Unit: Hz.
+  TwoHertz test_freq_to{};
   /// Positions in which to tune.
   TuningPositions multi_pos_flag{};
   /// Angle of each position. Unit: deg.

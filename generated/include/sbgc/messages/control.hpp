@@ -501,18 +501,21 @@ struct ControlQuatSpeedAttitudePacked {
 
 /// State of the control with quaternions.
 ///
-/// CMD_CONTROL_QUAT_STATUS (141), from the board; 4 to 97 bytes, and later firmware may append
+/// CMD_CONTROL_QUAT_STATUS (141), from the board; 2 to 97 bytes, and later firmware may append
 /// more. Since firmware 2.73. Source: Later firmware.
 struct ControlQuatStatus {
   static constexpr CommandFromBoard command = CommandFromBoard::control_quat_status;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 97;
   static constexpr Availability since{.firmware = 2730};
 
   /// Which of the following fields are present.
   ControlQuatStatusFields data_set{};
+  /// The upper half of DATA_SET, if that has 32 bits. Present if only then the body ends with its
+  /// last member. Unconfirmed.
+  Optional<std::uint16_t> data_set_high{};
   /// Mode of the last command. Present if data_set has MODE.
   Optional<ControlQuatMode> mode{};
   /// Options of the last command. Present if data_set has MODE.
@@ -538,12 +541,13 @@ struct ControlQuatStatus {
   /// Measured attitude. Present if data_set has ACTUAL_ATTITUDE_PACKED.
   Optional<PackedQuaternion> actual_attitude_packed{};
   /// Bytes appended by later firmware; preserved and written back.
-  BoundedBytes<251> tail{};
+  BoundedBytes<253> tail{};
 
   bool operator==(const ControlQuatStatus&) const = default;
   using FixedMembers = Members<&ControlQuatStatus::data_set>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.if_fits(self.data_set_high, "data_set_high");
     cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.mode, "mode");
     cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.flags, "flags");
     cursor.when(self.data_set.has(ControlQuatStatusField::target_attitude), self.target_attitude,
@@ -565,6 +569,7 @@ struct ControlQuatStatus {
     cursor.when(self.data_set.has(ControlQuatStatusField::actual_attitude_packed),
         self.actual_attitude_packed, "actual_attitude_packed");
   }
+  static constexpr bool has_fitting_member = true;
 };
 
 /// Request the state of the control with quaternions.
@@ -580,11 +585,14 @@ struct ControlQuatStatusRequest {
   static constexpr Availability since{.firmware = 2730};
   using Response = ControlQuatStatus;
 
-  /// Data to send.
+  /// Data to send, in 32 bits with the reserved bytes.
   ControlQuatStatusFields data_set{};
+  /// Reserved; kept as it is.
+  Bytes<2> reserved{};
 
   bool operator==(const ControlQuatStatusRequest&) const = default;
-  using FixedMembers = Members<&ControlQuatStatusRequest::data_set>;
+  using FixedMembers = Members<&ControlQuatStatusRequest::data_set,
+      &ControlQuatStatusRequest::reserved>;
 };
 
 /// Configure the control with quaternions.

@@ -77,14 +77,14 @@ struct SelectImu3 {
 
 /// Select an IMU, with parameters that no source describes.
 ///
-/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 11 bytes. Effect: sets. Since board
+/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since board
 /// 3.0. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3Ext {
   static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
-  static constexpr std::size_t max_size = 11;
+  static constexpr std::size_t max_size = 10;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
@@ -92,7 +92,7 @@ struct SelectImu3Ext {
   SelectedImu imu_type{};
   /// Undocumented.
   std::uint8_t param{};
-  /// Further undocumented parameters. At most 9.
+  /// Further undocumented parameters. At most 8.
   BoundedBytes<253> params{};
 
   bool operator==(const SelectImu3Ext&) const = default;
@@ -101,6 +101,34 @@ struct SelectImu3Ext {
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.params, "params");
   }
+};
+
+/// The same, with one byte less.
+///
+/// CMD_SELECT_IMU_3 (24), to the board, calibrate_short form; 11 bytes. Effect: stores, restarts,
+/// erases. Since firmware 2.60. Unconfirmed. Source: Vendor's code of 2026.
+struct SelectImu3CalibrateShort {
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::calibrate_short;
+  static constexpr std::size_t min_size = 11;
+  static constexpr std::size_t max_size = 11;
+  static constexpr Availability since{.firmware = 2600};
+  using Response = void;
+
+  /// The IMU.
+  CalibImu imu_type{};
+  /// Operation.
+  CalibAction action{};
+  /// Duration of the operation. Unit: ms.
+  Milliseconds time_ms{};
+  /// Reserved; kept as it is.
+  Bytes<7> reserved{};
+
+  bool operator==(const SelectImu3CalibrateShort&) const = default;
+  using FixedMembers = Members<&SelectImu3CalibrateShort::imu_type,
+      &SelectImu3CalibrateShort::action, &SelectImu3CalibrateShort::time_ms,
+      &SelectImu3CalibrateShort::reserved>;
 };
 
 /// Select an IMU and calibrate it, or manage its calibrations.
@@ -271,7 +299,7 @@ struct GyroCorrection {
   static constexpr Availability since{.board = 30};
   using Response = void;
 
-  /// The IMU. Unconfirmed.
+  /// The IMU.
   ImuIndex imu_type{};
   /// Zero offset of each axis. Unit: gyro unit.
   Xyz<GyroOffset> gyro_zero_corr{};

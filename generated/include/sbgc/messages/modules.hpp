@@ -53,14 +53,14 @@ struct CanDevice {
 
 /// Modules connected to the board.
 ///
-/// CMD_MODULE_LIST (76), from the board; 1 to 248 bytes, and later firmware may append more.
+/// CMD_MODULE_LIST (76), from the board; 1 to 222 bytes, and later firmware may append more.
 /// Source: Later firmware.
 struct ModuleList {
   static constexpr CommandFromBoard command = CommandFromBoard::module_list;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
-  static constexpr std::size_t max_size = 248;
+  static constexpr std::size_t max_size = 222;
   static constexpr Availability since{};
 
   /// The modules.
@@ -113,7 +113,8 @@ struct CanDeviceScan {
   }
 };
 
-/// Search for devices on the CAN bus. The board has the feature CAN_PORT.
+/// Search for devices on the CAN bus. The board has the feature CAN_PORT. Without devices the
+/// answer is empty.
 ///
 /// CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Source: Later firmware.
 struct CanDeviceScanRequest {

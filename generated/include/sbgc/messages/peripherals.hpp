@@ -62,7 +62,7 @@ struct BeepSound {
 };
 
 /// Switch an output pin. Confirmed only if the pin was switched. A pin in use as an input is not
-/// switched.
+/// switched. The confirmation of an input has its level.
 ///
 /// CMD_TRIGGER_PIN (84), to the board; 2 bytes. Effect: sets. Source: Outgoing commands L717-L722;
 /// Variables L1153-L1155.
@@ -84,16 +84,17 @@ struct TriggerPin {
   using FixedMembers = Members<&TriggerPin::pin_id, &TriggerPin::state>;
 };
 
-/// Send PWM signals to servos. Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH, RC_PITCH and
-/// AUX1; 5 to 8 are reserved. A board may have fewer. Most servos take 500 to 2500 us, with 1500 us
-/// as their center. A pulse must be shorter than the period that SERVO_RATE sets.
+/// Send PWM signals to eight servos. Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH,
+/// RC_PITCH and AUX1; 5 to 8 are reserved. A board may have fewer. Most servos take 500 to 2500 us,
+/// with 1500 us as their center. A pulse must be shorter than the period that SERVO_RATE sets. From
+/// firmware 2.70b8 on, if an output is a PWM duty cycle, 1000 is 0 % and 2000 is 100 %.
 ///
-/// CMD_SERVO_OUT (36), to the board; 16 bytes. Effect: moves. Since board 3.0. Source: Outgoing
-/// commands L813-L824; Variables L1183-L1184.
+/// CMD_SERVO_OUT (36), to the board, simple form; 16 bytes. Effect: moves. Since board 3.0. Source:
+/// Outgoing commands L813-L824; Variables L1183-L1184.
 struct ServoOut {
   static constexpr CommandToBoard command = CommandToBoard::servo_out;
   static constexpr Direction direction = Direction::to_board;
-  static constexpr Form form = Form::only;
+  static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 16;
   static constexpr std::size_t max_size = 16;
   static constexpr Availability since{.board = 30};
@@ -109,6 +110,34 @@ struct ServoOut {
 
   bool operator==(const ServoOut&) const = default;
   using FixedMembers = Members<&ServoOut::servo_time>;
+};
+
+/// Send PWM signals to the servos 1 to 4. Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH,
+/// RC_PITCH and AUX1; 5 to 8 are reserved. A board may have fewer. Most servos take 500 to 2500 us,
+/// with 1500 us as their center. A pulse must be shorter than the period that SERVO_RATE sets. From
+/// firmware 2.70b8 on, if an output is a PWM duty cycle, 1000 is 0 % and 2000 is 100 %.
+///
+/// CMD_SERVO_OUT (36), to the board, four form; 8 bytes. Effect: moves. Since board 3.0. Source:
+/// Vendor's code of 2026.
+struct ServoOutFour {
+  static constexpr CommandToBoard command = CommandToBoard::servo_out;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::four;
+  static constexpr std::size_t min_size = 8;
+  static constexpr std::size_t max_size = 8;
+  static constexpr Availability since{.board = 30};
+  using Response = void;
+
+  /// For servo_time: the pin is set free and floats.
+  static constexpr std::int16_t floating{-1};
+  /// For servo_time: the pin is low all the time.
+  static constexpr std::int16_t low{0};
+
+  /// Pulse of each output. Range: -1 to 20000 us.
+  std::array<ServoPulse, 4> servo_time{};
+
+  bool operator==(const ServoOutFour&) const = default;
+  using FixedMembers = Members<&ServoOutFour::servo_time>;
 };
 
 /// Send PWM signals to servos of the board and of its CAN motor drivers. Outputs that are not

@@ -166,8 +166,6 @@ struct StreamConfig {
 
   /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM.
   Optional<RealtimeDataCustomFlags> flags{};
-  /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM2.
-  Optional<RealtimeDataCustom2Flags> custom2_flags{};
   /// IMU whose attitude to send. Present if cmd_id is CMD_AHRS_HELPER. Unconfirmed.
   Optional<ImuIndex> imu_type{};
   /// Event to report. Present if cmd_id is CMD_EVENT.
@@ -183,6 +181,8 @@ struct StreamConfig {
   Optional<std::uint8_t> motor{};
   /// Data to send. Present if cmd_id is CMD_EXT_MOTORS_STATE.
   Optional<ExtMotorsStateFields> data_set{};
+  /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM2.
+  Optional<RealtimeDataCustom2Flags> custom2_flags{};
   /// What is not used of the 8 bytes; filled up with zeros.
   BoundedBytes<8> rest{};
 
@@ -755,8 +755,6 @@ struct DataStreamInterval {
     cursor.enter(3, 8);
     cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
         "config.flags");
-    cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom2, self.config.custom2_flags,
-        "config.custom2_flags");
     cursor.when(self.cmd_id == CommandFromBoard::ahrs_helper, self.config.imu_type,
         "config.imu_type");
     cursor.when(self.cmd_id == CommandFromBoard::event, self.config.event_id, "config.event_id");
@@ -770,6 +768,8 @@ struct DataStreamInterval {
         "config.motor");
     cursor.when(self.cmd_id == CommandFromBoard::ext_motors_state, self.config.data_set,
         "config.data_set");
+    cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom2, self.config.custom2_flags,
+        "config.custom2_flags");
     cursor.rest(self.config.rest, "config.rest");
     cursor.leave();
   }

@@ -104,7 +104,8 @@ struct BoardInfoRequestOneByte {
   using FixedMembers = Members<&BoardInfoRequestOneByte::reserved>;
 };
 
-/// Request the board and firmware version, and configure this serial port.
+/// Request the board and firmware version, and configure this serial port. On a port with a
+/// password, nothing else is answered before a request with it.
 ///
 /// CMD_BOARD_INFO (86), to the board, extended form; 2 to 255 bytes. Effect: sets. Source: Outgoing
 /// commands L602-L611.
@@ -120,7 +121,7 @@ struct BoardInfoRequestExt {
   /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.
   /// Unit: ms.
   Milliseconds cfg{};
-  /// Of undefined size; send it empty.
+  /// Empty; from firmware 2.73.6 on, the length of a password and its bytes.
   BoundedBytes<253> reserved{};
 
   bool operator==(const BoardInfoRequestExt&) const = default;
@@ -142,12 +143,19 @@ struct Confirm {
   static constexpr std::size_t max_size = 6;
   static constexpr Availability since{};
 
+  /// For pin_state: the pin is unavailable.
+  static constexpr std::int8_t pin_unavailable{-1};
+
   /// The confirmed command.
   CommandToBoard cmd{};
   /// Address of the written block. Present if cmd is CMD_EEPROM_WRITE.
   Optional<std::uint32_t> addr{};
   /// Result of the file operation. Present if cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
   Optional<FileError> err_code{};
+  /// The pin that became an input. Present if cmd is CMD_TRIGGER_PIN.
+  Optional<OutputPin> pin_id{};
+  /// Its level. Range: 0 to 1. Present if cmd is CMD_TRIGGER_PIN.
+  Optional<std::int8_t> pin_state{};
   /// Data of other commands; usually empty, or 0 for success. At most 5.
   BoundedBytes<254> data{};
 
@@ -158,6 +166,8 @@ struct Confirm {
     cursor.when_or_missing(self.cmd == CommandToBoard::eeprom_write, self.addr, "addr");
     cursor.when_or_missing(self.cmd == CommandToBoard::write_file || self.cmd ==
         CommandToBoard::fs_clear_all, self.err_code, "err_code");
+    cursor.when_or_missing(self.cmd == CommandToBoard::trigger_pin, self.pin_id, "pin_id");
+    cursor.when_or_missing(self.cmd == CommandToBoard::trigger_pin, self.pin_state, "pin_state");
     cursor.rest(self.data, "data");
   }
 };

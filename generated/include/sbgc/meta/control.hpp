@@ -667,7 +667,7 @@ struct Meta<msg::ControlQuatStatus> {
       .summary = "State of the control with quaternions.",
       .id = 141,
       .direction = Direction::from_board,
-      .min_size = 4,
+      .min_size = 2,
       .max_size = 97,
       .since = {.firmware = 2730}};
   static constexpr Range target_attitude_range{-1, 1};
@@ -677,6 +677,10 @@ struct Meta<msg::ControlQuatStatus> {
       {.name = "data_set",
        .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
+      {.name = "data_set_high",
+       .spec_name = "DATA_SET_HIGH",
+       .summary = "The upper half of DATA_SET, if that has 32 bits.",
+       .unconfirmed = true},
       {.name = "mode",
        .spec_name = "MODE",
        .summary = "Mode of the last command."},
@@ -725,17 +729,18 @@ struct Meta<msg::ControlQuatStatus> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.data_set);
-    visitor(fields[1], value.mode);
-    visitor(fields[2], value.flags);
-    visitor(fields[3], value.target_attitude);
-    visitor(fields[4], value.setpoint_attitude);
-    visitor(fields[5], value.actual_attitude);
-    visitor(fields[6], value.target_speed);
-    visitor(fields[7], value.setpoint_speed);
-    visitor(fields[8], value.actual_speed);
-    visitor(fields[9], value.target_attitude_packed);
-    visitor(fields[10], value.setpoint_attitude_packed);
-    visitor(fields[11], value.actual_attitude_packed);
+    visitor(fields[1], value.data_set_high);
+    visitor(fields[2], value.mode);
+    visitor(fields[3], value.flags);
+    visitor(fields[4], value.target_attitude);
+    visitor(fields[5], value.setpoint_attitude);
+    visitor(fields[6], value.actual_attitude);
+    visitor(fields[7], value.target_speed);
+    visitor(fields[8], value.setpoint_speed);
+    visitor(fields[9], value.actual_speed);
+    visitor(fields[10], value.target_attitude_packed);
+    visitor(fields[11], value.setpoint_attitude_packed);
+    visitor(fields[12], value.actual_attitude_packed);
     visitor(tail_field, value.tail);
   }
 };
@@ -757,13 +762,18 @@ struct Meta<msg::ControlQuatStatusRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data_set",
        .spec_name = "DATA_SET",
-       .summary = "Data to send."},
+       .summary = "Data to send, in 32 bits with the reserved bytes."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.data_set);
+    visitor(fields[1], value.reserved);
   }
 };
 

@@ -1238,7 +1238,7 @@ struct EnumMeta<msg::ExtSensCommand> {
 };
 
 template <>
-struct EnumMeta<msg::OutputPin> {
+struct EnumMeta<msg::BoardPin> {
   static constexpr ValueInfo values[] = {
       {"RC_INPUT_ROLL", 1, "The RC_ROLL pin."},
       {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
@@ -1251,6 +1251,48 @@ struct EnumMeta<msg::OutputPin> {
       {"PIN_BUZZER", 32, "The buzzer; on 1.x boards, pin 32 of the microcontroller."},
       {"PIN_SSAT_POWER", 33, "The 3.3 V supply of the Spektrum connector; LOW turns it on."},
   };
+  static constexpr EnumInfo info{"BoardPin", values, false};
+};
+
+template <>
+struct EnumMeta<msg::OutputPin> {
+  static constexpr ValueInfo values[] = {
+      {"RC_INPUT_ROLL", 1, "The RC_ROLL pin."},
+      {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
+      {"EXT_FC_INPUT_ROLL", 3, "The FC_ROLL pin."},
+      {"EXT_FC_INPUT_PITCH", 4, "The FC_PITCH pin."},
+      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {.board = 30}},
+      {"PIN_AUX1", 16, "The AUX1 pin; on 1.x boards, pin 2 of the microcontroller."},
+      {"PIN_AUX2", 17, "The AUX2 pin; on 1.x boards, pin 11 of the microcontroller."},
+      {"PIN_AUX3", 18, "The AUX3 pin; on 1.x boards, pin 12 of the microcontroller."},
+      {"PIN_BUZZER", 32, "The buzzer; on 1.x boards, pin 32 of the microcontroller."},
+      {"PIN_SSAT_POWER", 33, "The 3.3 V supply of the Spektrum connector; LOW turns it on."},
+      {"CAN_DRV1_AUX1", 64, "The AUX1 pin of CAN motor driver 1."},
+      {"CAN_DRV1_AUX2", 65, "The AUX2 pin of CAN motor driver 1."},
+      {"CAN_DRV1_AUX3", 66, "The AUX3 pin of CAN motor driver 1."},
+      {"CAN_DRV2_AUX1", 67, "The AUX1 pin of CAN motor driver 2."},
+      {"CAN_DRV2_AUX2", 68, "The AUX2 pin of CAN motor driver 2."},
+      {"CAN_DRV2_AUX3", 69, "The AUX3 pin of CAN motor driver 2."},
+      {"CAN_DRV3_AUX1", 70, "The AUX1 pin of CAN motor driver 3."},
+      {"CAN_DRV3_AUX2", 71, "The AUX2 pin of CAN motor driver 3."},
+      {"CAN_DRV3_AUX3", 72, "The AUX3 pin of CAN motor driver 3."},
+      {"CAN_DRV4_AUX1", 73, "The AUX1 pin of CAN motor driver 4."},
+      {"CAN_DRV4_AUX2", 74, "The AUX2 pin of CAN motor driver 4."},
+      {"CAN_DRV4_AUX3", 75, "The AUX3 pin of CAN motor driver 4."},
+      {"CAN_DRV5_AUX1", 76, "The AUX1 pin of CAN motor driver 5."},
+      {"CAN_DRV5_AUX2", 77, "The AUX2 pin of CAN motor driver 5."},
+      {"CAN_DRV5_AUX3", 78, "The AUX3 pin of CAN motor driver 5."},
+      {"CAN_DRV6_AUX1", 79, "The AUX1 pin of CAN motor driver 6."},
+      {"CAN_DRV6_AUX2", 80, "The AUX2 pin of CAN motor driver 6."},
+      {"CAN_DRV6_AUX3", 81, "The AUX3 pin of CAN motor driver 6."},
+      {"CAN_DRV7_AUX1", 82, "The AUX1 pin of CAN motor driver 7."},
+      {"CAN_DRV7_AUX2", 83, "The AUX2 pin of CAN motor driver 7."},
+      {"CAN_DRV7_AUX3", 84, "The AUX3 pin of CAN motor driver 7."},
+      {"CAN_IMU_AUX1", 85, "The AUX1 pin of the main CAN IMU."},
+      {"CAN_IMU_AUX2", 86, "The AUX2 pin of the main CAN IMU."},
+      {"CAN_IMU_FRAME_AUX1", 88, "The AUX1 pin of the CAN IMU of the frame."},
+      {"CAN_IMU_FRAME_AUX2", 89, "The AUX2 pin of the CAN IMU of the frame."},
+  };
   static constexpr EnumInfo info{"OutputPin", values, false};
 };
 
@@ -1260,6 +1302,8 @@ struct EnumMeta<msg::PinState> {
       {"LOW", 0, "Low; sinks up to 40 mA."},
       {"HIGH", 1, "High; supplies up to 40 mA."},
       {"FLOATING", 2, "Floating.", {.firmware = 2660}},
+      {"INPUT_PULL_UP", 3, "An input that is pulled up.", {.firmware = 2743}},
+      {"INPUT_PULL_DOWN", 4, "An input that is pulled down.", {.firmware = 2743}},
   };
   static constexpr EnumInfo info{"PinState", values, false};
 };
@@ -1968,6 +2012,7 @@ struct EnumMeta<msg::ControlConfigFlag> {
       {"CONTROL_CONFIG_FLAG_SERVO_MODE_ENABLE", 2, "Turn the servo mode on, in which angles are those of the motors.", {.firmware = 2720}},
       {"CONTROL_CONFIG_FLAG_SERVO_MODE_DISABLE", 4, "Turn the servo mode off.", {.firmware = 2720}},
       {"CONTROL_CONFIG_FLAG_LPF_EXT_RANGE", 8, "The filters have an extended range.", {.firmware = 2723}},
+      {"CONTROL_CONFIG_FLAG_LPF_FREQUENCY_HZ", 16, "The filters are frequencies in Hz, by the name.", {.firmware = 2741}},
   };
   static constexpr EnumInfo info{"ControlConfigFlags", values, true};
 };
@@ -1978,7 +2023,7 @@ struct EnumMeta<msg::ControlQuatFlag> {
       {"CONFIRM", 1, "Confirm the command."},
       {"ATTITUDE_PACKED", 2, "The attitude is packed into 8 bytes."},
       {"ATTITUDE_LIMITED_180", 4, "Attitudes are within half a turn, and each is reached from the last one by the shortest way."},
-      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented.", {}, true},
+      {"ATTITUDE_REMOVE_ABSENT_AXES", 8, "By its name, axes without a motor are taken out of the attitude.", {.firmware = 2741}},
       {"AUTO_TASK", 64, "For ATTITUDE: move as fast as automatic tasks do, and confirm when the attitude is reached within 1 degree. The motion ends after 10 s in any case."},
   };
   static constexpr EnumInfo info{"ControlQuatFlags", values, true};
@@ -1990,7 +2035,7 @@ struct EnumMeta<msg::ControlQuatStatusFlag> {
       {"CONFIRM", 1, "Commands are confirmed."},
       {"ATTITUDE_PACKED", 2, "Attitudes are packed into 8 bytes."},
       {"ATTITUDE_LIMITED_180", 4, "Attitudes are within half a turn."},
-      {"ATT_REMOVE_ABSENT_AXES", 8, "Undocumented.", {}, true},
+      {"ATTITUDE_REMOVE_ABSENT_AXES", 8, "Axes without a motor are taken out of the attitude."},
       {"AUTO_TASK", 64, "The motion is an automatic task."},
   };
   static constexpr EnumInfo info{"ControlQuatStatusFlags", values, true};
@@ -2484,7 +2529,7 @@ struct PackedMeta<msg::ExtImuOrientation> {
 template <>
 struct PackedMeta<msg::ExtraButton> {
   static constexpr PartInfo parts[] = {
-      {.name = "pin", .mask = 0x3F, .shift = 0, .values = &EnumMeta<msg::OutputPin>::info},
+      {.name = "pin", .mask = 0x3F, .shift = 0, .values = &EnumMeta<msg::BoardPin>::info},
       {.name = "latching", .mask = 0x40, .shift = 6},
       {.name = "inverted", .mask = 0x80, .shift = 7},
   };

@@ -110,7 +110,7 @@ struct Meta<msg::SelectImu3Ext> {
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 11,
+      .max_size = 10,
       .since = {.board = 30},
       .unconfirmed = true,
       .effects = Effects(Effect::sets)};
@@ -124,7 +124,7 @@ struct Meta<msg::SelectImu3Ext> {
       {.name = "params",
        .spec_name = "PARAMS",
        .summary = "Further undocumented parameters.",
-       .max_count = 9},
+       .max_count = 8},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -133,6 +133,46 @@ struct Meta<msg::SelectImu3Ext> {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.param);
     visitor(fields[2], value.params);
+  }
+};
+
+template <>
+struct Meta<msg::SelectImu3CalibrateShort> {
+  static constexpr MessageInfo info{
+      .name = "SelectImu3CalibrateShort",
+      .command = "CMD_SELECT_IMU_3",
+      .summary = "The same, with one byte less.",
+      .id = 24,
+      .direction = Direction::to_board,
+      .min_size = 11,
+      .max_size = 11,
+      .since = {.firmware = 2600},
+      .unconfirmed = true,
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "The IMU."},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Duration of the operation.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.reserved);
   }
 };
 
@@ -358,8 +398,7 @@ struct Meta<msg::GyroCorrection> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "The IMU.",
-       .unconfirmed = true},
+       .summary = "The IMU."},
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
        .summary = "Zero offset of each axis.",

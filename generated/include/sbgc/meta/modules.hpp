@@ -74,8 +74,8 @@ struct Meta<msg::ModuleList> {
       .id = 76,
       .direction = Direction::from_board,
       .min_size = 1,
-      .max_size = 248};
-  static constexpr Range device_num_range{0, 19};
+      .max_size = 222};
+  static constexpr Range device_num_range{0, 17};
   static constexpr FieldInfo fields[] = {
       {.name = "device_num",
        .spec_name = "DEVICE_NUM",

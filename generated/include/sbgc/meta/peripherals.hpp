@@ -106,7 +106,7 @@ struct Meta<msg::ServoOut> {
   static constexpr MessageInfo info{
       .name = "ServoOut",
       .command = "CMD_SERVO_OUT",
-      .summary = "Send PWM signals to servos.",
+      .summary = "Send PWM signals to eight servos.",
       .id = 36,
       .direction = Direction::to_board,
       .min_size = 16,
@@ -121,6 +121,39 @@ struct Meta<msg::ServoOut> {
   static constexpr FieldInfo fields[] = {
       {.name = "servo_time",
        .spec_name = "SERVO{1..8}_TIME",
+       .summary = "Pulse of each output.",
+       .unit = &UnitMeta<msg::ServoPulse>::info,
+       .range = &servo_time_range,
+       .special = servo_time_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.servo_time);
+  }
+};
+
+template <>
+struct Meta<msg::ServoOutFour> {
+  static constexpr MessageInfo info{
+      .name = "ServoOutFour",
+      .command = "CMD_SERVO_OUT",
+      .summary = "Send PWM signals to the servos 1 to 4.",
+      .id = 36,
+      .direction = Direction::to_board,
+      .min_size = 8,
+      .max_size = 8,
+      .since = {.board = 30},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range servo_time_range{-1, 20000};
+  static constexpr Special servo_time_special[] = {
+      {-1, "the pin is set free and floats"},
+      {0, "the pin is low all the time"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "servo_time",
+       .spec_name = "SERVO{1..4}_TIME",
        .summary = "Pulse of each output.",
        .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,

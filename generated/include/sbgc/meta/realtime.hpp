@@ -268,9 +268,6 @@ struct Meta<msg::StreamConfig> {
       {.name = "flags",
        .spec_name = "FLAGS",
        .summary = "Blocks to send."},
-      {.name = "custom2_flags",
-       .spec_name = "FLAGS",
-       .summary = "Blocks to send."},
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
        .summary = "IMU whose attitude to send.",
@@ -294,6 +291,9 @@ struct Meta<msg::StreamConfig> {
       {.name = "data_set",
        .spec_name = "DATA_SET",
        .summary = "Data to send."},
+      {.name = "custom2_flags",
+       .spec_name = "FLAGS",
+       .summary = "Blocks to send."},
       {.name = "rest",
        .spec_name = "",
        .summary = "What is not used of the 8 bytes; filled up with zeros.",
@@ -305,14 +305,14 @@ struct Meta<msg::StreamConfig> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.flags);
-    visitor(fields[1], value.custom2_flags);
-    visitor(fields[2], value.imu_type);
-    visitor(fields[3], value.event_id);
-    visitor(fields[4], value.event_type);
-    visitor(fields[5], value.telemetry_flags);
-    visitor(fields[6], value.drv_id);
-    visitor(fields[7], value.motor);
-    visitor(fields[8], value.data_set);
+    visitor(fields[1], value.imu_type);
+    visitor(fields[2], value.event_id);
+    visitor(fields[3], value.event_type);
+    visitor(fields[4], value.telemetry_flags);
+    visitor(fields[5], value.drv_id);
+    visitor(fields[6], value.motor);
+    visitor(fields[7], value.data_set);
+    visitor(fields[8], value.custom2_flags);
     visitor(fields[9], value.rest);
   }
 };

@@ -141,7 +141,7 @@ struct Meta<msg::BoardInfoRequestExt> {
        .unit = &UnitMeta<msg::Milliseconds>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
-       .summary = "Of undefined size; send it empty.",
+       .summary = "Empty; from firmware 2.73.6 on, the length of a password and its bytes.",
        .reserved = true},
   };
 
@@ -163,6 +163,10 @@ struct Meta<msg::Confirm> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 6};
+  static constexpr Range pin_state_range{0, 1};
+  static constexpr Special pin_state_special[] = {
+      {-1, "the pin is unavailable"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "cmd",
        .spec_name = "CMD",
@@ -173,6 +177,14 @@ struct Meta<msg::Confirm> {
       {.name = "err_code",
        .spec_name = "ERR_CODE",
        .summary = "Result of the file operation."},
+      {.name = "pin_id",
+       .spec_name = "PIN_ID",
+       .summary = "The pin that became an input."},
+      {.name = "pin_state",
+       .spec_name = "PIN_STATE",
+       .summary = "Its level.",
+       .range = &pin_state_range,
+       .special = pin_state_special},
       {.name = "data",
        .spec_name = "DATA",
        .summary = "Data of other commands; usually empty, or 0 for success.",
@@ -185,7 +197,9 @@ struct Meta<msg::Confirm> {
     visitor(fields[0], value.cmd);
     visitor(fields[1], value.addr);
     visitor(fields[2], value.err_code);
-    visitor(fields[3], value.data);
+    visitor(fields[3], value.pin_id);
+    visitor(fields[4], value.pin_state);
+    visitor(fields[5], value.data);
   }
 };
 

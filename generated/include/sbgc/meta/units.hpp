@@ -444,6 +444,11 @@ struct UnitMeta<msg::Millivolts> {
 };
 
 template <>
+struct UnitMeta<msg::TwoHertz> {
+  static constexpr UnitInfo info{"Hz", 2, 1};
+};
+
+template <>
 struct UnitMeta<msg::WideDegrees> {
   static constexpr UnitInfo info{"deg", 1, 1};
 };

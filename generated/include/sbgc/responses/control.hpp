@@ -221,10 +221,10 @@ constexpr ResponsePolicy response_policy(const ControlQuatStatusRequest& request
   return {.responses = {.command = 141,
               .form_count = 1,
               .forms = {{{.id = 141,
-               .min_size = 4,
+               .min_size = 2,
                .max_size = max_body_size,
                .size = 97,
-               .correlation = {{{.offset = 0, .size = 4, .value = static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
+               .correlation = {{{.offset = 0, .size = 2, .value = static_cast<std::uint32_t>(request.data_set.raw())}}}}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -28,6 +28,28 @@ constexpr ResponsePolicy response_policy(const SelectImu3Ext&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const SelectImu3CalibrateShort& request) noexcept {
+  if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
+    return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .restarts_board = true,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
+      .timeout_ms = 500};
+  }
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const SelectImu3Calibrate& request) noexcept {
   if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
     return {.responses = {.command = 24,

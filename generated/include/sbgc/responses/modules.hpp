@@ -16,7 +16,7 @@ constexpr ResponsePolicy response_policy(const ModuleListRequest&) noexcept {
               .forms = {{{.id = 76,
                .min_size = 1,
                .max_size = max_body_size,
-               .size = 248}}}},
+               .size = 222}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

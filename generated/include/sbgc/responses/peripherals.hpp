@@ -37,6 +37,16 @@ constexpr ResponsePolicy response_policy(const ServoOut&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const ServoOutFour&) noexcept {
+  return {.responses = {.command = 36,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const ServoOutExt&) noexcept {
   return {.responses = {.command = 133},
       .retry_is_safe = true,

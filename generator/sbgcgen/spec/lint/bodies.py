@@ -123,6 +123,9 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if field.when is not None and field.has_hidden_counter:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
+    elif field.fits and (field.when is not None or field.size is None or field.is_counter):
+        text = f"a decoder cannot tell whether '{field.name}' fits"
+        found.add(field.at, "SBGC043", text, "it has one size, and no 'when'")
     elif field.appended and (is_list or field.is_counter):
         text = f"the body may end before '{field.name}', which is part of a list"
         hint = "make the list and its counter a struct, and give that the 'since'"
@@ -252,11 +255,16 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             found.add(field.at, "SBGC026", text, hint)
         fixed = len(message.body.fixed_part)
         if field.repeats_context and (
-            field is not message.fields[fixed] or not message.keeps_tail or not field.when.flags
+            field is not message.fields[fixed]
+            or not message.keeps_tail
+            or not (field.when and field.when.flags)
         ):
             text = f"'{field.name}' of {message.name} cannot repeat a context"
             hint = "it comes before all that depends on the context, if that 'has' a flag"
             found.add(field.at, "SBGC026", text, hint)
+        if field.fits and not message.keeps_tail:
+            text = f"'{field.name}' of {message.name} is not in a message from the board"
+            found.add(field.at, "SBGC043", text, "only these may have another size")
     used = {f.when.source for f in message.fields if f.when and f.when.from_context}
     used |= {f.type.context for f in message.fields if isinstance(f.type, Announced)}
     seen: set[str] = set()

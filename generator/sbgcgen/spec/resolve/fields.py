@@ -290,6 +290,7 @@ class FieldResolver:
             role=str(node.get("role", "")),
             default=self._default(node, type_, text),
             constant="constant" in node,
+            fits="fits" in node,
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             directions=directions,

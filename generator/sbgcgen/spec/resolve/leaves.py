@@ -23,7 +23,10 @@ def leaves(
         offset = None if base is None or field.offset is None else base + field.offset
         for leaf in _field_leaves(field, path + field.name, offset, word):
             if field.may_be_absent:
-                optional, when = leaf.optional or field.appended, leaf.when or field.when
+                optional, when = (
+                    leaf.optional or field.appended or field.fits,
+                    leaf.when or field.when,
+                )
                 leaf = replace(leaf, optional=optional, when=when)
             yield leaf
 

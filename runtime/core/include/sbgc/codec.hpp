@@ -121,13 +121,21 @@ constexpr Status decode_body(std::span<const std::uint8_t> body, [[maybe_unused]
     M::tagged_unions(out, reader);
   }
   if constexpr (HasVaryingMembers<M>) {
-    Reader reader(body, size);
-    M::varying_members(out, reader, context...);
-    if constexpr (HasTail<M>) {
-      return reader.end(out.tail);
-    } else {
-      return reader.end();
+    const auto read = [&](bool takes_fitting) {
+      Reader reader(body, size, takes_fitting);
+      M::varying_members(out, reader, context...);
+      if constexpr (HasTail<M>) {
+        return reader.end(out.tail);
+      } else {
+        return reader.end();
+      }
+    };
+    if constexpr (requires { M::has_fitting_member; }) {
+      // Without the member, or with it if only that fits exactly.
+      if (read(false) && out.tail.empty()) return {};
+      if (read(true) && out.tail.empty()) return {};
     }
+    return read(false);
   } else if constexpr (HasTail<M>) {
     return get_tail(body, size, out.tail);
   } else {

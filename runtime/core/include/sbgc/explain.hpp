@@ -70,8 +70,11 @@ inline NeededSize needed_size(Direction direction, std::uint8_t id,
       typename CodedAs<M>::Context context = contexts.of(M{});
       if constexpr (RepeatsContext<M>) {
         const auto own = repeated_flags<M>(body);
-        if (auto& flags = context.*M::Context::repeated; flags.has(M::Context::repeats))
-          flags = own;
+        auto& flags = context.*M::Context::repeated;
+        if (flags.has(M::Context::repeats)) {
+          flags.set(M::Context::repeats, false);
+          if (own.has(M::Context::repeats)) flags = own;
+        }
       }
       needed = needed_size<CodedAs<M>>(body, context);
     } else {

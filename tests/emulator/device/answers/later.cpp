@@ -156,6 +156,9 @@ void Table::add_later_devices() {
   for (const auto action : {msg::CalibAction::regular, msg::CalibAction::reset}) {
     add<msg::SelectImu3Calibrate>({.request = {.imu_type = msg::CalibImu::main, .action = action},
                                    .comes = Comes::confirmation});
+    add<msg::SelectImu3CalibrateShort>(
+        {.request = {.imu_type = msg::CalibImu::main, .action = action},
+         .comes = Comes::confirmation});
   }
   msg::ExtImuCmd command;
   command.cmd_id = 7;
@@ -220,6 +223,16 @@ void Table::add_later_devices() {
            }});
   add<msg::RealtimeDataCustom2Request>(
       {.request = {.flags = msg::RealtimeDataCustom2Flag::pin_state}});
+  add<msg::TriggerPin>(
+      {.request = {.pin_id = msg::OutputPin::pin_aux1, .state = msg::PinState::input_pull_up},
+       .comes = Comes::confirmation,
+       .after =
+           [](Host&, const Packets& packets) {
+             const auto confirmation = only<msg::Confirm>(packets);
+             EXPECT_EQ(confirmation.pin_id, msg::OutputPin::pin_aux1);
+             EXPECT_EQ(confirmation.pin_state, 1);
+           },
+       .options = newest_board()});
   add<msg::SetDebugPortRequest>({.request = {.action = msg::DebugPortAction::start}});
 }
 

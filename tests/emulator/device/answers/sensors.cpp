@@ -97,6 +97,8 @@ void Table::add_peripherals() {
   servos.servo_time.fill(msg::ServoPulse(-1));
   servos.servo_time[3] = msg::ServoPulse(1500);
   add<msg::ServoOut>({.request = servos, .comes = Comes::confirmation});
+  add<msg::ServoOutFour>(
+      {.request = {.servo_time = {msg::ServoPulse(1500)}}, .comes = Comes::confirmation});
   // The first register that can be written and read back.
   msg::I2cDevice imu;
   imu.set_port(msg::I2cPort::main);

@@ -19,8 +19,9 @@ namespace sbgc::detail {
 class Reader {
  public:
   /// Starts at offset `at` of the body. Precondition: at <= body.size().
-  constexpr Reader(std::span<const std::uint8_t> body, std::size_t at) noexcept
-      : body_(body), at_(at) {}
+  constexpr Reader(std::span<const std::uint8_t> body, std::size_t at,
+                   bool takes_fitting = false) noexcept
+      : body_(body), at_(at), takes_fitting_(takes_fitting) {}
 
   template <class T>
   constexpr void value(T& out, const char* field) noexcept {
@@ -57,6 +58,11 @@ class Reader {
   template <class T>
   constexpr void appended(Optional<T>& out, const char* field) noexcept {
     when(at_ < body_.size(), out, field);
+  }
+  /// Reads a value that is present only if the body then fits exactly; see decode_body().
+  template <class T>
+  constexpr void if_fits(Optional<T>& out, const char* field) noexcept {
+    when(takes_fitting_, out, field);
   }
   /// Reads a value that is present if `condition`, taken from the context, holds.
   template <class T>
@@ -216,6 +222,7 @@ class Reader {
 
   std::span<const std::uint8_t> body_;
   std::size_t at_;
+  bool takes_fitting_;
   Status status_{};
 };
 

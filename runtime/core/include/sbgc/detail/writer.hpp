@@ -65,6 +65,11 @@ class Writer {
       miss(1, field);
     }
   }
+  /// Writes a value that may be absent.
+  template <class T>
+  constexpr void if_fits(const Optional<T>& in, const char* field) noexcept {
+    when_context(true, in, field);
+  }
   /// Writes a value whose presence depends on the context, which only a reader knows.
   template <class T>
   constexpr void when_context(bool /*condition*/, const Optional<T>& in,
