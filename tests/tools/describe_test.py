@@ -125,7 +125,7 @@ def test_fields_and_variables_say_which_way_they_count() -> None:
     all_axes = "positive: pitch down, yaw right, roll unknown"
     for word in ("Control.axes.pitch.angle", "GetAngles.axes.yaw.rc_speed", "rc_min_angle"):
         assert all_axes in words_of(described(word)), word
-    assert "positive: down" in described("ControlExtCommand.pitch_angle")
+    assert "positive: down" in described("ControlExtCommand.axes.pitch.angle")
     assert "positive: unknown" in described("RealtimeData4.axes.pitch.acc_data")
     assert "positive: unknown" in described("HelperDataExt.frame_speed")
     assert "positive" not in described("follow_speed")
