@@ -55,6 +55,8 @@ class MessageMaker(FieldMaker):
         name = f"CMD_C{self.unique('')}"
         family = self.random.choice(order[order.index(family) if family else 0 :])
         node = self.said({"id": identity})
+        if self.chance(0.1):
+            node["as"] = self.unique("called_")
         if self.chance(0.2):
             node["since"] = self.since()
         if self.chance(0.2):
