@@ -245,6 +245,8 @@ class MessageMaker(FieldMaker):
             and not body.has_contexts
             and body.scope.fields
             and body.scope.least < 120
+            # what was reserved in one message may have no bytes in another
+            and not any("firmware" in f.get("since", ()) for f in body.scope.fields)
             and order.index(body.family) <= order.index(family)
         ]
         scope = self.scope(family, 100)
