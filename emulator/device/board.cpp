@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <sbgc/availability.hpp>
@@ -10,6 +12,7 @@
 #include <sbgc/responses/all.hpp>
 
 #include "device/default_response.hpp"
+#include "device/equivalents.hpp"
 #include "device/handlers.hpp"
 #include "device/parameters/access.hpp"
 
@@ -17,25 +20,36 @@ namespace sbgc::emulator {
 namespace {
 
 template <class Part>
-bool has(const Device& device) {
-  if constexpr (requires { Part::are_supported(device); }) return Part::are_supported(device);
+inline constexpr bool is_part = []<class... Parts>(std::type_identity<std::tuple<Parts&...>>) {
+  return std::is_lvalue_reference_v<Part> &&
+         (std::is_same_v<std::remove_cvref_t<Part>, Parts> || ...);
+}(std::type_identity<decltype(std::declval<Device&>().parts())>{});
+
+template <class Part>
+bool has(const BoardOptions& options) {
+  if constexpr (requires { Part::are_supported(options); }) return Part::are_supported(options);
   return true;
 }
 
 /// Calls a handler with the parts of the device that it takes, if the board has them.
 template <Message M, class... Parts>
-Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts&...), RequestContext& context,
+Reaction call(Reaction (*handler)(RequestContext&, const M&, Parts...), RequestContext& context,
               const M& request, Device& device) {
-  if (!(has<Parts>(device) && ...)) return context.refuse(msg::BoardErrorCode::not_supported);
-  return handler(context, request, device.part<Parts>()...);
+  static_assert((is_part<Parts> && ...), "a handler takes parts of the device by reference");
+  if (!(has<std::remove_cvref_t<Parts>>(device.options) && ...)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  return handler(context, request, device.part<std::remove_cvref_t<Parts>>()...);
 }
 
 template <Message M>
 Reaction carry_out(RequestContext& context, const M& request, Device& device) {
-  if constexpr (requires { call<M>(handle, context, request, device); }) {
+  if constexpr (requires { equivalent(request); }) {
+    return carry_out(context, equivalent(request), device);
+  } else if constexpr (requires { call<M>(handle, context, request, device); }) {
     return call<M>(handle, context, request, device);
   } else if constexpr (accesses_parameters<M>) {
-    return access_parameters(context, request, device);
+    return access_parameters(context, request, device.parameters, device.imus);
   } else {
     return default_response(context, request);
   }
@@ -63,7 +77,7 @@ class Board::Core {
       run_due(at);
     }
     clock_ = device.ports.now = until;
-    device.streams.count_skipped(device, until);
+    device.streams.count_skipped(device.ports, until);
   }
 
   Instant next() {
@@ -87,12 +101,12 @@ class Board::Core {
   void sent(std::size_t port, std::size_t size, Instant now) {
     run_until(now);
     device.ports.sent(port, size);
-    device.streams.has_room(device, port, clock_);
+    device.streams.has_room(device.ports, port, clock_);
     plan_request(port);
   }
 
   void close(std::size_t port) {
-    device.streams.forget(device, port, clock_);
+    device.streams.forget(device.ports, port, clock_);
     for_each_part(device, [&](auto& part) {
       if constexpr (requires { part.drop_port(port); }) part.drop_port(port);
     });
@@ -101,7 +115,7 @@ class Board::Core {
   }
 
   void end_input(std::size_t port) {
-    device.streams.forget(device, port, clock_);
+    device.streams.forget(device.ports, port, clock_);
     device.ports.end_input(port);
   }
 
@@ -119,7 +133,7 @@ class Board::Core {
   void memory_not_saved(std::uint32_t revision, Instant now) {
     run_until(now);
     device.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
-      return refusal_instead(device.versions(), frame);
+      return refusal_instead(versions_of(device.options), frame);
     });
     for (std::size_t port = 0; port < request_times_.size(); ++port) plan_request(port);
   }
@@ -127,7 +141,7 @@ class Board::Core {
   void set_silent(bool is_silent) {
     device.ports.set_silent(is_silent);
     for (std::size_t port = 0; port < request_times_.size(); ++port) {
-      device.streams.has_room(device, port, clock_);
+      device.streams.has_room(device.ports, port, clock_);
     }
   }
 
@@ -145,6 +159,7 @@ class Board::Core {
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
     something();
+    device.apply_parameters(clock_);
     device.events.watch(device, clock_);
     if (!device.options.waits_for_saving) return;
     const std::uint32_t after = device.memory.revision;
@@ -154,9 +169,9 @@ class Board::Core {
 
   void run_due(Instant now) {
     step([&] { device.restarts.advance(device, now); });
-    for_each_part(device, [&](auto& part) {
+    for_each_part(device, [&]<class Part>(Part& part) {
       if constexpr (requires { part.next(); }) {
-        if (part.next() <= now) step([&] { part.advance(device, now); });
+        if (part.next() <= now) step([&] { device.run(&Part::advance, now); });
       }
     });
     for (std::size_t port = 0; port < idle_times_.size(); ++port) {
@@ -197,7 +212,7 @@ class Board::Core {
     AllMessages::for_each([&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
         const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-        is_known = is_known || (has_id && is_supported<M>(device.versions()));
+        is_known = is_known || (has_id && is_supported<M>(versions_of(device.options)));
       }
     });
     return is_known;
@@ -209,7 +224,7 @@ class Board::Core {
     const Reaction reaction = try_frame(port, request, now);
     const bool is_strange = reaction == Reaction::unknown || reaction == Reaction::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
-      RequestContext context(device, port, request.id, Confirmed::never, now);
+      RequestContext context(device.ports, device.options, port, request.id, Confirmed::never, now);
       context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
                                        : msg::BoardErrorCode::unknown_command);
     }
@@ -219,13 +234,13 @@ class Board::Core {
   /// Ignores bytes that the firmware does not know, as real boards do.
   Reaction try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Reaction reaction = Reaction::unknown;
-    const std::size_t largest = largest_request(request.id, device.versions());
+    const std::size_t largest = largest_request(request.id, versions_of(device.options));
     const bool has_surplus = request.body.size() > largest;
     const auto body =
         std::span<const std::uint8_t>(request.body).first(std::min(request.body.size(), largest));
     const Code code = select(Direction::to_board, request.id, body.size(), [&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
-        if (!is_supported<M>(device.versions())) return;
+        if (!is_supported<M>(versions_of(device.options))) return;
         M message{};
         const Status status = decode(body, message);
         // Flags may say that even the largest form ends earlier.
@@ -235,15 +250,16 @@ class Board::Core {
           return;
         }
         if constexpr (!accesses_parameters<M>) {
-          const bool has_unknown_values = limit_to(device.versions(), message);
+          const bool has_unknown_values = limit_to(versions_of(device.options), message);
           if (has_unknown_values && !checks_values<M>) {
-            RequestContext context(device, port, request.id, Confirmed::never, now);
+            RequestContext context(device.ports, device.options, port, request.id, Confirmed::never,
+                                   now);
             reaction = context.refuse(msg::BoardErrorCode::wrong_params);
             return;
           }
         }
         const Confirmed confirmed = response_policy(message).responses.confirmed;
-        RequestContext context(device, port, request.id, confirmed, now);
+        RequestContext context(device.ports, device.options, port, request.id, confirmed, now);
         reaction = carry_out(context, message, device);
       }
     });

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include <sbgc/detail/meta_limits.hpp>
-#include <sbgc/meta/system.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/parameters/gimbal_tuning.hpp"
@@ -15,7 +13,7 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
-      parameters(memory, {options.firmware.raw(), options.board.raw()}),
+      parameters(memory, versions_of(options)),
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
@@ -25,114 +23,32 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
   };
 }
 
-Availability Device::versions() const { return {options.firmware.raw(), options.board.raw()}; }
-
-msg::BoardFeatures Device::features() const {
-  msg::BoardFeatures features = options.features;
-  // Assumption: boards since 3.6 have a CAN bus.
-  constexpr std::uint8_t first_with_can = 36;
-  if (versions().board >= first_with_can) features.set(msg::BoardFeature::can_port);
-  return features;
-}
-
-/// A feature shows only if the firmware has its commands.
-msg::BoardFeaturesExt Device::features_ext() const {
-  using enum msg::BoardFeaturesExtBit;
-  msg::BoardFeaturesExt features = options.features_ext;
-  if (!is_supported<msg::ExtImuDebugInfoRequest>(versions())) features.set(ext_imu, false);
-  if (!is_supported<msg::ReadStateVarsRequest>(versions())) features.set(state_vars, false);
-  return features;
-}
-
-msg::BoardFeaturesExt2 Device::features_ext2() const {
-  constexpr Availability since =
-      sbgc::detail::field_info<msg::BoardInfo3>("board_features_ext2").since;
-  return is_available(since, versions()) ? options.features_ext2 : msg::BoardFeaturesExt2{};
-}
-
-bool Device::has_frame_imu() const {
-  return options.has_frame_imu &&
-         parameters.of<msg::ReadParams3>().frame_imu_pos != msg::FrameImuPosition::disabled;
-}
-
-double Device::gyro_unit() { return msg::GyroRate(1).degrees_per_second(); }
-
 Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
 
-bool Device::has_encoders() const { return options.features.has(msg::BoardFeature::encoders); }
-
-bool Device::has_battery_meter() const {
-  return options.features.has(msg::BoardFeature::bat_monitoring);
+double Device::battery_factor() const {
+  return has_battery_meter(options) ? memory.battery_factor : 0;
 }
-
-double Device::battery_factor() const { return has_battery_meter() ? memory.battery_factor : 0; }
 
 double Device::measured_battery(const Sample& sample) const {
   return sample.battery * battery_factor();
 }
 
-void Device::save_profile_set(std::size_t slot) {
-  memory.profile_sets[slot] = parameters.profiles();
-  ++memory.revision;
-}
-
-void Device::clear_profile_set(std::size_t slot) {
-  memory.profile_sets[slot].clear();
-  ++memory.revision;
-}
-
-bool Device::load_profile_set(std::size_t slot, Instant now) {
-  if (!parameters.restore_profiles(memory.profile_sets[slot])) return false;
-  memory.profile_set = static_cast<std::uint8_t>(slot + 1);
-  ++memory.revision;
-  apply_parameters(now);
-  return true;
-}
-
-void Device::select_profile(std::uint8_t profile, Instant now) {
-  parameters.select_profile(profile);
-  apply_parameters(now);
-}
-
 void Device::apply_parameters(Instant now) {
-  if (!has_frame_imu()) cur_imu = msg::SelectedImu::main;
-  if (is_writing_parameters) return;
-  gimbal.tune(tuning(), now);
-  correct_gyros(now);
-  remote.apply(*this, now);
-  slots.apply_parameters(*this, now);
-}
-
-Tuning Device::tuning() const {
-  Tuning tuning = tuning_of(parameters, versions(), has_encoders(), battery_factor());
+  if (!restarts.is_listening() || !parameters.take_changes()) return;
+  imus.has_frame = options.has_frame_imu && parameters.of<msg::ReadParams3>().frame_imu_pos !=
+                                                msg::FrameImuPosition::disabled;
+  if (!imus.has_frame) imus.selected = msg::SelectedImu::main;
+  tuning = tuning_of(parameters, versions_of(options), has_encoders(options), battery_factor());
   for (std::size_t i = 0; i < tuning.axes.size(); ++i) {
     bool& follows = tuning.axes[i].follows;
     follows = (follows || modes.follows) && !modes.follow_off;
   }
   control_link.adjust(tuning);
-  return tuning;
-}
-
-void Device::forget_calibrations() {
-  memory.imus = {};
-  memory.battery_factor = Memory{}.battery_factor;
-  ++memory.revision;
-  gyro_headings = {};
-}
-
-void Device::correct_gyros(Instant now) {
-  const auto variable = parameters.variable(msg::VariableId::gyro_heading_correction);
-  const double more =
-      msg::GyroOffset(static_cast<std::int16_t>(variable.value_or(0))).gyro_units() * gyro_unit();
-  for (const std::size_t imu : {0U, 1U}) {
-    const double heading = gyro_headings[imu] + (imu == 0 ? more : 0);
-    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, heading, now);
-  }
-}
-
-void Device::set_motors(bool on, Instant now) {
-  tasks.forget_stop();
-  gimbal.set_motors(on, now);
+  if (modes.is_writing_parameters) return;
+  gimbal.tune(tuning, now);
+  imus.correct(gimbal, memory, parameters, now);
+  remote.apply(parameters, gimbal, now);
+  slots.apply_parameters(parameters, now);
 }
 
 void Device::calibrate_at_start(Instant now) {
@@ -154,7 +70,7 @@ void Device::calibrate_at_start(Instant now) {
 
 Flags<msg::SystemError> Device::errors(Instant now) {
   Flags<msg::SystemError> errors = calibrations.errors();
-  if (has_battery_meter()) {
+  if (has_battery_meter(options)) {
     const auto& thresholds = parameters.of<msg::ReadParams3>();
     const double volts = measured_battery(gimbal.sample(now));
     // A negative threshold disables the check: no voltage is below it.

@@ -1,7 +1,6 @@
 /// The device: all parts of the board, for handlers and for parts that use each other.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -17,9 +16,12 @@
 #include "device/control/events.hpp"
 #include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
+#include "device/control/targets.hpp"
 #include "device/control/tasks.hpp"
 #include "device/debug/debug_copies.hpp"
 #include "device/external_motors/external_motors.hpp"
+#include "device/features.hpp"
+#include "device/imu/imus.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/i2c_bus.hpp"
 #include "device/peripherals/outputs.hpp"
@@ -36,8 +38,8 @@ namespace sbgc::emulator {
 
 /// The interface of a part of the board that acts on its own, as far as it needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
-///     void advance(Device& device, Instant now);   // executes what is due at `now`
-///     void restart(Device& device, Instant now);   // without it, a restart loses the whole state
+///     void advance(Instant now, Part& part, ...);  // called when it is due, with what it uses
+///     void restart(Instant now, Part& part, ...);  // without it, a restart loses the whole state
 ///     void drop_port(std::size_t port);            // the port closes: sends nothing more to it
 /// Parts store ports by number; Ports::send() to a closed port does nothing.
 struct Device {
@@ -49,6 +51,7 @@ struct Device {
   Parameters parameters;
   FileSystem files;
   Gimbal gimbal;
+  Tuning tuning{};            ///< of the gimbal, from the parameters in use
   Ports ports;                ///< serial ports: buffers and sending
   Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
   RemoteControl remote;       ///< RC inputs and virtual channels
@@ -66,46 +69,19 @@ struct Device {
   Events events;                   ///< CMD_EVENT
   DebugCopies debug_copies;        ///< CMD_SET_DEBUG_PORT
   Modes modes;                     ///< switches until the board restarts
-  bool is_writing_parameters{};    ///< between the two requests of CMD_WRITE_PARAMS_SET
+  Imus imus;
+  ControlParts control{control_link, quaternions, tasks, modes, gimbal, parameters, tuning};
+  CalibrationParts calibration{options, memory, parameters, gimbal,       imus,
+                               outputs, ports,  restarts,   calibrations, auto_tuning};
 
-  /// Stores, forgets or loads the parameters of all profiles. load_profile_set() returns false,
-  /// without effect, if the slot is empty. Precondition: the slot exists; they count from 0.
-  void save_profile_set(std::size_t slot);
-  void clear_profile_set(std::size_t slot);
-  bool load_profile_set(std::size_t slot, Instant now);
-  /// Switches to another profile. Precondition: it exists.
-  void select_profile(std::uint8_t profile, Instant now);
-  /// Passes the active parameters to the gimbal and the inputs. Call it after each change.
+  /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
-  /// Resets the calibrations in the main EEPROM after it was erased. Call apply_parameters()
-  /// afterwards.
-  void forget_calibrations();
-  /// Passes the gyroscope corrections to the gimbal. Call it after each change.
-  void correct_gyros(Instant now);
-  void set_motors(bool on, Instant now);
   /// The errors that live data report.
   Flags<msg::SystemError> errors(Instant now);
 
-  /// The active tuning of the gimbal.
-  Tuning tuning() const;
-
-  /// The versions of the board and its firmware.
-  Availability versions() const;
-  /// The features that this board and firmware have.
-  msg::BoardFeatures features() const;
-  msg::BoardFeaturesExt features_ext() const;
-  msg::BoardFeaturesExt2 features_ext2() const;
-  /// True if there is an IMU on the frame and the parameters use it.
-  bool has_frame_imu() const;
   /// The cycle time of the controller.
   static Duration cycle();
-  /// The unit of gyroscope offsets, in deg/s. Assumption: the unit of its readings.
-  static double gyro_unit();
-  /// True if there are encoders, which measure the joint angles.
-  bool has_encoders() const;
-  /// True if there is a sensor for the battery voltage.
-  bool has_battery_meter() const;
-  /// The reading of that sensor per volt; 0 without a sensor.
+  /// The reading of the battery sensor per volt; 0 without a sensor.
   double battery_factor() const;
   /// The reading of the calibrated sensor in volts; 0 without a sensor.
   double measured_battery(const Sample& sample) const;
@@ -114,31 +90,36 @@ struct Device {
 
   std::uint32_t baud_rate{};  ///< set by SERIAL_SPEED at the last start
 
-  msg::SelectedImu cur_imu = msg::SelectedImu::main;  ///< chosen by hosts
-  /// Heading corrections of the main and frame IMU, deg/s, in addition to GYRO_HEADING_CORRECTION.
-  /// Assumption: valid until the board restarts.
-  std::array<double, 2> gyro_headings{};
-
-  /// A part by its type, for handlers; the whole device counts as one.
+  /// The parts that act on their own, in the order in which they do.
+  auto acting_parts() {
+    return std::tie(remote, slots, calibrations, auto_tuning, scripts, outputs, control_link,
+                    quaternions, tasks, external_motors, state_variables, debug_copies, events,
+                    modes, imus, streams);
+  }
+  /// All parts; the whole device counts as one.
+  auto parts() {
+    return std::tuple_cat(
+        acting_parts(), std::tie(*this, options, memory, eeprom, parameters, files, gimbal, tuning,
+                                 ports, i2c, restarts, control, calibration));
+  }
+  /// A part by its type, for functions that take some parts.
   template <class Part>
   Part& part() {
-    return std::get<std::remove_const_t<Part>&>(
-        std::tie(*this, options, memory, eeprom, parameters, files, gimbal, ports, streams, remote,
-                 slots, calibrations, auto_tuning, scripts, outputs, i2c, control_link, quaternions,
-                 tasks, external_motors, state_variables, debug_copies, restarts));
+    return std::get<std::remove_const_t<Part>&>(parts());
+  }
+  /// Calls a function of a part with the parts that it takes.
+  template <class Part, class... Parts>
+  void run(void (Part::*function)(Instant, Parts&...), Instant now) {
+    (part<Part>().*function)(now, part<Parts>()...);
   }
 
   Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts
 };
 
-/// Calls `use(part)` for each part that acts on its own, in a fixed order.
+/// Calls `use(part)` for each part that acts on its own.
 template <class Use>
 void for_each_part(Device& device, Use&& use) {
-  const auto use_each = [&](auto&... parts) { (use(parts), ...); };
-  use_each(device.remote, device.slots, device.calibrations, device.auto_tuning, device.scripts,
-           device.outputs, device.control_link, device.quaternions, device.tasks,
-           device.external_motors, device.state_variables, device.debug_copies, device.events,
-           device.modes, device.streams);
+  std::apply([&](auto&... parts) { (use(parts), ...); }, device.acting_parts());
 }
 
 }  // namespace sbgc::emulator

@@ -1,6 +1,8 @@
 /// Handlers of the requests that need code of their own, grouped by the family in spec/:
-/// device/<family>/handlers.cpp implements them. All other requests are answered from the model
-/// alone: parameters/access.hpp reads and writes parameters, default_response.hpp handles the rest.
+/// device/<family>/handlers.cpp implements them. A handler takes the parts of the device that it
+/// uses. equivalents.hpp has the requests that mean the same as another one. All others are
+/// answered from the model alone: parameters/access.hpp reads and writes parameters,
+/// default_response.hpp handles the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>
@@ -18,58 +20,64 @@ template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 
 // adjustable_variables
-Reaction handle(RequestContext&, const msg::GetAdjVarsVal&, Parameters&);
-Reaction handle(RequestContext&, const msg::SetAdjVarsVal&, Device&);
-Reaction handle(RequestContext&, const msg::AdjVarsStateRequest&, Device&);
-Reaction handle(RequestContext&, const msg::AdjVarsStateRequestExt&, Device&);
-Reaction handle(RequestContext&, const msg::AdjVarsInfoRequest&, Parameters&);
-Reaction handle(RequestContext&, const msg::AdjVarsInfoRequestAll&, Parameters&);
-Reaction handle(RequestContext&, const msg::SetAdjVarsValF&, Device&);
-Reaction handle(RequestContext&, const msg::GetAdjVarsValF&, Parameters&);
+Reaction handle(RequestContext&, const msg::GetAdjVarsVal&, const Parameters&);
+Reaction handle(RequestContext&, const msg::SetAdjVarsVal&, Parameters&);
+Reaction handle(RequestContext&, const msg::AdjVarsStateRequest&, const Slots&,
+                const RemoteControl&, const Parameters&);
+Reaction handle(RequestContext&, const msg::AdjVarsStateRequestExt&, const Slots&,
+                const RemoteControl&, const Parameters&);
+Reaction handle(RequestContext&, const msg::AdjVarsInfoRequest&, const Parameters&);
+Reaction handle(RequestContext&, const msg::SetAdjVarsValF&, Parameters&);
+Reaction handle(RequestContext&, const msg::GetAdjVarsValF&, const Parameters&);
 
 // calibration
-Reaction handle(RequestContext&, const msg::CalibAcc&, Device&);
-Reaction handle(RequestContext&, const msg::CalibAccExt&, Device&);
-Reaction handle(RequestContext&, const msg::CalibGyro&, Device&);
-Reaction handle(RequestContext&, const msg::CalibGyroExt&, Device&);
-Reaction handle(RequestContext&, const msg::CalibMag&, Device&);
-Reaction handle(RequestContext&, const msg::CalibExtGain&, Device&);
-Reaction handle(RequestContext&, const msg::CalibPoles&, Device&);
-Reaction handle(RequestContext&, const msg::CalibOffset&, Device&);
-Reaction handle(RequestContext&, const msg::CalibBat&, Device&);
-Reaction handle(RequestContext&, const msg::EncodersCalibOffset4&, Device&);
-Reaction handle(RequestContext&, const msg::EncodersCalibFldOffset4&, Device&);
-Reaction handle(RequestContext&, const msg::CalibInfoRequest&, Device&);
-Reaction handle(RequestContext&, const msg::AutoPidRequest&, Device&);
-Reaction handle(RequestContext&, const msg::CalibMagExt&, Device&);
-Reaction handle(RequestContext&, const msg::CalibOrientCorr&, Device&);
-Reaction handle(RequestContext&, const msg::CalibCogging&, Device&);
-Reaction handle(RequestContext&, const msg::CalibAccExtRef&, Device&);
-Reaction handle(RequestContext&, const msg::AutoPid2&, Device&);
+Reaction handle(RequestContext&, const msg::CalibAccExt&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibGyroExt&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibExtGain&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibPoles&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibOffset&, Gimbal&, Parameters&);
+Reaction handle(RequestContext&, const msg::CalibBat&, const BoardOptions&, Memory&, Gimbal&,
+                Parameters&);
+Reaction handle(RequestContext&, const msg::EncodersCalibOffset4&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::EncodersCalibFldOffset4&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibInfoRequest&, const Calibrations&, const Imus&,
+                const Memory&, Gimbal&);
+Reaction handle(RequestContext&, const msg::AutoPidRequest&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibMagExt&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibOrientCorr&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibCogging&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::CalibAccExtRef&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::AutoPid2&, CalibrationParts&);
+/// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
+Reaction calibrate_gyro(RequestContext&, CalibrationParts&, msg::CalibImu, msg::CalibAction,
+                        Duration length);
 
 // control
-Reaction handle(RequestContext&, const msg::Control&, Device&);
-Reaction handle(RequestContext&, const msg::ControlExt&, Device&);
-Reaction handle(RequestContext&, const msg::GetAnglesRequest&, Device&);
-Reaction handle(RequestContext&, const msg::GetAnglesExtRequest&, Device&);
-Reaction handle(RequestContext&, const msg::MotorsOn&, Device&);
-Reaction handle(RequestContext&, const msg::MotorsOff&, Device&);
-Reaction handle(RequestContext&, const msg::MotorsOffExt&, Device&);
-Reaction handle(RequestContext&, const msg::ExecuteMenu&, Device&);
+Reaction handle(RequestContext&, const msg::ControlExt&, ControlParts&);
+Reaction handle(RequestContext&, const msg::GetAnglesRequest&, Gimbal&);
+Reaction handle(RequestContext&, const msg::GetAnglesExtRequest&, Gimbal&, const Imus&,
+                const BoardOptions&);
+Reaction handle(RequestContext&, const msg::MotorsOn&, Tasks&, Gimbal&);
+Reaction handle(RequestContext&, const msg::MotorsOffExt&, Tasks&, Gimbal&);
 Reaction handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
-Reaction handle(RequestContext&, const msg::HelperData&, Device&);
-Reaction handle(RequestContext&, const msg::HelperDataExt&, Device&);
-Reaction handle(RequestContext&, const msg::ControlExtCommand&, Device&);
-Reaction handle(RequestContext&, const msg::ControlConfig&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatDisabled&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatSpeed&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatAttitude&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatAttitudePacked&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatStatusRequest&, Device&);
-Reaction handle(RequestContext&, const msg::ControlQuatConfig&, Device&);
-Reaction handle(RequestContext&, const msg::SyncMotors&, Device&);
+Reaction handle(RequestContext&, const msg::HelperDataExt&, Gimbal&);
+Reaction handle(RequestContext&, const msg::ControlExtCommand&, ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlConfig&, ControlLink&, Modes&, Parameters&);
+Reaction handle(RequestContext&, const msg::ControlQuatDisabled&, QuaternionControl&,
+                ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeed&, QuaternionControl&, ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatAttitude&, QuaternionControl&,
+                ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatAttitudePacked&, QuaternionControl&,
+                ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitude&, QuaternionControl&,
+                ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatSpeedAttitudePacked&, QuaternionControl&,
+                ControlParts&);
+Reaction handle(RequestContext&, const msg::ControlQuatStatusRequest&, const QuaternionControl&,
+                Gimbal&, const Tuning&);
+Reaction handle(RequestContext&, const msg::ControlQuatConfig&, QuaternionControl&);
+Reaction handle(RequestContext&, const msg::SyncMotors&, Tasks&, Gimbal&);
 
 // debug
 Reaction handle(RequestContext&, const msg::DebugVarsInfo3Request&);
@@ -84,70 +92,74 @@ Reaction handle(RequestContext&, const msg::ExtMotorsControlConfig&, ExternalMot
 Reaction handle(RequestContext&, const msg::ExtMotorsStateRequest&, ExternalMotors&, Gimbal&);
 
 // imu
-Reaction handle(RequestContext&, const msg::SelectImu3&, Device&);
-Reaction handle(RequestContext&, const msg::SelectImu3Ext&, Device&);
-Reaction handle(RequestContext&, const msg::AhrsHelperRequest&, Device&);
-Reaction handle(RequestContext&, const msg::AhrsHelperRequestWide&, Device&);
-Reaction handle(RequestContext&, const msg::AhrsHelperRequestExt&, Device&);
-Reaction handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Device&);
-Reaction handle(RequestContext&, const msg::GyroCorrection&, Device&);
-Reaction handle(RequestContext&, const msg::SelectImu3Calibrate&, Device&);
-Reaction handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, Device&);
-Reaction handle(RequestContext&, const msg::ExtImuCmd&, Device&);
-Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, Device&);
+Reaction handle(RequestContext&, const msg::SelectImu3&, Imus&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequest&, Gimbal&, const Imus&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestWide&, Gimbal&, const Imus&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestExt&, Gimbal&, const Imus&,
+                const BoardOptions&);
+Reaction handle(RequestContext&, const msg::AhrsHelperRequestExtWide&, Gimbal&, const Imus&,
+                const BoardOptions&);
+Reaction handle(RequestContext&, const msg::GyroCorrection&, Imus&, Memory&, Gimbal&,
+                const Parameters&);
+Reaction handle(RequestContext&, const msg::SelectImu3Calibrate&, Imus&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::ExtImuDebugInfoRequest&, const BoardOptions&, Gimbal&,
+                const Imus&, const Parameters&, const Tuning&);
+Reaction handle(RequestContext&, const msg::ExtImuCmd&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, const BoardOptions&);
 
 // modules
-Reaction handle(RequestContext&, const msg::ModuleListRequest&, Device&);
-Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, Device&);
-Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, Device&);
+Reaction handle(RequestContext&, const msg::ModuleListRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, const BoardOptions&);
 
 // parameters
 Reaction handle(RequestContext&, const msg::SaveParams3&, Parameters&);
-Reaction handle(RequestContext&, const msg::UseDefaults&, Device&);
-Reaction handle(RequestContext&, const msg::WriteParamsSet&, Device&);
-Reaction handle(RequestContext&, const msg::ProfileSet&, Device&);
+Reaction handle(RequestContext&, const msg::UseDefaults&, Parameters&, Memory&, Imus&);
+Reaction handle(RequestContext&, const msg::WriteParamsSet&, Modes&, Parameters&);
+Reaction handle(RequestContext&, const msg::ProfileSet&, Parameters&);
 
 // peripherals
-Reaction handle(RequestContext&, const msg::TriggerPin&, Device&);
-Reaction handle(RequestContext&, const msg::ServoOut&, Outputs&, Parameters&);
+Reaction handle(RequestContext&, const msg::TriggerPin&, Outputs&, const Parameters&);
+Reaction handle(RequestContext&, const msg::ServoOut&, Outputs&, const Parameters&);
 Reaction handle(RequestContext&, const msg::BeepSound&, Outputs&);
-Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, Device&);
-Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, Device&);
+Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, const I2cBus&,
+                const BoardOptions&, const Eeprom&, Gimbal&);
+Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, I2cBus&, const BoardOptions&, Eeprom&);
 Reaction handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
-Reaction handle(RequestContext&, const msg::ServoOutExt&, Outputs&, Parameters&);
-Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestNoRegister&, Device&);
-Reaction handle(RequestContext&, const msg::I2cReadRegBufRequestWideRegister&, Device&);
+Reaction handle(RequestContext&, const msg::ServoOutExt&, Outputs&, const Parameters&);
 Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
-Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, RemoteControl&);
+Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, const RemoteControl&);
 
 // realtime
 Reaction handle(RequestContext&, const msg::RealtimeData&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
 Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
-Reaction handle(RequestContext&, const msg::DataStreamInterval&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustom2Request&, Device&);
+Reaction handle(RequestContext&, const msg::DataStreamInterval&, Streams&, Ports&,
+                const BoardOptions&, const Imus&, Gimbal&);
 
 // scripting
-Reaction handle(RequestContext&, const msg::RunScript&, Scripts&, FileSystem&);
+Reaction handle(RequestContext&, const msg::RunScript&, Scripts&, const FileSystem&);
 
 // storage
-Reaction handle(RequestContext&, const msg::EepromReadRequest&, Eeprom&);
+Reaction handle(RequestContext&, const msg::EepromReadRequest&, const Eeprom&);
 Reaction handle(RequestContext&, const msg::EepromWrite&, Eeprom&);
-Reaction handle(RequestContext&, const msg::ReadFileRequest&, FileSystem&);
+Reaction handle(RequestContext&, const msg::ReadFileRequest&, const FileSystem&);
 Reaction handle(RequestContext&, const msg::WriteFile&, FileSystem&);
 Reaction handle(RequestContext&, const msg::FsClearAll&, FileSystem&);
 
 // system
-Reaction handle(RequestContext&, const msg::BoardInfoRequest&, Device&);
-Reaction handle(RequestContext&, const msg::BoardInfoRequestOneByte&, Device&);
-Reaction handle(RequestContext&, const msg::BoardInfoRequestExt&, Device&);
-Reaction handle(RequestContext&, const msg::BoardInfo3Request&, Device&);
-Reaction handle(RequestContext&, const msg::ResetRequest&, Restarts&);
+Reaction handle(RequestContext&, const msg::BoardInfoRequest&, const BoardOptions&, Gimbal&,
+                const Modes&, const Tuning&);
+Reaction handle(RequestContext&, const msg::BoardInfo3Request&, const BoardOptions&, const Memory&,
+                const FileSystem&, const Parameters&);
 Reaction handle(RequestContext&, const msg::ResetRequestExt&, Restarts&);
-Reaction handle(RequestContext&, const msg::BootMode3&, Restarts&);
 Reaction handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
 Reaction handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
 Reaction handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
+Reaction handle(RequestContext&, const msg::PassProtectReadRequest&, const Memory&);
+Reaction handle(RequestContext&, const msg::PassProtectWrite&, Memory&);
 Reaction handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

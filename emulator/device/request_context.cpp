@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "device/device.hpp"
+#include "device/features.hpp"
+#include "device/ports.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -33,14 +34,16 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   return result;
 }
 
-RequestContext::RequestContext(Device& device, std::size_t from, std::uint8_t id,
-                               Confirmed confirmed, Instant at)
+RequestContext::RequestContext(Ports& ports, const BoardOptions& options, std::size_t from,
+                               std::uint8_t id, Confirmed confirmed, Instant at)
     : port(from),
       command(id),
       now(at),
-      ports_(device.ports),
-      versions_(device.versions()),
+      ports_(ports),
+      versions_(versions_of(options)),
       confirmed_(confirmed) {}
+
+bool RequestContext::is_usb() const { return ports_.is_usb(port); }
 
 void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
   ports_.send_frame(port, frame);

@@ -20,7 +20,6 @@
 
 namespace sbgc::emulator {
 
-struct Device;
 class Ports;
 
 /// True if a message holds parameters of the board.
@@ -42,8 +41,8 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
 /// response that the model defines (default_response.hpp).
 class RequestContext {
  public:
-  RequestContext(Device& device, std::size_t from, std::uint8_t id, Confirmed confirmed,
-                 Instant at);
+  RequestContext(Ports& ports, const BoardOptions& options, std::size_t from, std::uint8_t id,
+                 Confirmed confirmed, Instant at);
 
   const std::size_t port;
   const std::uint8_t command;  ///< the id of the request
@@ -74,6 +73,8 @@ class RequestContext {
 
   /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
+  /// True if the request came over USB.
+  bool is_usb() const;
   /// The versions of the board and its firmware.
   Availability versions() const { return versions_; }
 

@@ -16,7 +16,6 @@
 
 #include "hosts/listen.hpp"
 #include "serving/argument_text.hpp"
-#include "serving/firmware_text.hpp"
 #include "serving/motion_file.hpp"
 
 namespace sbgc::serving {
@@ -104,14 +103,6 @@ Duration parse_interval(const std::string& text) {
     refuse(text, "a time in seconds from 0.001 to 1000000");
   }
   return result;
-}
-
-msg::FirmwareVersion parse_firmware(const std::string& text) {
-  const msg::FirmwareVersion version = read_firmware(text);
-  if (const std::string problem = problem_of(version); !problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
-  return version;
 }
 
 std::string problem_of(msg::FirmwareVersion version) {

@@ -34,8 +34,6 @@ Duration parse_seconds(const std::string& text);
 /// For example "0.5", in seconds; at least a millisecond.
 Duration parse_interval(const std::string& text);
 
-/// The version of an emulated board.
-msg::FirmwareVersion parse_firmware(const std::string& text);
 /// Returns why a board with this firmware is not emulated; "" if it is. Later firmware has commands
 /// that the emulated board does not support.
 std::string problem_of(msg::FirmwareVersion version);

@@ -68,12 +68,14 @@ void for_each_later_member(Saved& memory, Use&& use) {
   use("profile_sets", memory.profile_sets);
   use("profile_set", memory.profile_set);
   use("state_variables", memory.state_variables);
+  use("pass_protect", memory.pass_protect);
 }
 
 using Blob = std::vector<std::uint8_t>;
 using Blobs = std::array<Blob, Memory::profile_set_slots>;
 
 bool is_default(std::uint8_t profile_set) { return profile_set == Memory{}.profile_set; }
+bool is_default(std::uint32_t pass_protect) { return pass_protect == 0; }
 bool is_default(const Blob& bytes) { return bytes.empty(); }
 bool is_default(const Blobs& blobs) {
   return std::ranges::all_of(blobs, [](const Blob& bytes) { return bytes.empty(); });

@@ -57,7 +57,32 @@ class Decoder:
         raise Malformed("no such message")
 
     def decode(self, message: Object, data: bytes, context: Object) -> Object:
-        """The fields of a body. `context` has the facts from earlier messages that it needs."""
+        """The fields of a body. `context` has the facts from earlier messages that it needs.
+
+        A body may repeat such a fact. The first of both that fits exactly counts.
+        """
+        contexts = [context]
+        for fact in message["context"]:
+            if "repeated_by" in fact:
+                leaf = next(n for n in message["layout"] if n["path"] == fact["repeated_by"])
+                flag = self.enums[fact["enum"]][leaf["when"]["has"][0]]
+                given = context.get(fact["name"], 0)
+                own = data[leaf["offset"] :][: size_of(leaf)].ljust(size_of(leaf), b"\0")
+                value = int.from_bytes(own, "little")
+                values = [given & ~flag, *([value] if value & flag else [])]
+                order = -1 if given & flag else 1
+                contexts = [{**context, fact["name"]: value} for value in values[::order]]
+        for known in contexts:
+            try:
+                fields = self.decode_with(message, data, known)
+            except Malformed:
+                continue
+            if "tail" not in fields:
+                return fields
+        return self.decode_with(message, data, contexts[0])
+
+    def decode_with(self, message: Object, data: bytes, context: Object) -> Object:
+        """The fields of a body with a context that is certain."""
         self.groups = {group["path"]: group for group in message.get("groups", ())}
         self.enum_of_context = {c["name"]: c.get("enum") for c in message["context"]}
         self.context = context

@@ -61,7 +61,7 @@ TEST(Availability, OfFormsThatTakeEachOthersPlace) {
     EXPECT_EQ(is_supported<msg::AhrsHelperRequestExtWide>(info), firmware >= 2695);
   }
   EXPECT_EQ(Meta<msg::AhrsHelperRequest>::info.until.firmware, 2695);
-  EXPECT_EQ(newest_firmware, 2740);
+  EXPECT_EQ(newest_firmware, 2745);
 }
 
 TEST(Availability, ALaterFormSaysTheSame) {

@@ -23,7 +23,7 @@ TEST_P(JsonOfMessage, ComesBackAsTheSameBytes) {
   RandomBodies bodies(17);
   const std::size_t min_size = GetParam()->info->min_size;
   int checked = 0;
-  for (std::size_t i = 0; i < 3000 && checked < 60; ++i) {
+  for (std::size_t i = 0; i < 6000 && checked < 60; ++i) {
     const std::size_t more = is_of_fixed_size(*GetParam()) && i % 4 != 0 ? 0 : i % 200;
     const ByteVector body = bodies.next(std::min(min_size + more, max_body_size));
     auto message = GetParam()->make();

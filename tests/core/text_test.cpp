@@ -50,6 +50,9 @@ TEST(Text, VersionsAreWrittenAsPeopleDo) {
   EXPECT_EQ(to_string(msg::FirmwareVersion(2439)), "2.43b9");
   EXPECT_EQ(to_string(msg::FirmwareVersion(2590)), "2.59");
   EXPECT_EQ(to_string(msg::FirmwareVersion(2305)), "2.30b5");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2729)), "2.72b9");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2730)), "2.73");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2745)), "2.74.5");
   EXPECT_EQ(to_string(msg::FirmwareVersion(0)), "0.00");
   EXPECT_EQ(to_string(msg::BoardVersion(30)), "3.0");
 }

@@ -43,7 +43,10 @@ constexpr Body body_for() {
       if (decode(body.view(), message)) return body;
     }
   }
-  return {};
+  // Counters further inside are 0 at least.
+  Body zeros;
+  zeros.size = M::min_size;
+  return zeros;
 }
 
 template <class M>

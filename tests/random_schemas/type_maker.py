@@ -284,7 +284,10 @@ class TypeMaker:
             self.said({"name": "minor", "divide": 10, "modulo": 100}, False),
             self.said({"name": "beta", "modulo": 10}, False),
         ]
-        firmware = {"type": "u16", "display": "{major}.{minor:02}[b{beta}]", "parts": parts}
+        later = {"from": 2730, "display": "{major}.{minor:02}[.{beta}]"}
+        firmware: Node = {"type": "u16", "display": "{major}.{minor:02}[b{beta}]", "parts": parts}
+        if self.random.random() < 0.5:
+            firmware["later_display"] = later
         parts = [
             self.said({"name": "major", "divide": 10}, False),
             self.said({"name": "minor", "modulo": 10}, False),

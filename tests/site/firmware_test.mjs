@@ -15,7 +15,7 @@ after(() => browser.close());
 
 /** The number of a version as on the wire: 2.68b7 is 2687. */
 const numberOf = (version) => {
-  const [, major, minor, beta] = version.match(/^(\d+)\.(\d+)(?:b(\d+))?$/);
+  const [, major, minor, beta] = version.match(/^(\d+)\.(\d+)(?:[b.](\d+))?$/);
   return Number(major) * 1000 + Number(minor) * 10 + Number(beta ?? 0);
 };
 const since = (thing) => (thing.since?.firmware ? numberOf(thing.since.firmware) : 0);

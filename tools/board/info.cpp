@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,8 @@
 #include "board/connection.hpp"
 #include "command/choices.hpp"
 #include "command/colors.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
@@ -219,15 +218,15 @@ int print_info(const InfoOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_info(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("info", "Show the board, its line and its features");
-  auto options = std::make_shared<InfoOptions>();
-  add_format(*command, options->format);
-  add_gimbal_options(*command, context.gimbal);
+  const Subcommand<InfoOptions> command(app, context, "info",
+                                        "Show the board, its line and its features");
+  auto& options = command.options();
+  add_format(*command, options.format);
   command->footer(
       "'without' lists the features that the board reports it lacks, 'not supported' the commands "
       "that this board or its firmware does not have. The requests that test the line change "
       "nothing. The exit status is 0 if a board answered, 1 if none did, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = print_info(*options, context); });
+  command.runs(print_info);
 }
 
 }  // namespace sbgc::tools

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,10 @@
 #include "board/progress_bar.hpp"
 #include "care/calibrations.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
@@ -62,8 +61,7 @@ void list_calibrations() {
 /// A request with its values.
 struct Chosen {
   const CalibrationForm* form{};
-  const MessageType* type{};
-  Json fields{};
+  AnyMessage request;
   Effects effects{};
   CalibrationOptions options{};
 };
@@ -90,21 +88,20 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
     }
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
-    Chosen result;
-    result.type = &form_with(types, names);
-    result.form = &*std::ranges::find(calibration.forms, result.type->info, &CalibrationForm::info);
+    const MessageType& type = form_with(types, names);
+    Chosen result{.request = new_message(type)};
+    result.form = &*std::ranges::find(calibration.forms, type.info, &CalibrationForm::info);
     const bool says_action = std::ranges::find(names, "action") != names.end();
     if (result.form->has_action && !says_action) assignments.push_back({"action", "REGULAR"});
     // Other actions than calibrating have other effects, which those of the whole form include.
     result.effects = says_action && !options.temperature ? result.form->info->effects
                                                          : calibration.info().effects;
-    result.fields = initial_fields(result.type->fields());
-    assign(*result.type, assignments, result.fields);
-    const std::string problems = violations_of(message_of(*result.type, result.fields), newest);
+    assign(result.request, assignments);
+    const std::string problems = violations_of(result.request, newest);
     if (!problems.empty()) throw ValueError(problems);
-    if (result.form->has_action) {
-      result.options.imu = static_cast<msg::CalibImu>(result.fields.at("imu_idx").get<int>());
-    }
+    result.request.with_leaf("imu_idx", [&](const Leaf& leaf) {
+      result.options.imu = static_cast<msg::CalibImu>(leaf.integer);
+    });
     return result;
   } catch (const std::runtime_error& error) {
     std::string problem = clipped(error.what());
@@ -140,7 +137,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
   }
   Chosen chosen = choose(calibration_named(command.name), command);
   Client client = connect(context.gimbal);
-  require_possible(client, message_of(*chosen.type, chosen.fields));
+  require_possible(client, chosen.request);
   arm(command.arming, sentences(chosen));
   const Interruption interruption;
   ProgressBar bar;
@@ -148,7 +145,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
     bar.show(progress_text(progress));
     return !was_interrupted();
   };
-  const auto ended = chosen.form->run(client, chosen.fields, chosen.options);
+  const auto ended = chosen.form->run(client, chosen.request, chosen.options);
   bar.clear();
   if (was_interrupted() && !ended) {
     throw CommandError(
@@ -171,23 +168,21 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("calibrate", "Calibrate sensors, encoders and motors");
-  auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("what", options->name, "What to calibrate, such as gyro")
+  const Subcommand<CalibrateOptions> command(app, context, "calibrate",
+                                             "Calibrate sensors, encoders and motors");
+  auto& options = command.options();
+  command->add_option("what", options.name, "What to calibrate, such as gyro")
       ->type_name("CALIBRATION");
-  command->add_option("values", options->values, "Fields of the request, as for `sbgc send`")
+  command->add_option("values", options.values, "Fields of the request, as for `sbgc send`")
       ->type_name("FIELD=VALUE");
-  command->add_flag("--list", options->list, "List what can be calibrated");
-  command->add_option("--imu", options->imu, "For gyro, acc, mag: active, main or frame")
+  command->add_flag("--list", options.list, "List what can be calibrated");
+  command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
       ->type_name("active|main|frame");
-  command->add_flag("--temperature", options->temperature,
+  command->add_flag("--temperature", options.temperature,
                     "For gyro and acc: over temperature, which takes up to an hour");
   command
-      ->add_option("--voltage", options->voltage,
-                   "For battery: its measured voltage, such as 12.6V")
+      ->add_option("--voltage", options.voltage, "For battery: its measured voltage, such as 12.6V")
       ->type_name("VOLTAGE");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Says first how to hold the camera. A calibration replaces the stored one. No command stops "
       "it: after Ctrl-C, and if the line is lost, the board goes on.\n"
@@ -199,7 +194,7 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if the calibration is done, or accepted by a board that does not "
       "report the end; 1 if not; 2 for wrong usage; 130 after Ctrl-C.");
-  command->callback([options, &context] { context.status = calibrate(*options, context); });
+  command.runs(calibrate);
 }
 
 }  // namespace sbgc::tools

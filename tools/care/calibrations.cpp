@@ -1,6 +1,7 @@
 #include "care/calibrations.hpp"
 
 #include <sbgc/meta/calibration.hpp>
+#include <sbgc/surplus.hpp>
 
 namespace sbgc::tools {
 
@@ -12,10 +13,9 @@ concept HasAction = requires(M request) {
 };
 
 template <Message M>
-Result<CalibrationEnd> run(Client& client, const Json& fields, const CalibrationOptions& options) {
-  M request{};
-  from_dom(fields, request);
-  return client.run_calibration(request, options);
+Result<CalibrationEnd> run(Client& client, const AnyMessage& request,
+                           const CalibrationOptions& options) {
+  return client.run_calibration(without_surplus(*request.get_if<M>()), options);
 }
 
 template <Message... Forms>

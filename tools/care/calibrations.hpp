@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/client.hpp>
-#include <sbgc/json_dom.hpp>
 #include <sbgc/meta.hpp>
 
 namespace sbgc::tools {
 
 /// A request that starts a calibration.
 struct CalibrationForm {
-  using Run =
-      std::function<Result<CalibrationEnd>(Client&, const Json& fields, const CalibrationOptions&)>;
+  using Run = std::function<Result<CalibrationEnd>(Client&, const AnyMessage& request,
+                                                   const CalibrationOptions&)>;
 
   const MessageInfo* info{};
   Run run{};

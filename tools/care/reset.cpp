@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,13 +12,17 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+struct ResetOptions {
+  Arming arming{};
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -57,9 +60,9 @@ bool pause(std::chrono::milliseconds time) {
   return !was_interrupted();
 }
 
-int reset(const Arming& arming, const CommandContext& context) {
+int reset(const ResetOptions& options, const CommandContext& context) {
   const LineChoice line = choose_line(context.gimbal);
-  begin_restart(line, arming, context);
+  begin_restart(line, options.arming, context);
   const Interruption interruption;
   ProgressBar bar;
   bar.show("the board restarts");
@@ -82,16 +85,13 @@ int reset(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_reset(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("reset", "Restart the board");
-  auto arming = std::make_shared<Arming>();
-  add_arming(*command, *arming);
-  add_gimbal_options(*command, context.gimbal);
+  const Subcommand<ResetOptions> command(app, context, "reset", "Restart the board");
   command->footer(
       "Waits until the board has confirmed the restart and answers again. Settings that are not\n"
       "stored are lost.\n"
       "\n"
       "The exit status is 0 if the board is back, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
-  command->callback([arming, &context] { context.status = reset(*arming, context); });
+  command.runs(reset);
 }
 
 }  // namespace sbgc::tools

@@ -18,11 +18,11 @@
 #include <sbgc/text/values.hpp>
 
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/input.hpp"
 #include "command/remark.hpp"
 #include "command/standard_output.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/capture_frames.hpp"
 #include "frames/decoded_frame.hpp"
@@ -30,8 +30,8 @@
 #include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "serving/firmware_text.hpp"
 #include "values/field_lookup.hpp"
+#include "values/firmware_text.hpp"
 
 namespace sbgc::tools {
 
@@ -115,7 +115,7 @@ DecodePlan plan_of(const DecodeOptions& options) {
   }
   if (!options.firmware.empty()) {
     // Any board: which features it has is not known.
-    plan.output.versions = Availability{serving::read_firmware(options.firmware).raw(), 0xFF};
+    plan.output.versions = Availability{parse_firmware(options.firmware)->raw(), 0xFF};
   }
   try {
     for (const std::string& name : options.messages) plan.output.filter.add_message(name);
@@ -435,13 +435,13 @@ int decode_file(const DecodeOptions& options) {
 }  // namespace
 
 void add_decode(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("decode", "Show the frames of a capture");
-  auto options = std::make_shared<DecodeOptions>();
-  command->add_option("file", options->file, "Capture to read; - means standard input")
+  const Subcommand<DecodeOptions> command(app, context, "decode", "Show the frames of a capture");
+  auto& options = command.options();
+  command->add_option("file", options.file, "Capture to read; - means standard input")
       ->type_name("FILE")
       ->capture_default_str();
   command
-      ->add_option("--from", options->from,
+      ->add_option("--from", options.from,
                    "Sender of the bytes: board, host, or auto, which decides by the size of each "
                    "frame, and prefers the board. A capture file records the sender; then this "
                    "selects the frames to show. Or a time, in seconds since the start of the "
@@ -455,43 +455,38 @@ void add_decode(CLI::App& app, CommandContext& context) {
   command
       ->add_option_function<std::string>(
           "--to",
-          [options](const std::string& text) {
-            options->to = parse_time(text);
-            if (!options->to) throw CLI::ValidationError("--to", "'" + text + "' is not a time");
+          [&options](const std::string& text) {
+            options.to = parse_time(text);
+            if (!options.to) throw CLI::ValidationError("--to", "'" + text + "' is not a time");
           },
           "A time, in seconds since the start of the capture, up to which to show frames")
       ->type_name("TIME");
   command
-      ->add_option("-m,--message", options->messages,
+      ->add_option("-m,--message", options.messages,
                    "Show only this message or command, by name or id; may be repeated")
       ->type_name("MESSAGE")
       ->allow_extra_args(false);
   command
-      ->add_option("-w,--where", options->conditions,
+      ->add_option("-w,--where", options.conditions,
                    "Show only frames whose field holds such a value, as in the examples; may be "
                    "repeated")
       ->type_name("CONDITION")
       ->allow_extra_args(false);
-  add_format(*command, options->format, {"text", "jsonl", "csv"},
+  add_format(*command, options.format, {"text", "jsonl", "csv"},
              "Output format; csv for one kind of message");
-  command->add_flag("--real", options->real,
+  command->add_flag("--real", options.real,
                     "Add the values in their units, and their names, to JSON lines");
   command
-      ->add_option("--firmware", options->firmware,
+      ->add_option("--firmware", options.firmware,
                    "Firmware of the board, such as 2.59: name what it does not know")
       ->type_name("VERSION")
       ->check([](const std::string& text) -> std::string {
-        try {
-          serving::read_firmware(text);
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-        return {};
+        if (parse_firmware(text)) return {};
+        return fmt::format("'{}' is not {}", text, firmware_example);
       });
   auto* const hex = command->add_flag(
-      "--hex", options->hex, "Read hex text, which is also recognized without this option");
-  command->add_flag("--raw", options->raw, "Read raw bytes, whatever they look like")
-      ->excludes(hex);
+      "--hex", options.hex, "Read hex text, which is also recognized without this option");
+  command->add_flag("--raw", options.raw, "Read raw bytes, whatever they look like")->excludes(hex);
   command->footer(
       "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
@@ -515,7 +510,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
       "could not be read or contained none; 2 for wrong usage.");
-  command->callback([options, &context] { context.status = decode_file(*options); });
+  command.runs(decode_file);
 }
 
 }  // namespace sbgc::tools

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,10 +11,10 @@
 #include <sbgc/json/hex.hpp>
 #include <sbgc/parse_json.hpp>
 
-#include "command/commands.hpp"
 #include "command/input.hpp"
 #include "command/remark.hpp"
 #include "command/standard_output.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/encode_line.hpp"
 
@@ -58,20 +57,19 @@ int encode_file(const EncodeOptions& options) {
 }  // namespace
 
 void add_encode(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("encode", "Encode JSON lines to frames");
-  auto options = std::make_shared<EncodeOptions>();
+  const Subcommand<EncodeOptions> command(app, context, "encode", "Encode JSON lines to frames");
+  auto& options = command.options();
   command
-      ->add_option("file", options->file,
+      ->add_option("file", options.file,
                    "JSON lines as printed by `sbgc decode --format jsonl`; - means standard "
                    "input. 'message' and 'fields' are required; 'message' may be the name of a "
                    "command, such as CMD_MOTORS_ON")
       ->capture_default_str();
-  command->add_flag("--hex", options->hex,
-                    "Print each frame as a line of hex instead of raw bytes");
-  command->add_flag("--no-validate", options->rules.no_validate,
+  command->add_flag("--hex", options.hex, "Print each frame as a line of hex instead of raw bytes");
+  command->add_flag("--no-validate", options.rules.no_validate,
                     "Also encode values that the specification does not allow");
   command->add_flag(
-      "--defaults", options->rules.defaults,
+      "--defaults", options.rules.defaults,
       "Fill in fields that a line leaves out: 0, empty, or the default of the specification");
   command->footer(
       "Numbers are those on the wire. Enums, flags and packed values may be names instead: "
@@ -79,7 +77,7 @@ void add_encode(CLI::App& app, CommandContext& context) {
       "A line may have up to 16 MiB and 64 nested levels, and no duplicate keys. A line that "
       "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is "
       "2 for wrong usage.");
-  command->callback([options, &context] { context.status = encode_file(*options); });
+  command.runs(encode_file);
 }
 
 }  // namespace sbgc::tools

@@ -8,7 +8,6 @@
 #include <sbgc/validate.hpp>
 
 #include "command/input.hpp"
-#include "values/assignments.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
 
@@ -80,7 +79,8 @@ Framing framing_named_in(const Json& line) {
 /// Returns a frame. Throws InputError and JsonError.
 std::vector<std::uint8_t> encode_fields(const MessageType& type, const Json& fields,
                                         Framing framing, const EncodeRules& rules) {
-  const AnyMessage message = message_of(type, fields);
+  const AnyMessage message =
+      rules.defaults ? message_with_defaults(type, fields) : message_of(type, fields);
   if (!rules.no_validate) {
     const std::string problems = violations_of(message, newest);
     if (!problems.empty()) throw InputError(problems);
@@ -88,9 +88,9 @@ std::vector<std::uint8_t> encode_fields(const MessageType& type, const Json& fie
   return encoded(message, framing);
 }
 
-bool works_with_defaults(const MessageType& message, Json fields, const EncodeRules& rules) {
+bool works_with_defaults(const MessageType& message, const Json& fields, EncodeRules rules) {
+  rules.defaults = true;
   try {
-    add_defaults(message, fields);
     static_cast<void>(encode_fields(message, fields, basic_framing, rules));
     return true;
   } catch (const std::runtime_error&) {
@@ -113,7 +113,6 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeRules
   Json fields = line.value("fields", Json::object());
   if (!line.contains("fields") && !rules.defaults) throw InputError("'fields' is missing");
   replace_names(message, fields);
-  if (rules.defaults) add_defaults(message, fields);
   const Framing framing = framing_named_in(line);
   try {
     return encode_fields(message, fields, framing, rules);

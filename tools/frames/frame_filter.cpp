@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/json/hex.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "command/wording.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
-#include "values/value_text.hpp"
 
 namespace sbgc::tools {
 
@@ -80,18 +82,18 @@ std::string FieldCondition::add_target(const MessageType& message) {
     if (type.shape == FieldShape::group) {
       return fmt::format("{} of {} is a group; name one of its fields", path, message.info->name);
     }
-    try {
-      target.value = parse_value(type, type.unit, value_, initial_value(type));
-    } catch (const ValueError& error) {
-      return fmt::format("{} of {}: {}", path, message.info->name, error.what());
-    }
+    ParsedValue parsed =
+        parse_value(type, type.unit, value_, static_cast<std::uint64_t>(type.initial));
+    if (!parsed) return fmt::format("{} of {}: {}", path, message.info->name, parsed.problem);
+    target.value = std::move(parsed.value);
     target.paths.push_back(path);
   }
   if (!target.paths.empty()) targets_.emplace(message.info, std::move(target));
   return {};
 }
 
-bool FieldCondition::compare(double value, double with) const {
+template <class Number>
+bool FieldCondition::compare(Number value, Number with) const {
   switch (operator_) {
     case Operator::equal: return value == with;
     case Operator::unequal: return value != with;
@@ -112,14 +114,16 @@ bool FieldCondition::holds(const DecodedFrame& frame) const {
   bool result = false;
   for_each_value(frame, [&](const Leaf& leaf, bool has_arrived) {
     if (result || !has_arrived || !target.means(to_string(leaf.path))) return;
-    if (target.value.is_number()) {
-      const double value =
-          leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
-      result = compare(value, target.value.get<double>());
-    } else if (target.value.is_string()) {
-      const std::string value =
-          leaf.kind == LeafKind::text ? std::string(leaf.text) : raw_text(leaf);
-      const bool is_equal = value == target.value.get<std::string>();
+    if (const auto* const integer = std::get_if<std::int64_t>(&target.value)) {
+      result = compare(leaf.integer, *integer);
+    } else if (const auto* const real = std::get_if<double>(&target.value)) {
+      result = compare(leaf.real, *real);
+    } else {
+      const auto* const text = std::get_if<std::string>(&target.value);
+      const auto* const bytes = std::get_if<std::vector<std::uint8_t>>(&target.value);
+      const bool is_equal = text != nullptr    ? leaf.text == *text
+                            : bytes != nullptr ? raw_text(leaf) == detail::to_hex(*bytes)
+                                               : false;
       result =
           operator_ == Operator::unequal ? !is_equal : operator_ == Operator::equal && is_equal;
     }

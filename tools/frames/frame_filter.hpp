@@ -2,15 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <sbgc/json_dom.hpp>
+#include <sbgc/any.hpp>
 
 #include "frames/decoded_frame.hpp"
-#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 
@@ -33,13 +33,14 @@ class FieldCondition {
   // NOLINTNEXTLINE(bugprone-exception-escape): moving Json throws nothing
   struct Target {
     std::vector<std::string> paths{};
-    Json value{};
+    AnyValue value{};
 
     bool means(std::string_view path) const;
   };
 
   std::string add_target(const MessageType& message);
-  bool compare(double value, double with) const;
+  template <class Number>
+  bool compare(Number value, Number with) const;
 
   std::string name_{};
   Operator operator_{};

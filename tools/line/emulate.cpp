@@ -4,7 +4,6 @@
 #include <csignal>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,12 +22,13 @@
 
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
 #include "serving/service.hpp"
+#include "values/firmware_text.hpp"
 
 namespace sbgc::tools {
 
@@ -161,11 +161,19 @@ std::string problem_of_path(const std::string& path) {
   return path.empty() ? "the path is empty" : "";
 }
 
+msg::FirmwareVersion firmware_to_emulate(const std::string& text) {
+  const auto version = parse_firmware(text);
+  std::string problem = version ? serving::problem_of(*version)
+                                : fmt::format("'{}' is not {}", text, firmware_example);
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  return *version;
+}
+
 void add_board_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
   emulator::BoardOptions& board = service.emulator.board;
   add_parsed(
-      command, "--firmware", serving::parse_firmware,
+      command, "--firmware", firmware_to_emulate,
       [&](msg::FirmwareVersion version) {
         board.firmware = version;
         service.firmware_is_given = true;
@@ -330,17 +338,17 @@ void check(EmulateOptions& options) {
 }  // namespace
 
 void add_emulate(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them");
-  auto options = std::make_shared<EmulateOptions>();
-  add_endpoint_options(*command, *options);
-  add_board_options(*command, *options);
-  add_line_options(*command, *options);
-  command->add_flag("-v,--verbose", options->verbose,
+  const Subcommand<EmulateOptions> command(app, context, "emulate",
+                                           "Emulate gimbals for programs that talk to them");
+  auto& options = command.options();
+  add_endpoint_options(*command, options);
+  add_board_options(*command, options);
+  add_line_options(*command, options);
+  command->add_flag("-v,--verbose", options.verbose,
                     "Print each frame, and hosts that connect and leave");
   add_parsed(
       *command, "--seconds", serving::parse_seconds,
-      [options](Duration time) { options->seconds = time; },
+      [&options](Duration time) { options.seconds = time; },
       "Stop after this time; otherwise with Ctrl-C", "SECONDS");
   command->footer(
       "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
@@ -355,9 +363,9 @@ void add_emulate(CLI::App& app, CommandContext& context) {
       "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end of standard "
       "input; 1 if something cannot be opened or saved; 2 for wrong usage, including a motion "
       "file that cannot be read.");
-  command->callback([options, &context] {
-    check(*options);
-    context.status = serve(*options);
+  command.runs([](EmulateOptions& chosen) {
+    check(chosen);
+    return serve(chosen);
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -13,7 +12,7 @@
 
 #include "board/listed_ports.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
@@ -56,10 +55,11 @@ int print_ports(const PortsOptions& options) {
 }  // namespace
 
 void add_ports(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
-  auto options = std::make_shared<PortsOptions>();
-  add_format(*command, options->format);
-  command->callback([options, &context] { context.status = print_ports(*options); });
+  const Subcommand<PortsOptions> command(app, context, "ports",
+                                         "List the serial ports of this machine");
+  auto& options = command.options();
+  add_format(*command, options.format);
+  command.runs(print_ports);
 }
 
 }  // namespace sbgc::tools

@@ -28,12 +28,12 @@
 #include <sbgc/io/recorder.hpp>
 
 #include "board/reconnecting.hpp"
-#include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/standard_output.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "line/stream_interval.hpp"
 #include "line/stream_type.hpp"
@@ -249,6 +249,9 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
 
 /// With --stream or a gimbal of its own, the board is asked; otherwise the line is listened to.
 int run_record(RecordOptions options, CommandContext& context) {
+  if (options.seconds) {
+    options.time = std::chrono::milliseconds(std::llround(*options.seconds * 1000));
+  }
   options.file = options.places.back();
   if (options.file == "-") require_no_terminal("a file instead of -");
   const bool has_address = options.places.size() == 2;
@@ -276,10 +279,11 @@ int run_record(RecordOptions options, CommandContext& context) {
 }  // namespace
 
 void add_record(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("record", "Record the output of a board to a capture");
-  auto options = std::make_shared<RecordOptions>();
+  const Subcommand<RecordOptions> command(app, context, "record",
+                                          "Record the output of a board to a capture");
+  auto& options = command.options();
   command
-      ->add_option("places", options->places,
+      ->add_option("places", options.places,
                    "The capture; an existing file gets a new session, - means standard output. "
                    "Before it, an address: then the line is only listened to, unless --stream is "
                    "given; also pty: and capture:FILE")
@@ -287,22 +291,21 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->expected(1, 2)
       ->type_name("[ADDRESS] FILE");
   command
-      ->add_option("--stream", options->streams,
+      ->add_option("--stream", options.streams,
                    "Ask the board for this data stream, with the flags that choose its contents; "
                    "may be repeated")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME[:WITH]");
   command
-      ->add_option("--rate", options->rates,
+      ->add_option("--rate", options.rates,
                    "Messages of a stream per second (50): one for each --stream, or one for all")
       ->take_all()
       ->allow_extra_args(false)
       ->check(number_range(0.02, 1000.0));
-  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
-  command->add_option("--seconds", options->seconds, "The same, as a number of seconds")
+  add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
+  command->add_option("--seconds", options.seconds, "The same, as a number of seconds")
       ->check(number_range(0.0, 1e9));
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "With --port, --gimbal or --stream, the command connects to the board; if the line is lost, "
       "it connects again, and the capture gets a new session. With an address only, it sends "
@@ -313,12 +316,7 @@ void add_record(CLI::App& app, CommandContext& context) {
       "Examples:\n"
       "  sbgc record --stream RealtimeData4 --rate 20 --for 5s capture\n"
       "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 5s capture");
-  command->callback([options, &context] {
-    if (options->seconds) {
-      options->time = std::chrono::milliseconds(std::llround(*options->seconds * 1000));
-    }
-    context.status = run_record(*options, context);
-  });
+  command.runs(run_record);
 }
 
 }  // namespace sbgc::tools

@@ -1,7 +1,6 @@
 // sbgc send: any message to the board, with values from the command line.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,16 +17,17 @@
 #include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/standard_output.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_text.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
+#include "values/message_json.hpp"
 #include "values/message_names.hpp"
 
 namespace sbgc::tools {
@@ -106,10 +106,9 @@ Outgoing outgoing_of(const SendOptions& options) {
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
     const MessageType& type = form_with(forms, names);
-    Json fields = initial_fields(type.fields());
-    assign(type, assignments, fields);
-    add_demanded(type, fields);
-    AnyMessage message = message_of(type, fields);
+    AnyMessage message = new_message(type);
+    assign(message, assignments);
+    add_demanded(message);
     std::string values = values_text(message, assignments);
     const std::string problems = options.no_validate ? "" : violations_of(message, newest);
     if (!problems.empty()) throw ValueError(problems);
@@ -232,6 +231,9 @@ int send_raw(const SendOptions& options, const CommandContext& context) {
 }
 
 int send(const SendOptions& options, const CommandContext& context) {
+  if (options.name.empty() != options.id.has_value()) {
+    throw CommandError("give either a message or --id", wrong_usage);
+  }
   if (options.id) return send_raw(options, context);
   const Outgoing out = outgoing_of(options);
   if (options.dry_run) return dry_run(options, out);
@@ -273,29 +275,28 @@ int send(const SendOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_send(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("send", "Send any message and print the response");
-  auto options = std::make_shared<SendOptions>();
+  const Subcommand<SendOptions> command(app, context, "send",
+                                        "Send any message and print the response");
+  auto& options = command.options();
   command
-      ->add_option("name", options->name,
+      ->add_option("name", options.name,
                    "The message: our name (GetAnglesRequest) or that of the command "
                    "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
       ->type_name("MESSAGE");
-  command->add_option("values", options->values, "Values of fields; others are 0 or empty")
+  command->add_option("values", options.values, "Values of fields; others are 0 or empty")
       ->type_name("FIELD=VALUE");
-  auto* const id = command->add_option("--id", options->id,
+  auto* const id = command->add_option("--id", options.id,
                                        "Send the bytes of --body as this command, also one that "
                                        "is not known here, instead of a message");
   id->type_name("NUMBER")->check(CLI::Range(1, 255));
-  command->add_option("--body", options->body, "The body of --id; without it, the body is empty")
+  command->add_option("--body", options.body, "The body of --id; without it, the body is empty")
       ->type_name("HEX")
       ->needs(id);
-  add_format(*command, options->format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
-  command->add_flag("--dry-run", options->dry_run,
+  add_format(*command, options.format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
+  command->add_flag("--dry-run", options.dry_run,
                     "Print the frame and what it does; send nothing and open no line");
-  command->add_flag("--no-validate", options->no_validate,
+  command->add_flag("--no-validate", options.no_validate,
                     "Also send values that the specification does not allow");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
       "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
@@ -312,12 +313,7 @@ void add_send(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
       "confirmed, 2 for wrong usage.");
-  command->callback([options, &context] {
-    if (options->name.empty() != options->id.has_value()) {
-      throw CommandError("give either a message or --id", wrong_usage);
-    }
-    context.status = send(*options, context);
-  });
+  command.runs(send);
 }
 
 }  // namespace sbgc::tools

@@ -16,11 +16,11 @@
 
 #include "board/reconnecting.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
 #include "frames/sample_writer.hpp"
@@ -204,27 +204,27 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_stream(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("stream", "Show the values of a data stream");
-  auto options = std::make_shared<StreamOptions>();
-  command->add_option("name", options->name, "The message, such as RealtimeData4")
+  const Subcommand<StreamOptions> command(app, context, "stream",
+                                          "Show the values of a data stream");
+  auto& options = command.options();
+  command->add_option("name", options.name, "The message, such as RealtimeData4")
       ->type_name("STREAM")
       ->required();
-  add_rate(*command, options->rate);
-  add_format(*command, options->format, {"text", "jsonl", "csv"}, "Output format; text is a table");
+  add_rate(*command, options.rate);
+  add_format(*command, options.format, {"text", "jsonl", "csv"}, "Output format; text is a table");
   command
-      ->add_option("--fields", options->fields,
+      ->add_option("--fields", options.fields,
                    "Only these fields, separated by commas: paths, unique ends of paths, or "
                    "patterns with *")
       ->type_name("FIELDS");
   command
-      ->add_option("--with", options->with,
+      ->add_option("--with", options.with,
                    "What the messages contain, if the request chooses it: flags joined by |, or "
                    "NAME=VALUE, separated by commas. By default, what --fields needs")
       ->type_name("FLAGS");
-  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
-  command->add_flag("--unix-time", options->unix_time,
+  add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
+  command->add_flag("--unix-time", options.unix_time,
                     "Write the time since 1970 instead of that since the start");
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
       "empty. The time is that of arrival. If the line is lost, the command connects again and "
@@ -235,7 +235,7 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "Examples:\n"
       "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
       "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");
-  command->callback([options, &context] { context.status = run_stream(*options, context); });
+  command.runs(run_stream);
 }
 
 }  // namespace sbgc::tools

@@ -9,10 +9,10 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 #include <sbgc/dispatch.hpp>
-#include <sbgc/json_dom.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
+#include <sbgc/surplus.hpp>
 
 #include "board/connection.hpp"
 #include "command/command_error.hpp"
@@ -54,26 +54,16 @@ std::optional<RequestField> content_flags(const roles::StreamRequest& request) {
   return found;
 }
 
-/// Replaces the request by one with this JSON. Throws CommandError.
-void replace(roles::StreamRequest& request, const Json& json) {
-  try {
-    roles::StreamRequest changed{};
-    from_dom(json, changed);
-    request = changed;
-  } catch (const JsonError& error) {
-    throw CommandError(error.what(), wrong_usage);
-  }
-}
-
 /// Sets fields of the request, as on the command line of `sbgc send`. Throws CommandError.
 void set(roles::StreamRequest& request, const std::vector<Assignment>& assignments) {
-  Json json = to_dom(request);
+  AnyMessage message = find_message(Meta<roles::StreamRequest>::info.name)->make();
+  static_cast<roles::StreamRequest&>(*message.get_if<roles::StreamRequest>()) = request;
   try {
-    assign(*find_message(Meta<roles::StreamRequest>::info.name), assignments, json);
+    assign(message, assignments);
   } catch (const ValueError& error) {
     throw CommandError(error.what(), wrong_usage);
   }
-  replace(request, json);
+  request = without_surplus(*message.get_if<roles::StreamRequest>());
 }
 
 /// Adds the configuration that the message of the stream requires, as zeros.

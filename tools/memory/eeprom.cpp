@@ -1,7 +1,6 @@
 // sbgc eeprom: copies the EEPROM of the board.
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,9 +13,9 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "memory/local_file.hpp"
 
@@ -24,11 +23,16 @@ namespace sbgc::tools {
 
 namespace {
 
-struct EepromOptions {
+struct EepromToRead {
   std::string file{};
   std::uint32_t address = 0;
   std::optional<std::size_t> size{};
   bool force = false;
+};
+
+struct EepromToWrite {
+  std::string file{};
+  std::uint32_t address = 0;
   Arming arming{};
 };
 
@@ -48,7 +52,7 @@ std::size_t rest_of(const BoardIdentity& board, std::uint32_t address) {
   return size - address;
 }
 
-int read(const EepromOptions& options, const CommandContext& context) {
+int read_eeprom(const EepromToRead& options, const CommandContext& context) {
   check_replaceable(options.file, options.force);
   Client client = connect(context.gimbal);
   const Interruption interruption;
@@ -64,7 +68,7 @@ int read(const EepromOptions& options, const CommandContext& context) {
   return success;
 }
 
-int write(const EepromOptions& options, const CommandContext& context) {
+int write_eeprom(const EepromToWrite& options, const CommandContext& context) {
   constexpr std::size_t most = 1U << 24U;
   auto data = read_local_file(options.file, most);
   Client client = connect(context.gimbal);
@@ -94,27 +98,24 @@ int write(const EepromOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_eeprom(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("eeprom", "Copy the EEPROM of the board");
-  command->require_subcommand(1);
-  auto options = std::make_shared<EepromOptions>();
-  const auto add = [&](const char* name, const char* text) {
-    auto* const part = command->add_subcommand(name, text);
-    part->add_option("file", options->file, "The file on this computer")->required();
-    part->add_option("--address", options->address, "The first byte in the EEPROM")
+  auto* const eeprom = app.add_subcommand("eeprom", "Copy the EEPROM of the board");
+  eeprom->require_subcommand(1);
+  const auto add_place = [](const auto& command) {
+    command->add_option("file", command.options().file, "The file on this computer")->required();
+    command->add_option("--address", command.options().address, "The first byte in the EEPROM")
         ->type_name("BYTE")
         ->capture_default_str();
-    add_gimbal_options(*part, context.gimbal);
-    return part;
   };
-  auto* const reading = add("read", "Read the EEPROM into a file");
-  reading->add_option("--size", options->size, "How many bytes; otherwise up to the end")
+  const Subcommand<EepromToRead> reading(*eeprom, context, "read", "Read the EEPROM into a file");
+  add_place(reading);
+  reading->add_option("--size", reading.options().size, "How many bytes; otherwise up to the end")
       ->type_name("BYTES");
-  reading->add_flag("--force", options->force, "Replace the file if it exists");
-  reading->callback([options, &context] { context.status = read(*options, context); });
-  auto* const writing = add("write", "Write a file to the EEPROM");
-  add_arming(*writing, options->arming);
-  writing->callback([options, &context] { context.status = write(*options, context); });
-  command->footer(
+  reading->add_flag("--force", reading.options().force, "Replace the file if it exists");
+  reading.runs(read_eeprom);
+  const Subcommand<EepromToWrite> writing(*eeprom, context, "write", "Write a file to the EEPROM");
+  add_place(writing);
+  writing.runs(write_eeprom);
+  eeprom->footer(
       "Bytes that are written are read back and compared. For parameters, use `sbgc params`: it "
       "checks them.\n"
       "\n"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,9 +12,9 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "memory/local_file.hpp"
 
@@ -23,12 +22,25 @@ namespace sbgc::tools {
 
 namespace {
 
-struct FilesOptions {
-  std::uint16_t id = 0;
+struct FilesToList {
   std::uint16_t first = 0;
   std::uint16_t last = 31;
+};
+
+struct FileToGet {
+  std::uint16_t id = 0;
   std::string file{};
   bool force = false;
+};
+
+struct FileToPut {
+  std::uint16_t id = 0;
+  std::string file{};
+  Arming arming{};
+};
+
+struct FilesToDelete {
+  std::optional<std::uint16_t> id{};
   bool all = false;
   Arming arming{};
 };
@@ -39,7 +51,7 @@ TransferOptions with_progress(ProgressBar& bar) {
   return options;
 }
 
-int list(const FilesOptions& options, const CommandContext& context) {
+int list_files(const FilesToList& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   const Interruption interruption;
   ProgressBar bar("ids");
@@ -56,7 +68,7 @@ int list(const FilesOptions& options, const CommandContext& context) {
   return success;
 }
 
-int get(const FilesOptions& options, const CommandContext& context) {
+int get_file(const FileToGet& options, const CommandContext& context) {
   check_replaceable(options.file, options.force);
   Client client = connect(context.gimbal);
   const Interruption interruption;
@@ -68,7 +80,7 @@ int get(const FilesOptions& options, const CommandContext& context) {
   return success;
 }
 
-int put(const FilesOptions& options, const CommandContext& context) {
+int put_file(const FileToPut& options, const CommandContext& context) {
   auto data = read_local_file(options.file, std::numeric_limits<std::uint16_t>::max());
   Client client = connect(context.gimbal);
   require_possible(client, msg::WriteFile{}, false);
@@ -85,17 +97,18 @@ int put(const FilesOptions& options, const CommandContext& context) {
   return success;
 }
 
-int remove(const FilesOptions& options, const CommandContext& context) {
+int delete_files(const FilesToDelete& options, const CommandContext& context) {
+  if (!options.id && !options.all) throw CommandError("say which file, or --all", wrong_usage);
   Client client = connect(context.gimbal);
   if (options.all) {
     require_possible(client, msg::FsClearAll{});
   } else {
-    value_of(client.file_size(options.id));
+    value_of(client.file_size(*options.id));
   }
   arm(options.arming,
       options.all ? "All files in the memory of the board are deleted."
-                  : fmt::format("File {} in the memory of the board is deleted.", options.id));
-  value_of(options.all ? client.delete_all_files() : client.delete_file(options.id));
+                  : fmt::format("File {} in the memory of the board is deleted.", *options.id));
+  value_of(options.all ? client.delete_all_files() : client.delete_file(*options.id));
   remark("deleted\n");
   return success;
 }
@@ -103,46 +116,38 @@ int remove(const FilesOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_files(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("files", "Files in the memory of the board");
-  command->require_subcommand(1);
-  auto options = std::make_shared<FilesOptions>();
-  const auto add = [&](const char* name, const char* text) {
-    auto* const part = command->add_subcommand(name, text);
-    add_gimbal_options(*part, context.gimbal);
-    return part;
+  auto* const files = app.add_subcommand("files", "Files in the memory of the board");
+  files->require_subcommand(1);
+  const auto add_id = [](const auto& command) {
+    return command->add_option("id", command.options().id, "The number of the file")
+        ->type_name("ID");
   };
-  const auto add_id = [&](CLI::App* part) {
-    return part->add_option("id", options->id, "The number of the file")->type_name("ID");
-  };
-  auto* const listing = add("list", "List the files with a range of ids");
-  listing->add_option("--first", options->first, "The first id to look for")
+  const Subcommand<FilesToList> listing(*files, context, "list",
+                                        "List the files with a range of ids");
+  listing->add_option("--first", listing.options().first, "The first id to look for")
       ->type_name("ID")
       ->capture_default_str();
-  listing->add_option("--last", options->last, "The last id to look for")
+  listing->add_option("--last", listing.options().last, "The last id to look for")
       ->type_name("ID")
       ->capture_default_str();
-  listing->callback([options, &context] { context.status = list(*options, context); });
-  auto* const getting = add("get", "Copy a file of the board to this computer");
+  listing.runs(list_files);
+  const Subcommand<FileToGet> getting(*files, context, "get",
+                                      "Copy a file of the board to this computer");
   add_id(getting)->required();
-  getting->add_option("file", options->file, "The file on this computer")->required();
-  getting->add_flag("--force", options->force, "Replace the file if it exists");
-  getting->callback([options, &context] { context.status = get(*options, context); });
-  auto* const putting = add("put", "Copy a file of this computer to the board");
+  getting->add_option("file", getting.options().file, "The file on this computer")->required();
+  getting->add_flag("--force", getting.options().force, "Replace the file if it exists");
+  getting.runs(get_file);
+  const Subcommand<FileToPut> putting(*files, context, "put",
+                                      "Copy a file of this computer to the board");
   add_id(putting)->required();
-  putting->add_option("file", options->file, "The file on this computer")->required();
-  add_arming(*putting, options->arming);
-  putting->callback([options, &context] { context.status = put(*options, context); });
-  auto* const removing = add("delete", "Delete a file of the board, or all");
-  auto* const id = add_id(removing);
-  removing->add_flag("--all", options->all, "Delete all files")->excludes(id);
-  add_arming(*removing, options->arming);
-  removing->callback([options, id, &context] {
-    if (id->count() == 0 && !options->all) {
-      throw CommandError("say which file, or --all", wrong_usage);
-    }
-    context.status = remove(*options, context);
-  });
-  command->footer(
+  putting->add_option("file", putting.options().file, "The file on this computer")->required();
+  putting.runs(put_file);
+  const Subcommand<FilesToDelete> removing(*files, context, "delete",
+                                           "Delete a file of the board, or all");
+  removing->add_flag("--all", removing.options().all, "Delete all files")
+      ->excludes(add_id(removing));
+  removing.runs(delete_files);
+  files->footer(
       "The protocol cannot list files: 'list' asks for each id. What is written is read back and "
       "compared.\n"
       "\n"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,26 +13,32 @@
 #include "board/connection.hpp"
 #include "command/arming.hpp"
 #include "command/background_output.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-struct ScriptOptions {
-  unsigned slot{};  // from 1, as the board's menu counts
+// Slots count from 1, as in the board's menu.
+struct ScriptToStart {
+  unsigned slot{};
   Arming arming{};
 };
 
-void run(Client& client, const ScriptOptions& options, msg::ScriptMode mode,
-         const CommandContext& context) {
+struct ScriptToStop {
+  unsigned slot{};
+};
+
+struct NoChoice {};
+
+void run(Client& client, unsigned slot, msg::ScriptMode mode, const CommandContext& context) {
   CallOptions call = call_options(context.gimbal);
   call.expect_confirmation = true;
   msg::RunScript request;
   request.mode = mode;
-  request.slot = static_cast<std::uint8_t>(options.slot - 1);
+  request.slot = static_cast<std::uint8_t>(slot - 1);
   value_of(Result<void>(client.call(request, call)));
 }
 
@@ -55,7 +60,7 @@ void require_script(const Client& client, unsigned slot) {
       fmt::format("there is no script in slot {}; `sbgc script list` shows the scripts", slot));
 }
 
-int start(const ScriptOptions& options, const CommandContext& context) {
+int start_script(const ScriptToStart& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   require_possible(client, msg::RunScript{});
   require_script(client, options.slot);
@@ -64,21 +69,21 @@ int start(const ScriptOptions& options, const CommandContext& context) {
                   "the camera, change parameters, restart the board. It goes on after this command "
                   "has ended; `sbgc script stop {}` stops it.",
                   options.slot, options.slot));
-  run(client, options, msg::ScriptMode::start, context);
+  run(client, options.slot, msg::ScriptMode::start, context);
   remark("the script in slot {} has started\n", options.slot);
   return success;
 }
 
-int stop(const ScriptOptions& options, const CommandContext& context) {
+int stop_script(const ScriptToStop& options, const CommandContext& context) {
   remark_in_background();
   Client client = connect(context.gimbal);
-  run(client, options, msg::ScriptMode::stop, context);
+  run(client, options.slot, msg::ScriptMode::stop, context);
   remark("the script in slot {} has stopped; what it set in motion goes on until `sbgc stop`\n",
          options.slot);
   return success;
 }
 
-int list(const CommandContext& context) {
+int list_scripts(const NoChoice& /*none*/, const CommandContext& context) {
   const std::vector<std::size_t> sizes = script_sizes(connect(context.gimbal));
   if (sizes.empty()) throw CommandError("the board does not tell about its scripts");
   constexpr std::size_t always_shown = 5;  // only later firmware has more slots
@@ -92,30 +97,24 @@ int list(const CommandContext& context) {
 }  // namespace
 
 void add_script(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("script", "Start and stop the scripts of the board");
-  command->require_subcommand(1);
-  auto options = std::make_shared<ScriptOptions>();
-  const auto add = [&](const char* name, const char* text) {
-    auto* const part = command->add_subcommand(name, text);
-    add_gimbal_options(*part, context.gimbal);
-    return part;
-  };
-  const auto add_slot = [&](CLI::App* part) {
+  auto* const script = app.add_subcommand("script", "Start and stop the scripts of the board");
+  script->require_subcommand(1);
+  const auto add_slot = [](const auto& command) {
     constexpr unsigned slots = std::numeric_limits<std::uint8_t>::max();
-    part->add_option("slot", options->slot, "The slot of the script, counted from 1")
+    command->add_option("slot", command.options().slot, "The slot of the script, counted from 1")
         ->required()
         ->check(CLI::Range(1U, slots).description(""));
   };
-  auto* const listing = add("list", "Show the sizes of the scripts");
-  listing->callback([&context] { context.status = list(context); });
-  auto* const starting = add("start", "Start a script");
+  const Subcommand<NoChoice> listing(*script, context, "list", "Show the sizes of the scripts");
+  listing.runs(list_scripts);
+  const Subcommand<ScriptToStart> starting(*script, context, "start", "Start a script");
   add_slot(starting);
-  add_arming(*starting, options->arming);
-  starting->callback([options, &context] { context.status = start(*options, context); });
-  auto* const stopping = add("stop", "Stop a script, without asking");
+  starting.runs(start_script);
+  const Subcommand<ScriptToStop> stopping(*script, context, "stop",
+                                          "Stop a script, without asking");
   add_slot(stopping);
-  stopping->callback([options, &context] { context.status = stop(*options, context); });
-  command->footer(
+  stopping.runs(stop_script);
+  script->footer(
       "The specification does not say which file holds a script; `sbgc files` copies files by "
       "their "
       "number.\n"

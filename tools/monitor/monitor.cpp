@@ -1,7 +1,6 @@
 // sbgc monitor: a live view of a gimbal, on the whole terminal.
 
 #include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,9 +10,9 @@
 
 #include "board/connection.hpp"
 #include "board/listed_ports.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
+#include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "monitor/gimbal_state.hpp"
 #include "monitor/pages.hpp"
@@ -145,20 +144,20 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_monitor(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("monitor", "Watch a gimbal live on the whole terminal");
-  auto options = std::make_shared<MonitorOptions>();
-  command->add_option("--rate", options->rate, "Messages per second")
+  const Subcommand<MonitorOptions> command(app, context, "monitor",
+                                           "Watch a gimbal live on the whole terminal");
+  auto& options = command.options();
+  command->add_option("--rate", options.rate, "Messages per second")
       ->type_name("HZ")
       ->check(number_range(1.0, 200.0))
       ->capture_default_str();
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Keys: 1 to 4, Tab and left and right choose the page, p or space pauses the display, z "
       "shows "
       "angles relative to the present ones, up and down scroll, q quits.\n"
       "It only reads. If the line is lost, it connects again by itself. The exit status is 0 after "
       "q or Ctrl-C, 1 if no board was found, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = monitor(*options, context); });
+  command.runs(monitor);
 }
 
 }  // namespace sbgc::tools

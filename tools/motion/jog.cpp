@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,8 +17,8 @@
 
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/moving_gimbal.hpp"
@@ -29,6 +28,10 @@
 namespace sbgc::tools {
 
 namespace {
+
+struct JogOptions {
+  Arming arming{};
+};
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
@@ -191,13 +194,13 @@ class Jog {
   bool is_interrupted_ = false;
 };
 
-int jog(const Arming& arming, const CommandContext& context) {
+int jog(const JogOptions& options, const CommandContext& context) {
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
     throw CommandError("jog needs a terminal with a keyboard");
   }
   const TerminalRestorer restorer(TerminalRestorer::Screen::normal);
   MovingGimbal gimbal(context.gimbal);
-  arm(arming,
+  arm(options.arming,
       fmt::format("Up looks up, and down looks down: the reverse of sbgc 0.1.0. The camera turns "
                   "while a key is held, at up to {:g} deg/s.",
                   speeds.back()));
@@ -226,10 +229,7 @@ int jog(const Arming& arming, const CommandContext& context) {
 }  // namespace
 
 void add_jog(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("jog", "Turn the camera with the keyboard");
-  auto arming = std::make_shared<Arming>();
-  add_arming(*command, *arming);
-  add_gimbal_options(*command, context.gimbal);
+  const Subcommand<JogOptions> command(app, context, "jog", "Turn the camera with the keyboard");
   command->footer(
       "Keys, in a terminal that repeats a held key:\n"
       "  up, down or w, s       look up, down\n"
@@ -243,7 +243,7 @@ void add_jog(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 after q, 1 if something failed, 2 for wrong usage, 130 after Ctrl-C or "
       "another signal.");
-  command->callback([arming, &context] { context.status = jog(*arming, context); });
+  command.runs(jog);
 }
 
 }  // namespace sbgc::tools

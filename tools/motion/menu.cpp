@@ -1,7 +1,6 @@
 // sbgc menu: performs an action of the menu button.
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +15,9 @@
 
 #include "board/connection.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
@@ -108,15 +107,14 @@ int menu(const MenuOptions& command, const CommandContext& context) {
 }  // namespace
 
 void add_menu(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("menu", "Perform an action of the menu button");
-  auto options = std::make_shared<MenuOptions>();
+  const Subcommand<MenuOptions> command(app, context, "menu",
+                                        "Perform an action of the menu button");
+  auto& options = command.options();
   command
-      ->add_option("action", options->action,
+      ->add_option("action", options.action,
                    "Name of the action, with or without " + std::string(common_prefix()))
       ->type_name("ACTION");
-  command->add_flag("--list", options->list, "List the actions");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
+  command->add_flag("--list", options.list, "List the actions");
   command->footer(
       "Nothing stops an action that moves the camera when this command dies; `sbgc stop` does.\n"
       "\n"
@@ -124,7 +122,7 @@ void add_menu(CLI::App& app, CommandContext& context) {
       "  sbgc menu profile2\n"
       "\n"
       "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = menu(*options, context); });
+  command.runs(menu);
 }
 
 }  // namespace sbgc::tools

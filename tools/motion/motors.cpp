@@ -1,6 +1,5 @@
 // sbgc motors: turns the motors on or off.
 
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,8 +9,8 @@
 #include "board/connection.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "motion/motor_state.hpp"
 
 namespace sbgc::tools {
@@ -47,18 +46,16 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_motors(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("motors", "Turn the motors on or off");
-  auto options = std::make_shared<MotorsCommand>();
-  command->add_option("state", options->state, "on or off")
+  const Subcommand<MotorsCommand> command(app, context, "motors", "Turn the motors on or off");
+  auto& options = command.options();
+  command->add_option("state", options.state, "on or off")
       ->required()
       ->transform(one_of({"on", "off"}));
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Hold the camera when you turn the motors off.\n"
       "\n"
       "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = turn_motors(*options, context); });
+  command.runs(turn_motors);
 }
 
 }  // namespace sbgc::tools

@@ -1,7 +1,6 @@
 // sbgc move: turns the camera to angles.
 
 #include <cstddef>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,8 +10,8 @@
 
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"
 #include "motion/move_time.hpp"
@@ -112,19 +111,17 @@ int move(const MoveCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_move(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("move", "Turn the camera to angles");
-  auto options = std::make_shared<MoveCommand>();
-  add_axis_options(*command, options->angles, "Angle", "deg");
-  command->add_option("--speed", options->speed, "The highest speed, in degrees per second")
+  const Subcommand<MoveCommand> command(app, context, "move", "Turn the camera to angles");
+  auto& options = command.options();
+  add_axis_options(*command, options.angles, "Angle", "deg");
+  command->add_option("--speed", options.speed, "The highest speed, in degrees per second")
       ->transform(number_with_unit("deg/s"))
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_flag("--relative", options->relative, "The angles count from the current ones");
-  command->add_flag("--wait", options->wait,
+  command->add_flag("--relative", options.relative, "The angles count from the current ones");
+  command->add_flag("--wait", options.wait,
                     "Wait until the camera is there. Ctrl-C stops it before the command ends, and "
                     "if the command dies, a guard process stops it");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Other axes stay under, or return to, RC control. Without --wait, the command ends as soon "
       "as "
@@ -136,7 +133,7 @@ void add_move(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if the camera is at its target, or turns to it without --wait; 1 if "
       "not; 2 for wrong usage; 130 if it was stopped by Ctrl-C.");
-  command->callback([options, &context] { context.status = move(*options, context); });
+  command.runs(move);
 }
 
 }  // namespace sbgc::tools

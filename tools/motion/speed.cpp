@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,9 +12,9 @@
 
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/moving_gimbal.hpp"
@@ -81,13 +80,12 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
 }  // namespace
 
 void add_speed(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("speed", "Turn the camera at a speed for a time");
-  auto options = std::make_shared<SpeedCommand>();
-  add_axis_options(*command, options->speeds, "Speed", "deg/s");
-  add_duration(*command, "--for", options->time,
+  const Subcommand<SpeedCommand> command(app, context, "speed",
+                                         "Turn the camera at a speed for a time");
+  auto& options = command.options();
+  add_axis_options(*command, options.speeds, "Speed", "deg/s");
+  add_duration(*command, "--for", options.time,
                "How long to turn: 500ms, 2s, 1m. Without it, until Ctrl-C, in a terminal only");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Other axes hold still. The camera stops when the time is over, with Ctrl-C, and when the "
       "command or its terminal dies: then a guard process stops it. If the line is lost, firmware "
@@ -100,7 +98,7 @@ void add_speed(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if the camera turned and has stopped, 1 if not, 2 for wrong usage, 130 "
       "if Ctrl-C ended it before its time, or another signal ended it.");
-  command->callback([options, &context] { context.status = turn_at_speed(*options, context); });
+  command.runs(turn_at_speed);
 }
 
 }  // namespace sbgc::tools

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <memory>
 #include <thread>
 
 #include <fmt/format.h>
@@ -12,13 +11,15 @@
 
 #include "board/connection.hpp"
 #include "command/background_output.hpp"
-#include "command/commands.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "motion/motor_state.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+struct NothingToChoose {};
 
 /// Throws CommandError if the camera turns again soon: something else controls it.
 void require_rest(Client& client) {
@@ -35,7 +36,7 @@ void require_rest(Client& client) {
   }
 }
 
-int stop(const CommandContext& context) {
+int stop_camera(const NothingToChoose& /*none*/, const CommandContext& context) {
   remark_in_background();
   Client client = connect(context.gimbal);
   value_of(client.stop());
@@ -50,8 +51,8 @@ int stop(const CommandContext& context) {
 }  // namespace
 
 void add_stop(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("stop", "Stop the camera, without asking");
-  add_gimbal_options(*command, context.gimbal);
+  const Subcommand<NothingToChoose> command(app, context, "stop",
+                                            "Stop the camera, without asking");
   command->footer(
       "Commands speed 0 on all axes until the board reports that no axis turns, and watches it for "
       "half a second, in case something else turns the camera. The motors keep "
@@ -59,7 +60,7 @@ void add_stop(CLI::App& app, CommandContext& context) {
       "switch: the camera then drops to its heavy side.\n"
       "\n"
       "The exit status is 0 if the camera has stopped, 1 if not, 2 for wrong usage.");
-  command->callback([&context] { context.status = stop(context); });
+  command.runs(stop_camera);
 }
 
 }  // namespace sbgc::tools

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,9 +15,9 @@
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "parameters/defaults.hpp"
 #include "parameters/parameter_messages.hpp"
@@ -356,74 +355,69 @@ int reset(const ResetChoice& options, const CommandContext& context) {
 }  // namespace
 
 void add_params_backup(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("backup", "Save all parameters of the board");
-  auto options = std::make_shared<BackupOptions>();
-  command->add_option("file", options->file, "The new file; it appears only when it is complete")
+  const Subcommand<BackupOptions> command(params, context, "backup",
+                                          "Save all parameters of the board");
+  auto& options = command.options();
+  command->add_option("file", options.file, "The new file; it appears only when it is complete")
       ->type_name("FILE")
       ->required();
-  command->add_flag("--force", options->force, "Replace an existing file");
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = back_up(*options, context); });
+  command->add_flag("--force", options.force, "Replace an existing file");
+  command.runs(back_up);
 }
 
 void add_params_restore(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("restore", "Write the parameters of a backup");
-  auto options = std::make_shared<RestoreChoice>();
-  command->add_option("file", options->file, "A backup")->type_name("FILE")->required();
-  command->add_flag("--dry-run", options->dry_run, "Only print what would change");
+  const Subcommand<RestoreChoice> command(params, context, "restore",
+                                          "Write the parameters of a backup");
+  auto& options = command.options();
+  command->add_option("file", options.file, "A backup")->type_name("FILE")->required();
+  command->add_flag("--dry-run", options.dry_run, "Only print what would change");
   command
-      ->add_option("--save-to", options->save_to,
+      ->add_option("--save-to", options.save_to,
                    "Where to save the present parameters first; by default next to FILE, with "
                    "the time in the name")
       ->type_name("FILE");
-  command->add_flag("--other-model", options->other_model,
+  command->add_flag("--other-model", options.other_model,
                     "Also if the backup is of another board model");
-  command->add_flag("--other-firmware", options->other_firmware,
+  command->add_flag("--other-firmware", options.other_firmware,
                     "Also if the backup is of another firmware");
-  command->add_flag("--partial", options->partial,
+  command->add_flag("--partial", options.partial,
                     "Also if parameter sets were removed from the backup");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
       "end all of them again. After a failure or Ctrl-C, it says what the board holds.");
-  command->callback([options, &context] { context.status = restore_file(*options, context); });
+  command.runs(restore_file);
 }
 
 void add_params_diff(CLI::App& params, CommandContext& context) {
-  auto* const command =
-      params.add_subcommand("diff", "Compare the board with a backup, or two backups");
-  auto options = std::make_shared<DiffOptions>();
-  command->add_option("files", options->files, "A backup to compare the board with, or two backups")
+  const Subcommand<DiffOptions> command(params, context, "diff",
+                                        "Compare the board with a backup, or two backups");
+  auto& options = command.options();
+  command->add_option("files", options.files, "A backup to compare the board with, or two backups")
       ->type_name("FILE")
       ->expected(0, 2);
-  command->add_flag("--defaults", options->defaults,
+  command->add_flag("--defaults", options.defaults,
                     "Compare a profile with the factory defaults. To read them, the board goes "
                     "back to them in another profile for a moment");
-  add_profile_option(*command, options->profile);
-  add_arming(*command, options->arming);
-  add_format(*command, options->format);
-  add_gimbal_options(*command, context.gimbal);
+  add_profile_option(*command, options.profile);
+  add_format(*command, options.format);
   command->footer(
       "The exit status is 0 if there are no differences, 1 if there are, 3 if they could not be "
       "compared, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = compare_or_tell(*options, context); });
+  command.runs(compare_or_tell);
 }
 
 void add_params_reset(CLI::App& params, CommandContext& context) {
-  auto* const command =
-      params.add_subcommand("reset", "Set the parameters of a profile to the factory defaults");
-  auto options = std::make_shared<ResetChoice>();
-  add_profile_option(*command, options->profile);
-  command->add_flag("--all", options->all, "All profiles");
+  const Subcommand<ResetChoice> command(params, context, "reset",
+                                        "Set the parameters of a profile to the factory defaults");
+  auto& options = command.options();
+  add_profile_option(*command, options.profile);
+  command->add_flag("--all", options.all, "All profiles");
   command
-      ->add_option("--save-to", options->save_to,
+      ->add_option("--save-to", options.save_to,
                    "Where to save the present parameters first; by default in this folder, "
                    "with the time in the name")
       ->type_name("FILE");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = reset(*options, context); });
+  command.runs(reset);
 }
 
 }  // namespace sbgc::tools

@@ -16,11 +16,12 @@ namespace {
 
 /// Returns the block as that of another profile.
 Parameters of_profile(const Parameters& block, std::uint8_t profile) {
-  Json fields = fields_of(message_in(block));
-  for (const FieldType& field : find_message(block.id.message)->fields()) {
-    if (field.info != nullptr && field.info->role == FieldRole::copy) fields[field.name] = profile;
+  AnyMessage message = message_in(block);
+  for (const FieldType& field : message.type().fields()) {
+    if (field.info == nullptr || field.info->role != FieldRole::copy) continue;
+    static_cast<void>(message.assign(field.name, fmt::format("raw:{}", profile), false));
   }
-  return block_of({block.id.message, profile}, fields);
+  return block_of({block.id.message, profile}, message);
 }
 
 std::uint8_t copies_of(const std::string& message) {

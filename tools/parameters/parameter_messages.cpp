@@ -48,9 +48,8 @@ AnyMessage message_in(const Parameters& block) {
   return message;
 }
 
-Parameters block_of(const ParametersId& id, const Json& fields) {
+Parameters block_of(const ParametersId& id, const AnyMessage& message) {
   Parameters block{id, std::vector<std::uint8_t>(max_body_size)};
-  const AnyMessage message = message_of(*find_message(id.message), fields);
   const WriteResult written = message.encode(block.body);
   if (!written) throw ValueError(to_string(written.status));
   block.body.resize(written.size);

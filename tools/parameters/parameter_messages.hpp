@@ -27,8 +27,8 @@ const std::vector<ParameterMessage>& parameter_messages();
 /// Returns the message with the values of a block of a ParameterSet.
 AnyMessage message_in(const Parameters& block);
 
-/// Returns the block with these values. Throws JsonError.
-Parameters block_of(const ParametersId& id, const Json& fields);
+/// Returns the block with the values of the message. Throws ValueError.
+Parameters block_of(const ParametersId& id, const AnyMessage& message);
 
 /// The parameters that a name means: fields of one message.
 struct FoundParameters {

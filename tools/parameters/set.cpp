@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,9 +13,9 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"
@@ -65,9 +64,9 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
     }
   }
   for (const MessageValues& one : result) {
-    Json fields = initial_fields(one.message->type->fields());
-    set_values(*one.message->type, one.values, fields);
-    if (!no_validate) check_ranges(*one.message->type, one.values, fields);
+    AnyMessage message = one.message->type->make();
+    set_values(message, one.values);
+    if (!no_validate) check_ranges(message, one.values);
   }
   return result;
 }
@@ -89,9 +88,8 @@ std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& 
 }
 
 /// Throws CommandError if the board does not have the field.
-void check_presence(const Json& fields, const FieldValue& value) {
-  const auto& first = std::get<std::string>(value.field.steps.front());
-  if (fields.contains(first)) return;
+void check_presence(const AnyMessage& message, const FieldValue& value) {
+  if (has_part(message, std::get<std::string>(value.field.steps.front()))) return;
   const FieldInfo* const info = value.field.type->info;
   const std::string since = info == nullptr ? "" : versions_text(info->since);
   throw CommandError(fmt::format("this board does not have {}{}", steps_text(value.field.steps),
@@ -153,12 +151,12 @@ int set(const SetOptions& options, const CommandContext& context) {
     for (const Parameters& block : present.all()) {
       if (block.id.message != name) continue;
       is_present = true;
-      Json fields = fields_of(message_in(block));
+      AnyMessage message = message_in(block);
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
-      for (const FieldValue& value : here) check_presence(fields, value);
+      for (const FieldValue& value : here) check_presence(message, value);
       try {
-        set_values(*one.message->type, here, fields);
-        value_of(wanted.put(block_of(block.id, fields)));
+        set_values(message, here);
+        value_of(wanted.put(block_of(block.id, message)));
       } catch (const CommandError&) {
         throw;
       } catch (const std::runtime_error& error) {
@@ -199,21 +197,19 @@ int set(const SetOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_params_set(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("set", "Change parameters");
-  auto options = std::make_shared<SetOptions>();
+  const Subcommand<SetOptions> command(params, context, "set", "Change parameters");
+  auto& options = command.options();
   command
       ->add_option(
-          "values", options->values,
+          "values", options.values,
           "Parameters by their paths, unique ends of paths, or names in the specification; "
           "without an axis, all axes are set")
       ->type_name("PARAMETER=VALUE")
       ->required();
-  add_profile_option(*command, options->profile);
-  command->add_flag("--dry-run", options->dry_run, "Only check the values and print the changes");
-  command->add_flag("--no-validate", options->no_validate,
+  add_profile_option(*command, options.profile);
+  command->add_flag("--dry-run", options.dry_run, "Only check the values and print the changes");
+  command->add_flag("--no-validate", options.no_validate,
                     "Also write values that the specification does not allow");
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
   command->footer(
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
       "back and compares. A number is in the unit that `params show` prints, which may be written "
@@ -223,7 +219,7 @@ void add_params_set(CLI::App& params, CommandContext& context) {
       "Examples:\n"
       "  sbgc params set pitch.p=20\n"
       "  sbgc params set rc_min_angle=-30deg follow_mode=FOLLOW_MODE_FC --profile 2");
-  command->callback([options, &context] { context.status = set(*options, context); });
+  command.runs(set);
 }
 
 }  // namespace sbgc::tools

@@ -1,7 +1,6 @@
 // sbgc params show, get, profiles, rename.
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,9 +16,9 @@
 #include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/colors.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"
@@ -222,50 +221,48 @@ int rename_one(const RenameOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_params_show(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("show", "List the parameters of a profile");
-  auto options = std::make_shared<ShowOptions>();
-  command->add_option("filter", options->filter, "Only the parameters with this text in their name")
+  const Subcommand<ShowOptions> command(params, context, "show",
+                                        "List the parameters of a profile");
+  auto& options = command.options();
+  command->add_option("filter", options.filter, "Only the parameters with this text in their name")
       ->type_name("TEXT");
-  add_profile_option(*command, options->profile);
-  add_format(*command, options->format);
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = show(*options, context); });
+  add_profile_option(*command, options.profile);
+  add_format(*command, options.format);
+  command.runs(show);
 }
 
 void add_params_get(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("get", "Print parameters and what they mean");
-  auto options = std::make_shared<ShowOptions>();
+  const Subcommand<ShowOptions> command(params, context, "get",
+                                        "Print parameters and what they mean");
+  auto& options = command.options();
   command
-      ->add_option("names", options->names,
+      ->add_option("names", options.names,
                    "Paths (axes.pitch.p), ends of paths (pitch.p) or names of the "
                    "specification; without an axis, all axes")
       ->type_name("PARAMETER")
       ->required();
-  add_profile_option(*command, options->profile);
-  add_format(*command, options->format);
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = get(*options, context); });
+  add_profile_option(*command, options.profile);
+  add_format(*command, options.format);
+  command.runs(get);
 }
 
 void add_params_profiles(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("profiles", "List the profiles and their names");
-  auto options = std::make_shared<ShowOptions>();
-  add_format(*command, options->format);
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = list_profiles(*options, context); });
+  const Subcommand<ShowOptions> command(params, context, "profiles",
+                                        "List the profiles and their names");
+  auto& options = command.options();
+  add_format(*command, options.format);
+  command.runs(list_profiles);
 }
 
 void add_params_rename(CLI::App& params, CommandContext& context) {
-  auto* const command = params.add_subcommand("rename", "Rename a profile");
-  auto options = std::make_shared<RenameOptions>();
-  command->add_option("profile", options->profile, "The profile, counted from 1")
+  const Subcommand<RenameOptions> command(params, context, "rename", "Rename a profile");
+  auto& options = command.options();
+  command->add_option("profile", options.profile, "The profile, counted from 1")
       ->type_name("N")
       ->check(CLI::Range(1, static_cast<int>(profile_count)).description(""))
       ->required();
-  command->add_option("name", options->name, "The new name, up to 48 bytes of UTF-8")->required();
-  add_arming(*command, options->arming);
-  add_gimbal_options(*command, context.gimbal);
-  command->callback([options, &context] { context.status = rename_one(*options, context); });
+  command->add_option("name", options.name, "The new name, up to 48 bytes of UTF-8")->required();
+  command.runs(rename_one);
 }
 
 }  // namespace sbgc::tools

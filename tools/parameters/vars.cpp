@@ -1,8 +1,8 @@
 // sbgc vars: the adjustable variables.
 
 #include <algorithm>
-#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,30 +11,35 @@
 #include <sbgc/client/variables.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/json_dom.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "board/connection.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
-#include "command/commands.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/field_text.hpp"
 #include "values/names.hpp"
-#include "values/value_text.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-struct VarsOptions {
-  std::vector<std::string> names{};
+struct VariablesToShow {
+  std::vector<std::string> names{};  ///< all if empty
   std::string format = "text";
+};
+
+struct VariablesToSet {
+  std::vector<std::string> values{};
   bool save = false;
   Arming arming{};
 };
@@ -80,7 +85,7 @@ std::vector<const VariableInfo*> variables_of(const BoardIdentity& board) {
   return result;
 }
 
-int print_variables(const VarsOptions& options, const CommandContext& context) {
+int print_variables(const VariablesToShow& options, const CommandContext& context) {
   std::vector<const VariableInfo*> wanted;
   for (const std::string& name : options.names) wanted.push_back(&variable_named(name));
   Client client = connect(context.gimbal);
@@ -125,24 +130,24 @@ std::string what_happens(std::size_t changes, bool is_saved) {
                      is_saved ? saving : "", changes == 1 ? "It takes" : "They take");
 }
 
-int set_them(const VarsOptions& options, const CommandContext& context) {
+int set_them(const VariablesToSet& options, const CommandContext& context) {
   std::vector<VariableValue> values;
   std::vector<const VariableInfo*> wanted;
   std::vector<std::string> names;
   try {
-    for (const Assignment& assignment : parse_assignments(options.names)) {
+    for (const Assignment& assignment : parse_assignments(options.values)) {
       const VariableInfo& variable = variable_named(assignment.name);
       FieldInfo info;
       const FieldType field = field_of(variable, info);
       if (std::ranges::find(wanted, &variable) != wanted.end()) {
         throw ValueError(fmt::format("{} is set twice", variable.name));
       }
-      try {
-        const Json raw = parse_value(field, &variable.unit, assignment.value, Json());
-        values.push_back({variable.name, variable.unit.real(raw.get<double>())});
-      } catch (const ValueError& error) {
-        throw ValueError(fmt::format("{}: {}", variable.name, error.what()));
-      }
+      const ParsedValue parsed = parse_value(field, &variable.unit, assignment.value);
+      if (!parsed) throw ValueError(fmt::format("{}: {}", variable.name, parsed.problem));
+      const auto* const raw = std::get_if<std::int64_t>(&parsed.value);
+      values.push_back(
+          {variable.name, variable.unit.real(raw != nullptr ? static_cast<double>(*raw)
+                                                            : std::get<double>(parsed.value))});
       wanted.push_back(&variable);
       names.emplace_back(variable.name);
     }
@@ -196,35 +201,27 @@ std::vector<std::string> variable_names() {
 void add_vars(CLI::App& app, CommandContext& context) {
   auto* const vars = app.add_subcommand("vars", "Show and set the adjustable variables");
   vars->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help) {
-    auto* const command = vars->add_subcommand(name, help);
-    add_gimbal_options(*command, context.gimbal);
-    return command;
-  };
-  auto listing = std::make_shared<VarsOptions>();
-  auto* const list = add("list", "List all variables with their values and ranges");
-  add_format(*list, listing->format);
-  list->callback([listing, &context] { context.status = print_variables(*listing, context); });
+  const Subcommand<VariablesToShow> list(*vars, context, "list",
+                                         "List all variables with their values and ranges");
+  add_format(*list, list.options().format);
+  list.runs(print_variables);
 
-  auto getting = std::make_shared<VarsOptions>();
-  auto* const get = add("get", "Print variables");
-  get->add_option("names", getting->names, "Names as `vars list` prints them")
+  const Subcommand<VariablesToShow> get(*vars, context, "get", "Print variables");
+  get->add_option("names", get.options().names, "Names as `vars list` prints them")
       ->type_name("VARIABLE")
       ->required();
-  add_format(*get, getting->format);
-  get->callback([getting, &context] { context.status = print_variables(*getting, context); });
+  add_format(*get, get.options().format);
+  get.runs(print_variables);
 
-  auto setting = std::make_shared<VarsOptions>();
-  auto* const set = add("set", "Set variables");
-  set->add_option("values", setting->names, "Names and units as `vars list` prints them")
+  const Subcommand<VariablesToSet> set(*vars, context, "set", "Set variables");
+  set->add_option("values", set.options().values, "Names and units as `vars list` prints them")
       ->type_name("VARIABLE=VALUE")
       ->required();
-  set->add_flag("--save", setting->save, "Save the change, so that it survives a restart");
-  add_arming(*set, setting->arming);
+  set->add_flag("--save", set.options().save, "Save the change, so that it survives a restart");
   set->footer(
       "Example:\n"
       "  sbgc vars set LPF_FREQ_ROLL=30Hz --save");
-  set->callback([setting, &context] { context.status = set_them(*setting, context); });
+  set.runs(set_them);
 }
 
 }  // namespace sbgc::tools

@@ -18,9 +18,9 @@
 #include "board/progress_bar.hpp"
 #include "board/reconnecting.hpp"
 #include "command/background_output.hpp"
-#include "command/commands.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "hosts/endpoint.hpp"
 #include "share/bridge_client.hpp"
@@ -196,21 +196,22 @@ void choose_token(BridgeOptions& options) {
 }  // namespace
 
 void add_bridge(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("bridge", "Share one gimbal between several programs");
-  auto options = std::make_shared<BridgeOptions>();
-  command->add_option("address", options->address, "The address of the gimbal, as for --port")
+  const Subcommand<BridgeOptions> command(app, context, "bridge",
+                                          "Share one gimbal between several programs");
+  auto& options = command.options();
+  command->add_option("address", options.address, "The address of the gimbal, as for --port")
       ->type_name("ADDRESS");
-  add_places(*command, options->places);
-  add_listen(*command, "--ws", options->web_sockets,
+  add_places(*command, options.places);
+  add_listen(*command, "--ws", options.web_sockets,
              "Listen for WebSockets, whose binary messages are the bytes of the protocol");
   auto* const token = command->add_option(
-      "--token", options->access.token,
+      "--token", options.access.token,
       "What a WebSocket must know; by default a random text, which is printed. Others on "
       "this machine see the command line; the environment variable SBGC_TOKEN is "
       "private, and is not printed");
   token->check(token_problem)->type_name("TEXT")->group(places_group);
   command
-      ->add_option("--origin", options->access.origins,
+      ->add_option("--origin", options.access.origins,
                    "A web site whose pages may connect, such as http://localhost:8000; none by "
                    "default")
       ->take_all()
@@ -218,8 +219,7 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       ->check(origin_problem)
       ->type_name("ORIGIN")
       ->group(places_group);
-  add_duration(*command, "--for", options->time, "Stop after this time; otherwise with Ctrl-C");
-  add_gimbal_options(*command, context.gimbal);
+  add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->footer(
       "Each program talks to the gimbal as if it were alone. Requests are executed one after "
       "another, and each response goes to the program that asked. The gimbal sends a data stream "
@@ -236,11 +236,11 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       "not found or a place cannot be opened, 2 for wrong usage.\n\n"
       "Examples:\n  sbgc bridge /dev/ttyUSB0 --tcp 5000\n  sbgc bridge --link /tmp/gimbal --tcp "
       "5000 -p tcp:10.0.0.7:5000");
-  command->callback([options, token, &context] {
-    take_address(*options, context.gimbal);
-    require_places(*options, token->count() != 0);
-    choose_token(*options);
-    context.status = run_bridge(*options, context);
+  command.runs([token](BridgeOptions& chosen, CommandContext& shared) {
+    take_address(chosen, shared.gimbal);
+    require_places(chosen, token->count() != 0);
+    choose_token(chosen);
+    return run_bridge(chosen, shared);
   });
 }
 

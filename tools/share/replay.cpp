@@ -1,7 +1,6 @@
 // sbgc replay: serves a capture in place of a board.
 
 #include <csignal>
-#include <memory>
 #include <string>
 
 #include <asio/io_context.hpp>
@@ -11,9 +10,9 @@
 #include <sbgc/io/replay.hpp>
 
 #include "command/background_output.hpp"
-#include "command/commands.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "share/places.hpp"
 #include "share/replay_ports.hpp"
@@ -57,21 +56,22 @@ int run_replay(const ReplayOptions& options) {
 }  // namespace
 
 void add_replay(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("replay", "Serve a capture in place of a board");
-  auto options = std::make_shared<ReplayOptions>();
-  command->add_option("file", options->file, "A capture, or the raw bytes of a board")->required();
-  command->add_option("--speed", options->speed, "How many times as fast as recorded")
+  const Subcommand<ReplayOptions> command(app, context, "replay",
+                                          "Serve a capture in place of a board");
+  auto& options = command.options();
+  command->add_option("file", options.file, "A capture, or the raw bytes of a board")->required();
+  command->add_option("--speed", options.speed, "How many times as fast as recorded")
       ->check(number_range(0.001, 1000.0))
       ->capture_default_str();
-  add_places(*command, options->places);
+  add_places(*command, options.places);
   command->footer(
       "Programs that connect get what the board sent, at the recorded times since the first one "
       "connected; what they send is ignored. Without a place, a pseudo-terminal is opened. For "
       "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end of "
       "the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
-  command->callback([options, &context] {
-    if (options->places.empty()) options->places.terminal = true;
-    context.status = run_replay(*options);
+  command.runs([](ReplayOptions& chosen) {
+    if (chosen.places.empty()) chosen.places.terminal = true;
+    return run_replay(chosen);
   });
 }
 

@@ -21,7 +21,7 @@
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
 #include "command/command_line_facts.hpp"
-#include "command/commands.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "line/stream_type.hpp"
 #include "shell/scripts.hpp"
@@ -300,15 +300,19 @@ void print_candidates(const CLI::App& app, const std::vector<std::string>& line)
 
 struct CompletionOptions {
   std::string shell{};
-  std::vector<std::string> line{};
+};
+
+struct WordsToComplete {
+  std::vector<std::string> words{};
 };
 
 }  // namespace
 
 void add_completion(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("completion", "Print the completion script of a shell");
-  auto options = std::make_shared<CompletionOptions>();
-  command->add_option("shell", options->shell, "The shell")
+  const Subcommand<CompletionOptions> command(app, context, "completion",
+                                              "Print the completion script of a shell");
+  auto& options = command.options();
+  command->add_option("shell", options.shell, "The shell")
       ->required()
       ->transform(one_of({"bash", "zsh", "fish"}));
   command->footer(
@@ -316,17 +320,17 @@ void add_completion(CLI::App& app, CommandContext& context) {
       "  bash:  source <(sbgc completion bash)\n"
       "  zsh:   sbgc completion zsh > ~/.zfunc/_sbgc\n"
       "  fish:  sbgc completion fish > ~/.config/fish/completions/sbgc.fish");
-  command->callback([options, &context] {
-    fmt::print("{}", completion_script(options->shell));
-    context.status = success;
+  command.runs([](const CompletionOptions& chosen) {
+    fmt::print("{}", completion_script(chosen.shell));
+    return success;
   });
 
   // The scripts call this.
-  auto* const hidden = app.add_subcommand(std::string(complete_command))->group("");
-  hidden->add_option("words", options->line);
-  hidden->callback([&app, options, &context] {
-    print_candidates(app, options->line);
-    context.status = success;
+  const Subcommand<WordsToComplete> hidden(app, context, std::string(complete_command));
+  hidden->group("")->add_option("words", hidden.options().words);
+  hidden.runs([&app](const WordsToComplete& chosen) {
+    print_candidates(app, chosen.words);
+    return success;
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -14,7 +13,7 @@
 #include <sbgc/version.hpp>
 
 #include "command/command_line_facts.hpp"
-#include "command/commands.hpp"
+#include "command/subcommand.hpp"
 #include "command/usage.hpp"
 #include "command/wording.hpp"
 
@@ -188,14 +187,15 @@ int print_manual(const CLI::App& app, const ManualOptions& options) {
 }  // namespace
 
 void add_manual(CLI::App& app, CommandContext& context) {
-  auto* const command = app.add_subcommand("manual", "Print a manual page in the format of man");
-  auto options = std::make_shared<ManualOptions>();
-  command->add_option("command", options->command, "The command; without it, sbgc itself")
+  const Subcommand<ManualOptions> command(app, context, "manual",
+                                          "Print a manual page in the format of man");
+  auto& options = command.options();
+  command->add_option("command", options.command, "The command; without it, sbgc itself")
       ->type_name("COMMAND");
-  command->add_option("--folder", options->folder, "Write all pages to this folder")
+  command->add_option("--folder", options.folder, "Write all pages to this folder")
       ->type_name("FOLDER");
   command->footer("`sbgc manual decode | man -l -` shows a page; an installed sbgc has them all.");
-  command->callback([&app, options, &context] { context.status = print_manual(app, *options); });
+  command.runs([&app](const ManualOptions& chosen) { return print_manual(app, chosen); });
 }
 
 }  // namespace sbgc::tools

@@ -5,10 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include <sbgc/json_dom.hpp>
+#include <sbgc/any.hpp>
 
 #include "values/field_lookup.hpp"
-#include "values/message_json.hpp"
 
 namespace sbgc::tools {
 
@@ -33,28 +32,26 @@ std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const 
 
 /// Returns the fields that the assignments mean. Throws ValueError if one does not exist or is
 /// assigned twice.
-std::vector<FieldValue> find_values(const MessageType& message,
+std::vector<FieldValue> find_values(const MessageType& type,
                                     const std::vector<Assignment>& assignments);
 
-/// Sets the values in the JSON of the message. A quantity is read in the unit that the other values
-/// of the message select. Throws ValueError, which names the field.
-void set_values(const MessageType& message, const std::vector<FieldValue>& values, Json& fields);
+/// Sets the values, also those that the specification does not allow. A quantity is read in the
+/// unit that the other values of the message select. Throws ValueError, which names the field.
+void set_values(AnyMessage& message, const std::vector<FieldValue>& values);
 
 /// find_values() and set_values() in one step.
-void assign(const MessageType& message, const std::vector<Assignment>& assignments, Json& fields);
+void assign(AnyMessage& message, const std::vector<Assignment>& assignments);
 
 /// Throws ValueError if one of the values is outside of its range, whatever the others are.
-void check_ranges(const MessageType& message, const std::vector<FieldValue>& values,
-                  const Json& fields);
-
-/// Replaces names of values and lists of flags in the JSON of a message by their numbers. Leaves
-/// everything else to the reader of the message. Throws ValueError, which names the field.
-void replace_names(const MessageType& message, Json& fields);
+void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& values);
 
 /// Adds the fields that are missing although the values of others demand them.
-void add_demanded(const MessageType& message, Json& fields);
+void add_demanded(AnyMessage& message);
 
-/// Adds the fields that the JSON of a message lacks, as in a new message.
-void add_defaults(const MessageType& message, Json& fields);
+/// True if the message has the field at a path, or a part of it.
+bool has_part(const AnyMessage& message, const std::string& path);
+
+/// Returns a message whose lists have as many elements as the specification wants.
+AnyMessage new_message(const MessageType& type);
 
 }  // namespace sbgc::tools

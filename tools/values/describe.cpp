@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,8 +17,8 @@
 #include <sbgc/text.hpp>
 
 #include "command/colors.hpp"
-#include "command/commands.hpp"
 #include "command/help_text.hpp"
+#include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/effect_text.hpp"
 #include "values/field_lookup.hpp"
@@ -571,11 +570,11 @@ int describe(const DescribeOptions& options) {
 std::vector<std::string> described_words() { return all_words(); }
 
 void add_describe(CLI::App& app, CommandContext& context) {
-  auto* const command =
-      app.add_subcommand("describe", "Explain a command, message, field, enum or variable");
-  auto options = std::make_shared<DescribeOptions>();
+  const Subcommand<DescribeOptions> command(app, context, "describe",
+                                            "Explain a command, message, field, enum or variable");
+  auto& options = command.options();
   command
-      ->add_option("name", options->word,
+      ->add_option("name", options.word,
                    "A command (CMD_CONTROL, control, 67, 0x43), a message (ControlExt), a field "
                    "(control_mode, axes.pitch.angle, Control.axes), an enum or one of its values "
                    "(MODE_ANGLE), "
@@ -583,7 +582,7 @@ void add_describe(CLI::App& app, CommandContext& context) {
                    "commands are listed")
       ->type_name("WORD");
   command->footer("The exit status is 0 if the name is known, 1 if not, 2 for wrong usage.");
-  command->callback([options, &context] { context.status = describe(*options); });
+  command.runs(describe);
 }
 
 }  // namespace sbgc::tools

@@ -12,15 +12,14 @@
 
 namespace sbgc::tools {
 
-/// Returns the fields of a new message: 0, empty or absent, unless the specification has a default.
-Json initial_fields(const std::vector<FieldType>& members);
-/// Returns the value of a field in a new message.
-Json initial_value(const FieldType& type);
-
 /// Returns the message with these fields. Throws JsonError if they do not describe it.
 AnyMessage message_of(const MessageType& type, const Json& fields);
-/// Returns the fields of a message.
-Json fields_of(const AnyMessage& message);
+/// The same; fields that are missing are as in a new message.
+AnyMessage message_with_defaults(const MessageType& type, Json fields);
+
+/// Replaces names of values and lists of flags in the JSON of a message by their numbers. Leaves
+/// everything else to the reader of the message. Throws ValueError, which names the field.
+void replace_names(const MessageType& type, Json& fields);
 
 /// Returns a frame. Throws std::runtime_error if the message does not fit into one.
 std::vector<std::uint8_t> encoded(const AnyMessage& message, Framing framing);

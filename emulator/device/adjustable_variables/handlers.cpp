@@ -23,12 +23,26 @@
 namespace sbgc::emulator {
 namespace {
 
-Reaction report(RequestContext& context, Device& device, std::uint8_t trigger,
-                std::uint8_t analog) {
-  if (trigger >= Slots::triggers || analog >= Slots::analogs) {
-    return context.refuse(msg::BoardErrorCode::wrong_params);
+/// Reports all variables or none.
+template <class Value, class Ids, class Answer>
+Reaction report(RequestContext& context, const Parameters& parameters, const Ids& ids,
+                Answer answer) {
+  for (const msg::VariableId id : ids) {
+    const auto value = parameters.variable(id);
+    if (!value)
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
+    answer.params.push_back({id, static_cast<Value>(*value)});
   }
-  return context.answer(device.slots.state(device, trigger, analog));
+  return context.answer(answer);
+}
+
+/// Sets all variables or none.
+Reaction set(RequestContext& context, Parameters& parameters,
+             std::span<const msg::AdjVarValue> values) {
+  if (const auto refused = parameters.set_variables(values)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
+  }
+  return context.confirm();
 }
 
 /// The signal of an input in the widest range. Assumption: a missing one is reported as centered.
@@ -36,20 +50,81 @@ msg::FineRcSignal fine_signal(std::optional<double> signal) {
   return saturated<msg::FineRcSignal>(std::clamp(signal.value_or(0), -1.0, 1.0));
 }
 
-std::optional<double> signal_of(const Device& device, std::uint16_t source) {
+std::optional<double> signal_of(const RemoteControl& remote, std::uint16_t source) {
   using Raw = msg::RcMap::raw_type;
   if (source > std::numeric_limits<Raw>::max()) return {};
-  return device.remote.signal(msg::RcMap(static_cast<Raw>(source)));
+  return remote.signal(msg::RcMap(static_cast<Raw>(source)));
+}
+
+}  // namespace
+
+Reaction handle(RequestContext& context, const msg::GetAdjVarsVal& request,
+                const Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  return report<std::int32_t>(context, parameters, request.param_id, msg::SetAdjVarsVal{});
+}
+Reaction handle(RequestContext& context, const msg::GetAdjVarsValF& request,
+                const Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  return report<float>(context, parameters, request.id, msg::SetAdjVarsValF{});
+}
+
+Reaction handle(RequestContext& context, const msg::SetAdjVarsVal& request,
+                Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  return set(context, parameters, std::span(request.params.data(), request.params.size()));
+}
+Reaction handle(RequestContext& context, const msg::SetAdjVarsValF& request,
+                Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  std::vector<msg::AdjVarValue> values;
+  for (const msg::AdjVarFloat& one : request.params) {
+    const auto value = static_cast<double>(one.value);
+    // Larger than the range of any variable.
+    constexpr double largest = 1e9;
+    if (!(std::abs(value) <= largest)) {
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(one.id));
+    }
+    // Assumption: the variables remain integers.
+    values.push_back({one.id, static_cast<std::int32_t>(std::lround(value))});
+  }
+  return set(context, parameters, values);
+}
+
+Reaction handle(RequestContext& context, const msg::AdjVarsStateRequest& request,
+                const Slots& slots, const RemoteControl& remote, const Parameters& parameters) {
+  if (request.trigger_slot >= Slots::triggers || request.analog_slot >= Slots::analogs) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  return context.answer(slots.state(remote, parameters, request.trigger_slot, request.analog_slot));
+}
+/// The bytes of the analog value are a floating-point number here (E208).
+Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
+                const Slots& slots, const RemoteControl& remote, const Parameters& parameters) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  const auto analog = parameters.variable(request.analog_var_id);
+  const auto table = parameters.variable(request.lut_var_id);
+  if (!analog || !table) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::AdjVarsState state = slots.state(remote, parameters, request.trigger_slot, 0);
+  const auto trigger = slots.signal(remote, request.trigger_slot);
+  state.trigger_rc_data = msg::CentredRcSignal(fine_signal(trigger).raw());
+  state.analog_rc_data =
+      msg::CentredRcSignal(fine_signal(signal_of(remote, request.analog_src_id)).raw());
+  state.analog_value = std::bit_cast<std::int32_t>(static_cast<float>(*analog));
+  state.lut_src_value = fine_signal(signal_of(remote, request.lut_src_id));
+  state.lut_var_value = static_cast<float>(*table);
+  return context.answer(state);
 }
 
 /// Describes as many variables as fit into one body, from this one on.
-Reaction describe(RequestContext& context, Parameters& parameters, msg::VariableId first) {
+Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
+                const Parameters& parameters) {
   msg::AdjVarsInfo answer;
   answer.total_number = parameters.variable_count();
   std::array<std::uint8_t, max_body_size> body{};
   for (const VariableInfo& variable : variables) {
     const auto value = parameters.variable(variable.id);
-    if (variable.id < first || !value) continue;
+    if (variable.id < request.start_id || !value) continue;
     msg::AdjVarInfo one;
     one.var_id = variable.id;
     constexpr std::size_t longest_name = 16;
@@ -63,95 +138,4 @@ Reaction describe(RequestContext& context, Parameters& parameters, msg::Variable
   }
   return context.answer(answer);
 }
-
-}  // namespace
-
-Reaction handle(RequestContext& context, const msg::GetAdjVarsVal& request,
-                Parameters& parameters) {
-  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  msg::SetAdjVarsVal answer;
-  for (const msg::VariableId id : request.param_id) {
-    const auto value = parameters.variable(id);
-    if (!value)
-      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
-    answer.params.push_back({id, *value});
-  }
-  return context.answer(answer);
-}
-
-/// Sets all variables or none.
-Reaction handle(RequestContext& context, const msg::SetAdjVarsVal& request, Device& device) {
-  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  const auto refused =
-      device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
-  if (refused)
-    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
-  device.apply_parameters(context.now);
-  return context.confirm();
-}
-
-Reaction handle(RequestContext& context, const msg::AdjVarsStateRequest& request, Device& device) {
-  return report(context, device, request.trigger_slot, request.analog_slot);
-}
-/// The bytes of the analog value are a floating-point number here (E208).
-Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
-                Device& device) {
-  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  const auto analog = device.parameters.variable(request.analog_var_id);
-  const auto table = device.parameters.variable(request.lut_var_id);
-  if (!analog || !table) return context.refuse(msg::BoardErrorCode::wrong_params);
-  msg::AdjVarsState state = device.slots.state(device, request.trigger_slot, 0);
-  const auto trigger = device.slots.signal(device, request.trigger_slot);
-  state.trigger_rc_data = msg::CentredRcSignal(fine_signal(trigger).raw());
-  state.analog_rc_data =
-      msg::CentredRcSignal(fine_signal(signal_of(device, request.analog_src_id)).raw());
-  state.analog_value = std::bit_cast<std::int32_t>(static_cast<float>(*analog));
-  state.lut_src_value = fine_signal(signal_of(device, request.lut_src_id));
-  state.lut_var_value = static_cast<float>(*table);
-  return context.answer(state);
-}
-
-Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequest& request,
-                Parameters& parameters) {
-  return describe(context, parameters, request.start_id);
-}
-Reaction handle(RequestContext& context, const msg::AdjVarsInfoRequestAll&,
-                Parameters& parameters) {
-  return describe(context, parameters, msg::VariableId{});
-}
-
-/// Sets all variables or none.
-Reaction handle(RequestContext& context, const msg::SetAdjVarsValF& request, Device& device) {
-  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  std::vector<msg::AdjVarValue> values;
-  for (const msg::AdjVarFloat& one : request.params) {
-    const auto value = static_cast<double>(one.value);
-    // Larger than the range of any variable.
-    constexpr double largest = 1e9;
-    if (!(std::abs(value) <= largest)) {
-      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(one.id));
-    }
-    // Assumption: the variables remain integers.
-    values.push_back({one.id, static_cast<std::int32_t>(std::lround(value))});
-  }
-  if (const auto refused = device.parameters.set_variables(values)) {
-    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
-  }
-  device.apply_parameters(context.now);
-  return context.confirm();
-}
-
-Reaction handle(RequestContext& context, const msg::GetAdjVarsValF& request,
-                Parameters& parameters) {
-  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  msg::SetAdjVarsValF answer;
-  for (const msg::VariableId id : request.id) {
-    const auto value = parameters.variable(id);
-    if (!value)
-      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
-    answer.params.push_back({id, static_cast<float>(*value)});
-  }
-  return context.answer(answer);
-}
-
 }  // namespace sbgc::emulator

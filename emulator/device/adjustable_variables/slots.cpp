@@ -51,19 +51,19 @@ msg::CentredRcSignal rc_data(std::optional<double> signal) {
 
 }  // namespace
 
-void Slots::apply_parameters(const Device& device, Instant now) {
-  const auto& parameters = device.parameters.of<msg::ReadAdjVarsCfg>();
-  if (std::exchange(profile_, device.parameters.profile()) != device.parameters.profile()) {
+void Slots::apply_parameters(const Parameters& parameters, Instant now) {
+  const auto& configs = parameters.of<msg::ReadAdjVarsCfg>();
+  if (std::exchange(profile_, parameters.profile()) != parameters.profile()) {
     for (Analog& slot : analogs_) slot.value.reset();
   }
   bool is_any_used = false;
   for (std::size_t i = 0; i < triggers; ++i) {
-    const msg::TriggerSlot& config = parameters.trigger_slots[i];
+    const msg::TriggerSlot& config = configs.trigger_slots[i];
     if (!(triggers_[i].config == config)) triggers_[i] = {.config = config};
     is_any_used = is_any_used || is_used(config);
   }
   for (std::size_t i = 0; i < analogs; ++i) {
-    const msg::AnalogSlot& config = parameters.analog_slots[i];
+    const msg::AnalogSlot& config = configs.analog_slots[i];
     if (!(analogs_[i].config == config)) analogs_[i] = {.config = config};
     is_any_used = is_any_used || is_used(config);
   }
@@ -74,8 +74,7 @@ void Slots::apply_parameters(const Device& device, Instant now) {
   }
 }
 
-void Slots::advance(Device& device, Instant now) {
-  if (now < next_) return;
+void Slots::advance(Instant now, Device& device) {
   next_ = next_ + period;
   if (next_ <= now) next_ = now + period;  // past values of a signal are unknown
   // Actions first, because they may switch the profile.
@@ -88,9 +87,10 @@ void Slots::advance(Device& device, Instant now) {
     if (!level) continue;
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
-    if (action != msg::MenuCommand::none) execute_menu(device, action, now);
+    if (action == msg::MenuCommand::none) continue;
+    execute_menu(device, action, now);
+    device.apply_parameters(now);  // which may concern the next slots
   }
-  bool is_changed = false;
   for (Analog& slot : analogs_) {
     const auto signal = device.remote.signal(slot.config.src_ch);
     const VariableInfo* variable = find_variable(slot.config.param_id);
@@ -99,27 +99,26 @@ void Slots::advance(Device& device, Instant now) {
     // A host may also set the variable: the signal wins when it or the profile changes.
     if (slot.value == value) continue;
     slot.value = value;
-    is_changed = device.parameters.set_variable(slot.config.param_id, value) || is_changed;
+    device.parameters.set_variable(slot.config.param_id, value);
   }
-  if (is_changed) device.apply_parameters(now);
 }
 
-msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,
-                               std::size_t analog) const {
+msg::AdjVarsState Slots::state(const RemoteControl& remote, const Parameters& parameters,
+                               std::size_t trigger, std::size_t analog) const {
   const Trigger& one = triggers_[trigger];
   const Analog& other = analogs_[analog];
   msg::AdjVarsState state;
-  state.trigger_rc_data = rc_data(device.remote.signal(one.config.src_ch));
+  state.trigger_rc_data = rc_data(remote.signal(one.config.src_ch));
   state.trigger_action = one.action;
-  state.analog_rc_data = rc_data(device.remote.signal(other.config.src_ch));
+  state.analog_rc_data = rc_data(remote.signal(other.config.src_ch));
   if (is_used(other.config)) {
-    state.analog_value = device.parameters.variable(other.config.param_id).value_or(0);
+    state.analog_value = parameters.variable(other.config.param_id).value_or(0);
   }
   return state;
 }
 
-std::optional<double> Slots::signal(const Device& device, std::size_t trigger) const {
-  return device.remote.signal(triggers_[trigger].config.src_ch);
+std::optional<double> Slots::signal(const RemoteControl& remote, std::size_t trigger) const {
+  return remote.signal(triggers_[trigger].config.src_ch);
 }
 
 }  // namespace sbgc::emulator

@@ -12,6 +12,8 @@
 
 namespace sbgc::emulator {
 
+class Parameters;
+class RemoteControl;
 struct Device;
 
 /// Implements the configuration of CMD_WRITE_ADJ_VARS_CFG.
@@ -23,15 +25,16 @@ class Slots {
       std::tuple_size_v<decltype(msg::ReadAdjVarsCfg::analog_slots)>;
 
   /// Takes the configuration from the parameters; called by Device::apply_parameters().
-  void apply_parameters(const Device& device, Instant now);
+  void apply_parameters(const Parameters& parameters, Instant now);
   /// The current state of two slots. Precondition: trigger < triggers, analog < analogs.
-  msg::AdjVarsState state(const Device& device, std::size_t trigger, std::size_t analog) const;
+  msg::AdjVarsState state(const RemoteControl& remote, const Parameters& parameters,
+                          std::size_t trigger, std::size_t analog) const;
 
   /// The signal of a trigger slot. Same precondition.
-  std::optional<double> signal(const Device& device, std::size_t trigger) const;
+  std::optional<double> signal(const RemoteControl& remote, std::size_t trigger) const;
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Device& device);
 
  private:
   struct Trigger {

@@ -22,7 +22,9 @@ constexpr unsigned rounds_for_filter = 5;
 /// How far the board shakes the camera, in degrees.
 constexpr double shake = 0.3;
 
-constexpr std::uint64_t seed_of(const Device& device) { return device.options.gimbal.seed + 0xA1D; }
+constexpr std::uint64_t seed_of(const CalibrationParts& parts) {
+  return parts.options.gimbal.seed + 0xA1D;
+}
 
 /// The remaining fraction of the way to the goal: 1 at the start, 0 after the last round.
 double rest_of_way(unsigned round, unsigned rounds) {
@@ -36,15 +38,15 @@ std::uint8_t byte(double value) {
 
 }  // namespace
 
-bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags config,
+bool AutoTuning::start(CalibrationParts& parts, std::uint8_t profile, msg::AutoPidFlags config,
                        std::uint8_t gain, std::optional<std::size_t> port, Instant now) {
-  if (run_ || device.calibrations.under_way() || !device.gimbal.motors_on()) return false;
-  if (profile != device.parameters.profile()) device.select_profile(profile, now);
+  if (run_ || parts.calibrations.under_way() || !parts.gimbal.motors_on()) return false;
+  if (profile != parts.parameters.profile()) parts.parameters.select_profile(profile);
 
   Run run{.profile = profile, .config = config};
   if (config.has(msg::AutoPidFlag::send_gui)) run.port = port;
-  const auto parameters = device.parameters.read<msg::ReadParams3>(profile);
-  const auto filters = device.parameters.read<msg::ReadParamsExt>(profile);
+  const auto parameters = parts.parameters.read<msg::ReadParams3>(profile);
+  const auto filters = parts.parameters.read<msg::ReadParamsExt>(profile);
   const bool tunes_filter = config.has(msg::AutoPidFlag::tune_lpf_freq);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const msg::AxisPid& pid = parameters.axes[axis];
@@ -54,7 +56,7 @@ bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags c
     run.begin[axis] = run.goal[axis] = present;
     if (!config.has(axis_flags[axis])) continue;
     const auto random = [&](std::uint64_t counter) {
-      return 0.8 + 0.4 * random_share(seed_of(device), 4 * axis + counter);
+      return 0.8 + 0.4 * random_share(seed_of(parts), 4 * axis + counter);
     };
     // Assumption: gains that suit this gimbal; less stability means higher gains.
     const double aggressiveness = 0.6 + 0.8 * gain / 255;
@@ -68,7 +70,7 @@ bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags c
     run.rounds += rounds_per_axis + (tunes_filter ? rounds_for_filter : 0);
   }
   const Duration length =
-      Calibrations::scaled(device.options, round_time * static_cast<std::int32_t>(run.rounds));
+      Calibrations::scaled(parts.options, round_time * static_cast<std::int32_t>(run.rounds));
   run.rounds = static_cast<unsigned>(std::max<std::int64_t>(1, length.us / round_time.us));
   run.interval = microseconds(std::max<std::int64_t>(1, length.us / run.rounds));
   run.due = now + run.interval;
@@ -76,12 +78,12 @@ bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags c
   return true;
 }
 
-bool AutoTuning::start(Device& device, Instant now) {
-  const auto& parameters = device.parameters.of<msg::ReadParamsExt2>();
+bool AutoTuning::start(CalibrationParts& parts, Instant now) {
+  const auto& parameters = parts.parameters.of<msg::ReadParamsExt2>();
   const msg::AutoPidFlags config = parameters.auto_pid_cfg;
   const bool names_axis = std::any_of(axis_flags.begin(), axis_flags.end(),
                                       [&](msg::AutoPidFlag axis) { return config.has(axis); });
-  return names_axis && start(device, device.parameters.profile(), config, parameters.auto_pid_gain,
+  return names_axis && start(parts, parts.parameters.profile(), config, parameters.auto_pid_gain,
                              std::nullopt, now);
 }
 
@@ -89,21 +91,21 @@ void AutoTuning::stop() { run_.reset(); }
 
 Instant AutoTuning::next() const { return run_ ? run_->due : Instant::never; }
 
-void AutoTuning::advance(Device& device, Instant now) {
+void AutoTuning::advance(Instant now, CalibrationParts& parts) {
   while (run_ && run_->due <= now) {
     // Tuning requires running motors.
-    if (!device.gimbal.motors_on()) return run_.reset();
+    if (!parts.gimbal.motors_on()) return run_.reset();
     ++run_->round;
     run_->due = run_->due + run_->interval;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run_->config.has(axis_flags[axis])) continue;
-      const double noise = 0.8 + 0.4 * random_share(seed_of(device), 100 + shakes_++);
+      const double noise = 0.8 + 0.4 * random_share(seed_of(parts), 100 + shakes_++);
       run_->error[axis] = (0.1 + 1.9 * rest_of_way(run_->round, run_->rounds)) * noise;
-      device.gimbal.push(axis, shakes_ % 2 == 0 ? shake : -shake, now);
+      parts.gimbal.push(axis, shakes_ % 2 == 0 ? shake : -shake, now);
     }
-    report(device, *run_);
+    report(parts, *run_);
     if (run_->round == run_->rounds) {
-      store(device, *run_, now);
+      store(parts, *run_);
       run_.reset();
     }
   }
@@ -113,7 +115,7 @@ void AutoTuning::drop_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
-void AutoTuning::restart(Device&, Instant) { run_.reset(); }
+void AutoTuning::restart(Instant) { run_.reset(); }
 
 AutoTuning::Gains AutoTuning::gains(const Run& run, std::size_t axis) const {
   const double rest = rest_of_way(run.round, run.rounds);
@@ -124,7 +126,7 @@ AutoTuning::Gains AutoTuning::gains(const Run& run, std::size_t axis) const {
           between(begin.lpf, goal.lpf)};
 }
 
-void AutoTuning::report(Device& device, const Run& run) const {
+void AutoTuning::report(CalibrationParts& parts, const Run& run) const {
   if (!run.port) return;
   msg::AutoPid progress;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -136,11 +138,11 @@ void AutoTuning::report(Device& device, const Run& run) const {
     progress.axes[axis].tracking_error = static_cast<float>(run.error[axis]);
   }
   progress.iter_num = static_cast<std::uint16_t>(run.round);
-  device.ports.send(*run.port, progress);
+  parts.ports.send(*run.port, progress);
 }
 
 /// Stores the tuned values in the profile of the run or in all profiles.
-void AutoTuning::store(Device& device, const Run& run, Instant now) const {
+void AutoTuning::store(CalibrationParts& parts, const Run& run) const {
   const auto set_gains = [&](msg::ReadParams3& parameters) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
@@ -161,12 +163,11 @@ void AutoTuning::store(Device& device, const Run& run, Instant now) const {
   for (std::uint8_t profile = 0; profile < ParametersOf<msg::ReadParams3>::copies; ++profile) {
     if (profile != run.profile && !run.config.has(msg::AutoPidFlag::all_profiles)) continue;
     // The length does not change, so the bodies fit.
-    static_cast<void>(device.parameters.change<msg::ReadParams3>(profile, set_gains));
+    static_cast<void>(parts.parameters.change<msg::ReadParams3>(profile, set_gains));
     if (run.config.has(msg::AutoPidFlag::tune_lpf_freq)) {
-      static_cast<void>(device.parameters.change<msg::ReadParamsExt>(profile, set_filters));
+      static_cast<void>(parts.parameters.change<msg::ReadParamsExt>(profile, set_filters));
     }
   }
-  device.apply_parameters(now);
 }
 
 }  // namespace sbgc::emulator

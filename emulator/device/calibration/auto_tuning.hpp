@@ -10,9 +10,9 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::emulator {
+#include "device/calibration/calibrations.hpp"
 
-struct Device;
+namespace sbgc::emulator {
 
 /// CMD_AUTO_PID: searches for gains in rounds while it shakes the camera, then stores the result.
 class AutoTuning {
@@ -20,11 +20,11 @@ class AutoTuning {
   /// Precondition: the profile exists, and `config` selects an axis. `port` receives progress
   /// reports if the flags request them. Returns false, without effect, if a calibration or tuning
   /// is in progress or the motors are off.
-  bool start(Device& device, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
-             std::optional<std::size_t> port, Instant now);
+  bool start(CalibrationParts& parts, std::uint8_t profile, msg::AutoPidFlags config,
+             std::uint8_t gain, std::optional<std::size_t> port, Instant now);
   /// Uses the configuration in the parameters (MENU_CMD_AUTO_PID). Also returns false if they
   /// select no axis.
-  bool start(Device& device, Instant now);
+  bool start(CalibrationParts& parts, Instant now);
   /// Discards the result.
   void stop();
   bool is_running() const { return run_.has_value(); }
@@ -32,8 +32,8 @@ class AutoTuning {
   void drop_port(std::size_t port);
 
   Instant next() const;
-  void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
+  void advance(Instant now, CalibrationParts& parts);
+  void restart(Instant now);
 
  private:
   /// The tuned values of one axis.
@@ -52,8 +52,8 @@ class AutoTuning {
   };
 
   Gains gains(const Run& run, std::size_t axis) const;
-  void report(Device& device, const Run& run) const;
-  void store(Device& device, const Run& run, Instant now) const;
+  void report(CalibrationParts& parts, const Run& run) const;
+  void store(CalibrationParts& parts, const Run& run) const;
 
   std::optional<Run> run_{};
   std::uint64_t shakes_{};  ///< counter of the random numbers

@@ -126,19 +126,11 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
 }
 
 /// Ends a gyroscope calibration, which replaces the manual correction.
-void gyro_calibrated(Device& device, std::size_t imu, Instant now) {
-  device.gimbal.gyro_calibrated(imu == 1, now);
-  device.memory.imus[imu].gyro_offset = {};
-  device.gyro_headings[imu] = 0;
-  device.correct_gyros(now);
-}
-
-/// Changes parameters of a profile and stores them.
-template <class M, class Edit>
-bool change_parameters(Device& device, std::uint8_t profile, Instant now, const Edit& edit) {
-  const bool changed = device.parameters.change<M>(profile, edit);
-  if (changed) device.apply_parameters(now);
-  return changed;
+void gyro_calibrated(CalibrationParts& parts, std::size_t imu, Instant now) {
+  parts.gimbal.gyro_calibrated(imu == 1, now);
+  parts.memory.imus[imu].gyro_offset = {};
+  parts.imus.headings[imu] = 0;
+  parts.imus.correct(parts.gimbal, parts.memory, parts.parameters, now);
 }
 
 }  // namespace
@@ -148,21 +140,21 @@ Duration Calibrations::scaled(const BoardOptions& options, Duration length) {
   return std::max(Device::cycle(), microseconds(us));
 }
 
-bool Calibrations::start(Device& device, Kind kind, std::size_t imu,
+bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
                          std::optional<Requester> requester, Instant now, Duration length) {
-  if (run_ || device.auto_tuning.is_running()) return false;
-  Run run{.kind = kind, .imu = imu, .profile = device.parameters.profile(), .requester = requester};
+  if (run_ || parts.auto_tuning.is_running()) return false;
+  Run run{.kind = kind, .imu = imu, .profile = parts.parameters.profile(), .requester = requester};
   if (length == Duration{}) length = length_of(kind);
-  length = scaled(device.options, length);
+  length = scaled(parts.options, length);
   const Duration cycle = Device::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
   run.steps_left = patience * run.steps_needed;
   run.step = std::max(cycle, microseconds(length.us / run.steps_needed));
   run.due = now + run.step;
   run.temperature_min = run.temperature_max =
-      whole_celsius(temperature_of(device.gimbal.sample(now), imu));
+      whole_celsius(temperature_of(parts.gimbal.sample(now), imu));
   run_ = run;
-  device.outputs.signal(device, msg::BeeperMode::calibrate, now);
+  parts.outputs.signal(parts.parameters, msg::BeeperMode::calibrate, now);
   return true;
 }
 
@@ -172,10 +164,10 @@ std::optional<Kind> Calibrations::under_way() const {
 
 Instant Calibrations::next() const { return run_ ? run_->due : Instant::never; }
 
-void Calibrations::advance(Device& device, Instant now) {
+void Calibrations::advance(Instant now, CalibrationParts& parts) {
   while (run_ && run_->due <= now) {
     const Instant at = run_->due;
-    const Sample sample = device.gimbal.sample(now);
+    const Sample sample = parts.gimbal.sample(now);
     const int temperature = whole_celsius(temperature_of(sample, run_->imu));
     run_->temperature_min = std::min(run_->temperature_min, temperature);
     run_->temperature_max = std::max(run_->temperature_max, temperature);
@@ -185,9 +177,9 @@ void Calibrations::advance(Device& device, Instant now) {
     --run_->steps_left;
     if (run_->steps_at_rest == run_->steps_needed) {
       const Run run = *run_;
-      finish(device, store(device, run, now), now);
+      finish(parts, store(parts, run, now), now);
     } else if (run_->steps_left == 0) {
-      finish(device, false, now);
+      finish(parts, false, now);
     }
   }
 }
@@ -197,19 +189,19 @@ void Calibrations::drop_port(std::size_t port) {
 }
 
 /// Stores the result. Returns false if that is not possible.
-bool Calibrations::store(Device& device, const Run& run, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
-  ImuCalibration& imu = device.memory.imus[run.imu];
-  ImuCalibration& sensor = device.memory.sensors[run.imu];
+bool Calibrations::store(CalibrationParts& parts, const Run& run, Instant now) {
+  const Sample sample = parts.gimbal.sample(now);
+  ImuCalibration& imu = parts.memory.imus[run.imu];
+  ImuCalibration& sensor = parts.memory.sensors[run.imu];
   const auto minimum = static_cast<std::int8_t>(run.temperature_min);
   const auto maximum = static_cast<std::int8_t>(run.temperature_max);
   const auto random = [&](std::uint64_t counter) {
-    return random_share(device.options.gimbal.seed + 0xCA11B, counter);
+    return random_share(parts.options.gimbal.seed + 0xCA11B, counter);
   };
   switch (run.kind) {
     case Kind::gyro:
       imu.gyro_is_calibrated = true;
-      gyro_calibrated(device, run.imu, now);
+      gyro_calibrated(parts, run.imu, now);
       break;
     case Kind::acc: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -221,7 +213,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       imu.gyro_temperature_enabled = true;
       imu.gyro_temperature_min = minimum;
       imu.gyro_temperature_max = maximum;
-      gyro_calibrated(device, run.imu, now);
+      gyro_calibrated(parts, run.imu, now);
       break;
     case Kind::acc_temperature: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -238,7 +230,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
     }
     case Kind::gyro_from_sensor:
       copy_gyro(sensor, imu);
-      device.correct_gyros(now);
+      parts.imus.correct(parts.gimbal, parts.memory, parts.parameters, now);
       break;
     case Kind::acc_from_sensor: copy_acc(sensor, imu); break;
     case Kind::gyro_to_sensor: copy_gyro(imu, sensor); break;
@@ -252,54 +244,52 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       break;
     case Kind::orientation:
       // Assumption: an IMU that is mounted with a small error.
-      return change_parameters<msg::ReadParamsExt2>(
-          device, run.profile, now, [&](auto& parameters) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-              const auto hundredths = std::lround(200 * random(5 + axis) - 100);
-              parameters.imu_orientation_corr[axis] =
-                  msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
-            }
-          });
+      return parts.parameters.change<msg::ReadParamsExt2>(run.profile, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto hundredths = std::lround(200 * random(5 + axis) - 100);
+          parameters.imu_orientation_corr[axis] =
+              msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
+        }
+      });
     case Kind::momentum:
-      return change_parameters<msg::ReadParamsExt2>(
-          device, run.profile, now, [&](auto& parameters) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-              parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
-            }
-          });
+      return parts.parameters.change<msg::ReadParamsExt2>(run.profile, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
+        }
+      });
     case Kind::ext_gain:
       // Assumption: gains of a flight controller that differs slightly from board to board.
-      return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {
+      return parts.parameters.change<msg::ReadParams3>(run.profile, [&](auto& parameters) {
         parameters.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
         parameters.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
       // Assumption: motors with 14 poles, common in gimbals, and the correct direction.
-      return change_parameters<msg::ReadParams3>(device, run.profile, now, [](auto& parameters) {
+      return parts.parameters.change<msg::ReadParams3>(run.profile, [](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.axes[axis].poles = 14;
           parameters.axes[axis].invert = 0;
         }
       });
     case Kind::encoder_offset:
-      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
+      return parts.parameters.change<msg::ReadParamsExt>(run.profile, [&](auto& parameters) {
         // The current position becomes zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
-      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
+      return parts.parameters.change<msg::ReadParamsExt>(run.profile, [&](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
         }
       });
   }
-  ++device.memory.revision;
+  ++parts.memory.revision;
   return true;
 }
 
-void Calibrations::finish(Device& device, bool is_success, Instant now) {
+void Calibrations::finish(CalibrationParts& parts, bool is_success, Instant now) {
   const Run run = *run_;
   run_.reset();
   last_progress_ = is_success ? 100 : 0;
@@ -307,11 +297,11 @@ void Calibrations::finish(Device& device, bool is_success, Instant now) {
     errors_.set(msg::SystemError::calib_acc, !is_success);
   }
   if (run.kind == Kind::poles) errors_.set(msg::SystemError::calib_poles, !is_success);
-  device.outputs.signal(device, is_success ? msg::BeeperMode::confirm : msg::BeeperMode::error,
-                        now);
+  parts.outputs.signal(parts.parameters,
+                       is_success ? msg::BeeperMode::confirm : msg::BeeperMode::error, now);
   if (!run.requester) return;
-  RequestContext context(device, run.requester->port, run.requester->command, Confirmed::always,
-                         now);
+  RequestContext context(parts.ports, parts.options, run.requester->port, run.requester->command,
+                         Confirmed::always, now);
   if (is_success) {
     context.confirm();
   } else {
@@ -320,9 +310,10 @@ void Calibrations::finish(Device& device, bool is_success, Instant now) {
   }
 }
 
-msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) const {
-  const Sample sample = device.gimbal.sample(now);
-  const ImuCalibration& memory = device.memory.imus[imu];
+msg::CalibInfo Calibrations::info(const Memory& memory, Gimbal& gimbal, std::size_t imu,
+                                  Instant now) const {
+  const Sample sample = gimbal.sample(now);
+  const ImuCalibration& calibration = memory.imus[imu];
   const Vector& acceleration = acceleration_of(sample, imu);
   msg::CalibInfo info;
   // Assumption: reports the last calibration until the next one starts.
@@ -339,15 +330,15 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   info.gyro_abs_val = saturated_raw<std::uint16_t>(length(gyro_of(sample, imu)) /
                                                    msg::GyroRate(1).degrees_per_second());
   info.acc_cur_axis = static_cast<std::uint8_t>(up(acceleration).axis);
-  info.acc_limits_info = msg::CalibratedLimits(memory.acc_limits);
+  info.acc_limits_info = msg::CalibratedLimits(calibration.acc_limits);
   info.imu_temp_cels = saturated<msg::Temperature>(whole_celsius(temperature_of(sample, imu)));
-  info.temp_calib_gyro_enabled = memory.gyro_temperature_enabled ? 1 : 0;
-  info.temp_calib_gyro_t_min_cels = msg::Temperature(memory.gyro_temperature_min);
-  info.temp_calib_gyro_t_max_cels = msg::Temperature(memory.gyro_temperature_max);
-  info.temp_calib_acc_enabled = memory.acc_temperature_enabled ? 1 : 0;
-  info.temp_calib_acc_slot_num = memory.acc_slots;
-  info.temp_calib_acc_t_min_cels = msg::Temperature(memory.acc_temperature_min);
-  info.temp_calib_acc_t_max_cels = msg::Temperature(memory.acc_temperature_max);
+  info.temp_calib_gyro_enabled = calibration.gyro_temperature_enabled ? 1 : 0;
+  info.temp_calib_gyro_t_min_cels = msg::Temperature(calibration.gyro_temperature_min);
+  info.temp_calib_gyro_t_max_cels = msg::Temperature(calibration.gyro_temperature_max);
+  info.temp_calib_acc_enabled = calibration.acc_temperature_enabled ? 1 : 0;
+  info.temp_calib_acc_slot_num = calibration.acc_slots;
+  info.temp_calib_acc_t_min_cels = msg::Temperature(calibration.acc_temperature_min);
+  info.temp_calib_acc_t_max_cels = msg::Temperature(calibration.acc_temperature_max);
   // The distance of two unit vectors with this angle between them.
   constexpr double half_degree = 3.14159265358979323846 / 360;
   info.h1_err_length = saturated<msg::Hundredths>(
@@ -355,8 +346,8 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   return info;
 }
 
-bool Calibrations::store_follow_offsets(Device& device, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
+bool Calibrations::store_follow_offsets(Gimbal& gimbal, Parameters& parameters, Instant now) {
+  const Sample sample = gimbal.sample(now);
   Axes<std::int8_t> offsets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Assumption: FOLLOW_OFFSET is in degrees; its unit is undocumented.
@@ -368,9 +359,8 @@ bool Calibrations::store_follow_offsets(Device& device, Instant now) {
     }
     offsets[axis] = (*degrees).raw();
   }
-  return change_parameters<msg::ReadParams3>(
-      device, device.parameters.profile(), now,
-      [&](msg::ReadParams3& parameters) { parameters.follow_offset = offsets; });
+  return parameters.change<msg::ReadParams3>(
+      parameters.profile(), [&](msg::ReadParams3& changed) { changed.follow_offset = offsets; });
 }
 
 }  // namespace sbgc::emulator

@@ -6,13 +6,34 @@
 #include <optional>
 
 #include <sbgc/emulator/board_options.hpp>
+#include <sbgc/emulator/memory.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
 
-struct Device;
+class AutoTuning;
+class Calibrations;
+class Outputs;
+class Parameters;
+class Ports;
+class Restarts;
+struct Imus;
+
+/// The parts that calibrations and the automatic tuning use.
+struct CalibrationParts {
+  const BoardOptions& options;
+  Memory& memory;
+  Parameters& parameters;
+  Gimbal& gimbal;
+  Imus& imus;
+  Outputs& outputs;
+  Ports& ports;
+  Restarts& restarts;
+  Calibrations& calibrations;
+  AutoTuning& auto_tuning;
+};
 
 /// Runs one calibration at a time: it measures, starts over if the gimbal moves, and stores the
 /// result. CMD_CALIB_INFO reports the progress.
@@ -48,26 +69,26 @@ class Calibrations {
   /// false, without effect, if a calibration or tuning is in progress. Precondition: the board has
   /// this IMU, and encoders if the kind needs them.
   /// `length` replaces the usual duration if it is not 0.
-  bool start(Device& device, Kind kind, std::size_t imu, std::optional<Requester> requester,
-             Instant now, Duration length = {});
+  bool start(CalibrationParts& parts, Kind kind, std::size_t imu,
+             std::optional<Requester> requester, Instant now, Duration length = {});
   /// The calibration in progress.
   std::optional<Kind> under_way() const;
   /// Returns CMD_CALIB_INFO of this IMU. Precondition: the board has it.
-  msg::CalibInfo info(Device& device, std::size_t imu, Instant now) const;
+  msg::CalibInfo info(const Memory& memory, Gimbal& gimbal, std::size_t imu, Instant now) const;
   /// ERR_CALIB_ACC and ERR_CALIB_POLES. A failed calibration sets its flag, a successful one clears
   /// it.
   Flags<msg::SystemError> errors() const { return errors_; }
 
   /// CMD_CALIB_OFFSET: makes follow mode hold the current joint angles. Returns false if one of
   /// them is out of range.
-  static bool store_follow_offsets(Device& device, Instant now);
+  static bool store_follow_offsets(Gimbal& gimbal, Parameters& parameters, Instant now);
   /// Scales a duration of a real board by these options; at least one cycle.
   static Duration scaled(const BoardOptions& options, Duration length);
 
   void drop_port(std::size_t port);
 
   Instant next() const;
-  void advance(Device& device, Instant now);
+  void advance(Instant now, CalibrationParts& parts);
 
  private:
   struct Run {
@@ -83,8 +104,8 @@ class Calibrations {
     int temperature_min{}, temperature_max{};
   };
 
-  bool store(Device& device, const Run& run, Instant now);
-  void finish(Device& device, bool is_success, Instant now);
+  bool store(CalibrationParts& parts, const Run& run, Instant now);
+  void finish(CalibrationParts& parts, bool is_success, Instant now);
 
   std::optional<Run> run_{};
   std::uint8_t last_progress_{};  ///< percent; used while no calibration is in progress

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include <sbgc/meta/calibration.hpp>
@@ -12,62 +11,44 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/calibration/actions.hpp"
-
 namespace sbgc::emulator {
 namespace {
 
 using Kind = Calibrations::Kind;
 
 /// Returns the index of an IMU in Memory::imus; nothing if the board does not have it.
-std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
+std::optional<std::size_t> index_of(const Imus& imus, msg::CalibImu imu) {
   switch (imu) {
-    case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
+    case msg::CalibImu::active: return imus.selected_index();
     case msg::CalibImu::main: return 0;
     case msg::CalibImu::frame: break;
     default: return {};
   }
-  return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
+  return imus.has_frame ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
-Reaction begin(RequestContext& context, Device& device, Kind kind, std::size_t imu,
+Reaction begin(RequestContext& context, CalibrationParts& parts, Kind kind, std::size_t imu,
                bool confirms_end, Duration length = {}) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
-  if (!device.calibrations.start(device, kind, imu, requester, context.now, length)) {
+  if (!parts.calibrations.start(parts, kind, imu, requester, context.now, length)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
 /// Starts a calibration that is confirmed only at its end.
-Reaction begin_silently(RequestContext& context, Device& device, Kind kind) {
+Reaction begin_silently(RequestContext& context, CalibrationParts& parts, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
-  if (!device.calibrations.start(device, kind, 0, requester, context.now)) {
-    return context.refuse(msg::BoardErrorCode::wrong_state);
-  }
-  return Reaction::executed;
+  const bool starts = parts.calibrations.start(parts, kind, 0, requester, context.now);
+  return starts ? Reaction::executed : context.refuse(msg::BoardErrorCode::wrong_state);
 }
 
-/// The duration that a host requests; 0 is the usual one.
-template <class Request>
-Duration length_of(const Request& request) {
-  return milliseconds(request.time_ms.raw());
-}
-
-/// True if the model names the value.
-template <class E>
-bool is_known(E value) {
-  return std::ranges::any_of(EnumMeta<E>::values, [value](const ValueInfo& info) {
-    return info.value == static_cast<std::int64_t>(value);
-  });
-}
-
-Reaction restart(RequestContext& context, Device& device) {
-  ++device.memory.revision;
+Reaction restart(RequestContext& context, CalibrationParts& parts) {
+  ++parts.memory.revision;
   const Reaction reaction = context.confirm();
-  device.restarts.announce(device, context.now);
+  parts.restarts.announce(parts.ports, context.now);
   return reaction;
 }
 
@@ -136,68 +117,61 @@ constexpr Sensor acc{Kind::acc,
                        imu.acc_temperature_enabled = used && exists;
                      }};
 
-Reaction carry_out(RequestContext& context, Device& device, const Sensor& sensor,
+Reaction carry_out(RequestContext& context, CalibrationParts& parts, const Sensor& sensor,
                    msg::CalibImu which, msg::CalibAction action, Duration length = {}) {
-  const auto imu = index_of(device, which);
+  const auto imu = index_of(parts.imus, which);
   if (!imu) return RequestContext::ignore();
-  ImuCalibration& memory = device.memory.imus[*imu];
+  ImuCalibration& memory = parts.memory.imus[*imu];
   const bool changes_at_once = action == msg::CalibAction::reset ||
                                action == msg::CalibAction::enable_temperature ||
                                action == msg::CalibAction::disable_temperature;
-  if (changes_at_once && device.calibrations.under_way()) {
+  if (changes_at_once && parts.calibrations.under_way()) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   switch (action) {
     case msg::CalibAction::regular:
-      return begin(context, device, sensor.regular, *imu, true, length);
+      return begin(context, parts, sensor.regular, *imu, true, length);
     case msg::CalibAction::temperature:
-      return begin(context, device, sensor.temperature, *imu, true);
+      return begin(context, parts, sensor.temperature, *imu, true);
     case msg::CalibAction::restore_factory:
-      return begin(context, device, sensor.from_sensor, *imu, true);
+      return begin(context, parts, sensor.from_sensor, *imu, true);
     case msg::CalibAction::store_in_sensor:
-      return begin(context, device, sensor.to_sensor, *imu, true);
-    case msg::CalibAction::reset: sensor.forget(memory); return restart(context, device);
+      return begin(context, parts, sensor.to_sensor, *imu, true);
+    case msg::CalibAction::reset: sensor.forget(memory); return restart(context, parts);
     case msg::CalibAction::enable_temperature:
       sensor.use_temperature(memory, true);
-      return restart(context, device);
+      return restart(context, parts);
     case msg::CalibAction::disable_temperature:
       sensor.use_temperature(memory, false);
-      return restart(context, device);
+      return restart(context, parts);
   }
   return RequestContext::ignore();
 }
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::CalibAcc&, Device& device) {
-  return carry_out(context, device, acc, msg::CalibImu::active, msg::CalibAction::regular);
+Reaction handle(RequestContext& context, const msg::CalibAccExt& request, CalibrationParts& parts) {
+  return carry_out(context, parts, acc, request.imu_idx, request.action);
 }
-Reaction handle(RequestContext& context, const msg::CalibAccExt& request, Device& device) {
-  return carry_out(context, device, acc, request.imu_idx, request.action);
-}
-Reaction handle(RequestContext& context, const msg::CalibGyro&, Device& device) {
-  return carry_out(context, device, gyro, msg::CalibImu::active, msg::CalibAction::regular);
-}
-Reaction handle(RequestContext& context, const msg::CalibGyroExt& request, Device& device) {
-  return carry_out(context, device, gyro, request.imu_idx, request.action, length_of(request));
+Reaction handle(RequestContext& context, const msg::CalibGyroExt& request,
+                CalibrationParts& parts) {
+  return carry_out(context, parts, gyro, request.imu_idx, request.action,
+                   milliseconds(request.time_ms.raw()));
 }
 
-Reaction handle(RequestContext& context, const msg::CalibMag&, Device& device) {
-  return begin(context, device, Kind::mag, 0, false);
-}
 /// Assumption: a magnetometer has no temperature calibration and no memory of its own.
-Reaction handle(RequestContext& context, const msg::CalibMagExt& request, Device& device) {
-  const auto imu = index_of(device, request.imu_idx);
+Reaction handle(RequestContext& context, const msg::CalibMagExt& request, CalibrationParts& parts) {
+  const auto imu = index_of(parts.imus, request.imu_idx);
   if (!imu) return RequestContext::ignore();
   switch (request.action) {
-    case msg::CalibAction::regular: return begin(context, device, Kind::mag, *imu, false);
+    case msg::CalibAction::regular: return begin(context, parts, Kind::mag, *imu, false);
     case msg::CalibAction::reset:
     case msg::CalibAction::enable_temperature:
     case msg::CalibAction::disable_temperature:
-      if (device.calibrations.under_way()) {
+      if (parts.calibrations.under_way()) {
         return context.refuse(msg::BoardErrorCode::wrong_state);
       }
-      return restart(context, device);
+      return restart(context, parts);
     case msg::CalibAction::temperature:
     case msg::CalibAction::restore_factory:
     case msg::CalibAction::store_in_sensor:
@@ -205,74 +179,82 @@ Reaction handle(RequestContext& context, const msg::CalibMagExt& request, Device
   }
   return RequestContext::ignore();
 }
-Reaction handle(RequestContext& context, const msg::CalibExtGain&, Device& device) {
-  return begin_silently(context, device, Kind::ext_gain);
+Reaction handle(RequestContext& context, const msg::CalibExtGain&, CalibrationParts& parts) {
+  return begin_silently(context, parts, Kind::ext_gain);
 }
-Reaction handle(RequestContext& context, const msg::CalibPoles&, Device& device) {
-  return begin_silently(context, device, Kind::poles);
+Reaction handle(RequestContext& context, const msg::CalibPoles&, CalibrationParts& parts) {
+  return begin_silently(context, parts, Kind::poles);
 }
 
-Reaction handle(RequestContext& context, const msg::CalibOrientCorr&, Device& device) {
-  return begin_silently(context, device, Kind::orientation);
+Reaction handle(RequestContext& context, const msg::CalibOrientCorr&, CalibrationParts& parts) {
+  return begin_silently(context, parts, Kind::orientation);
 }
-Reaction handle(RequestContext& context, const msg::CalibCogging& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibCogging& request,
+                CalibrationParts& parts) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   switch (request.action) {
-    case msg::CoggingAction::calibrate: return begin_silently(context, device, Kind::cogging);
+    case msg::CoggingAction::calibrate: return begin_silently(context, parts, Kind::cogging);
     case msg::CoggingAction::erase: return context.confirm();
   }
   return context.refuse(msg::BoardErrorCode::wrong_params);
 }
-Reaction handle(RequestContext& context, const msg::CalibAccExtRef&, Device& device) {
-  return begin_silently(context, device, Kind::acc_reference);
+Reaction handle(RequestContext& context, const msg::CalibAccExtRef&, CalibrationParts& parts) {
+  return begin_silently(context, parts, Kind::acc_reference);
 }
 
-Reaction handle(RequestContext& context, const msg::CalibOffset&, Device& device) {
-  if (!Calibrations::store_follow_offsets(device, context.now)) {
+Reaction handle(RequestContext& context, const msg::CalibOffset&, Gimbal& gimbal,
+                Parameters& parameters) {
+  if (!Calibrations::store_follow_offsets(gimbal, parameters, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::CalibBat& request, Device& device) {
-  if (!device.has_battery_meter()) return context.refuse(msg::BoardErrorCode::not_supported);
-  const double measured = device.gimbal.sample(context.now).battery;
+Reaction handle(RequestContext& context, const msg::CalibBat& request, const BoardOptions& options,
+                Memory& memory, Gimbal& gimbal, Parameters& parameters) {
+  if (!has_battery_meter(options)) return context.refuse(msg::BoardErrorCode::not_supported);
+  const double measured = gimbal.sample(context.now).battery;
   // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
   constexpr double lowest = 0.5;
   constexpr double highest = 2;
   const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;
   if (!(factor >= lowest && factor <= highest))
     return context.refuse(msg::BoardErrorCode::wrong_params);
-  device.memory.battery_factor = factor;
-  ++device.memory.revision;
-  device.apply_parameters(context.now);
+  memory.battery_factor = factor;
+  ++memory.revision;
+  parameters.apply_later();
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::EncodersCalibOffset4& request, Device& device) {
-  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
-  const bool is_motor = !request.for_motor || is_known(*request.for_motor);
-  if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
-  return begin(context, device, Kind::encoder_offset, 0, false);
+Reaction handle(RequestContext& context, const msg::EncodersCalibOffset4& request,
+                CalibrationParts& parts) {
+  if (!has_encoders(parts.options)) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (request.for_motor && !knows(context.versions(), *request.for_motor)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  return begin(context, parts, Kind::encoder_offset, 0, false);
 }
-Reaction handle(RequestContext& context, const msg::EncodersCalibFldOffset4&, Device& device) {
-  if (!device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
-  return begin(context, device, Kind::encoder_field, 0, false);
+Reaction handle(RequestContext& context, const msg::EncodersCalibFldOffset4&,
+                CalibrationParts& parts) {
+  if (!has_encoders(parts.options)) return context.refuse(msg::BoardErrorCode::not_supported);
+  return begin(context, parts, Kind::encoder_field, 0, false);
 }
 
-Reaction handle(RequestContext& context, const msg::CalibInfoRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::CalibInfoRequest& request,
+                const Calibrations& calibrations, const Imus& imus, const Memory& memory,
+                Gimbal& gimbal) {
   const bool is_frame = request.imu_type == msg::SelectedImu::frame;
   if (!is_frame && request.imu_type != msg::SelectedImu::main) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  if (is_frame && !device.has_frame_imu())
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
+  if (is_frame && !imus.has_frame) return context.refuse(msg::BoardErrorCode::not_supported);
+  return context.answer(calibrations.info(memory, gimbal, is_frame ? 1 : 0, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::AutoPidRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AutoPidRequest& request,
+                CalibrationParts& parts) {
   if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
-    device.auto_tuning.stop();
+    parts.auto_tuning.stop();
     return context.confirm();
   }
   const msg::AutoPidFlags flags = request.cfg_flags;
@@ -281,16 +263,16 @@ Reaction handle(RequestContext& context, const msg::AutoPidRequest& request, Dev
   if (request.profile_id >= ParametersOf<msg::ReadParams3>::copies || !names_axis) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  if (!device.auto_tuning.start(device, request.profile_id, flags, request.gain_vs_stability,
-                                context.port, context.now)) {
+  if (!parts.auto_tuning.start(parts, request.profile_id, flags, request.gain_vs_stability,
+                               context.port, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::AutoPid2& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::AutoPid2& request, CalibrationParts& parts) {
   switch (request.action) {
-    case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
+    case msg::AutoPid2Action::stop: parts.auto_tuning.stop(); return context.confirm();
     case msg::AutoPid2Action::read:
     case msg::AutoPid2Action::save: return context.confirm();
     case msg::AutoPid2Action::start:
@@ -300,16 +282,16 @@ Reaction handle(RequestContext& context, const msg::AutoPid2& request, Device& d
   if (!request.config) return context.refuse(msg::BoardErrorCode::cmd_size);
   const auto flags = tuning_flags(*request.config);
   if (!flags) return context.refuse(msg::BoardErrorCode::wrong_params);
-  if (!device.auto_tuning.start(device, device.parameters.profile(), *flags,
-                                request.config->axes.roll.gain, context.port, context.now)) {
+  if (!parts.auto_tuning.start(parts, parts.parameters.profile(), *flags,
+                               request.config->axes.roll.gain, context.port, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
 }
 
-Reaction calibrate_gyro(RequestContext& context, Device& device, msg::CalibImu which,
+Reaction calibrate_gyro(RequestContext& context, CalibrationParts& parts, msg::CalibImu which,
                         msg::CalibAction action, Duration length) {
-  return carry_out(context, device, gyro, which, action, length);
+  return carry_out(context, parts, gyro, which, action, length);
 }
 
 }  // namespace sbgc::emulator

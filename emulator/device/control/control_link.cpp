@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-#include "device/device.hpp"
+#include "device/control/modes.hpp"
+#include "device/control/quaternion_control.hpp"
 #include "device/parameters/gimbal_tuning.hpp"
 
 namespace sbgc::emulator {
 
-void ControlLink::configure(Device& device, const msg::ControlConfig& config, std::size_t port,
+void ControlLink::configure(Modes& modes, const msg::ControlConfig& config, std::size_t port,
                             Instant now) {
   using enum msg::ControlConfigFlag;
   timeout_ = milliseconds(config.timeout_ms.raw());
@@ -26,12 +27,11 @@ void ControlLink::configure(Device& device, const msg::ControlConfig& config, st
     if (limit != msg::ControlConfigAxis::keep_acc_limit) acceleration_[axis] = limit;
   }
   confirms_ = !config.flags.has(no_confirm);
-  if (config.flags.has(servo_mode_enable)) device.modes.servo = true;
-  if (config.flags.has(servo_mode_disable)) device.modes.servo = false;
+  if (config.flags.has(servo_mode_enable)) modes.servo = true;
+  if (config.flags.has(servo_mode_disable)) modes.servo = false;
   // The value is that of EULER_ORDER plus one; 0 keeps the order.
   const auto order = static_cast<unsigned>(config.euler_order.order());
   if (order != 0) order_ = static_cast<msg::EulerOrder>(order - 1);
-  device.apply_parameters(now);
 }
 
 bool ControlLink::admits(std::size_t port) const {
@@ -50,12 +50,11 @@ void ControlLink::adjust(Tuning& tuning) const {
   if (order_) tuning.rotation_order = rotation_order_of(*order_);
 }
 
-void ControlLink::advance(Device& device, Instant now) {
-  if (end_ > now) return;
+void ControlLink::advance(Instant now, QuaternionControl& quaternions, Gimbal& gimbal) {
   end_ = Instant::never;
   is_active_ = false;
-  device.quaternions.end();
-  for (std::size_t axis = 0; axis < 3; ++axis) device.gimbal.command(axis, {}, now);
+  quaternions.end();
+  for (std::size_t axis = 0; axis < 3; ++axis) gimbal.command(axis, {}, now);
 }
 
 }  // namespace sbgc::emulator

@@ -12,14 +12,15 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class QuaternionControl;
+struct Modes;
 
 /// The configuration of CMD_CONTROL_CONFIG, valid until the board restarts. The filters and curves
 /// have no effect on the simulation.
 class ControlLink {
  public:
   /// Ports 0 to 3 are UART1, RC_SERIAL, UART2 and USB_VCP or UART3. Assumption.
-  void configure(Device& device, const msg::ControlConfig& config, std::size_t port, Instant now);
+  void configure(Modes& modes, const msg::ControlConfig& config, std::size_t port, Instant now);
   /// True if control commands of this port count: no other port has a higher priority.
   bool admits(std::size_t port) const;
   /// A control command was executed: its timeout begins.
@@ -31,7 +32,7 @@ class ControlLink {
   void drop_port(std::size_t port) { priority_[port] = 0; }
 
   Instant next() const { return end_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, QuaternionControl& quaternions, Gimbal& gimbal);
 
  private:
   std::array<std::uint8_t, Board::max_ports> priority_{};

@@ -1,7 +1,6 @@
 /// Events that hosts want to hear of.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -18,12 +17,12 @@ struct Device;
 class Events {
  public:
   /// Sends an event now.
-  static void emit(Device& device, msg::EventId id, msg::EventType type, Instant now);
+  static void emit(Device& device, msg::EventId id, msg::EventType type);
   /// Sends the events of the changes since the last call.
   void watch(Device& device, Instant now);
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Device& device);
 
  private:
   struct State {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <initializer_list>
 #include <optional>
 
@@ -20,59 +18,29 @@ namespace sbgc::emulator {
 namespace {
 
 /// Moves the axes that have a target.
-Reaction control(RequestContext& context, Device& device, const AxisTargets& targets) {
-  if (!device.control_link.admits(context.port)) return RequestContext::ignore();
+Reaction control(RequestContext& context, ControlParts& parts, const AxisTargets& targets) {
+  if (!parts.control_link.admits(context.port)) return RequestContext::ignore();
   Axes<std::optional<AxisCommand>> commands;
   bool has_task = false;
   for (std::size_t axis = 0; axis < targets.size(); ++axis) {
     const auto& target = targets[axis];
     if (!target || target->mode.mode() == msg::ControlModeKind::ignore) continue;
-    commands[axis] = command_of(device, axis, *target, context.now);
+    commands[axis] = command_of(parts, axis, *target, context.now);
     if (!commands[axis]) {
       return context.refuse(msg::BoardErrorCode::wrong_params, target->mode.raw());
     }
     has_task = has_task || is_task(*target);
   }
-  device.quaternions.end();
-  device.modes.retracted = false;
-  device.control_link.commanded(context.now);
+  parts.quaternions.end();
+  parts.modes.retracted = false;
+  parts.control_link.commanded(context.now);
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    if (commands[axis]) device.gimbal.command(axis, *commands[axis], context.now);
+    if (commands[axis]) parts.gimbal.command(axis, *commands[axis], context.now);
   }
   if (has_task) {
-    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::motion, context.now);
+    parts.tasks.confirm_end(context.port, context.command, Tasks::Kind::motion, context.now);
   }
-  return device.control_link.confirms() ? context.confirm() : Reaction::executed;
-}
-
-/// Both forms of CMD_CONTROL have data for each axis.
-template <class Request>
-Reaction control(RequestContext& context, Device& device, const Request& request,
-                 const Axes<msg::ControlMode>& modes) {
-  AxisTargets targets;
-  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
-    const msg::Angle14 angle = request.axes[axis].angle;
-    targets[axis] = {modes[axis], request.real_speed(axis), angle.degrees(), angle.raw()};
-  }
-  return control(context, device, targets);
-}
-
-Reaction turn_motors(RequestContext& context, Device& device, bool on) {
-  device.set_motors(on, context.now);
-  // An empty battery keeps the motors off.
-  if (on && device.gimbal.stopped_by_battery())
-    return context.refuse(msg::BoardErrorCode::wrong_state);
-  return context.confirm();
-}
-
-Reaction execute(RequestContext& context, Device& device, msg::MenuCommand action) {
-  if (execute_menu(device, action, context.now)) return context.confirm();
-  return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
-}
-
-/// True if the board can follow quaternions.
-bool has_quaternions(const Device& device) {
-  return device.features_ext2().has(msg::BoardFeaturesExt2Bit::quat_control);
+  return parts.control_link.confirms() ? context.confirm() : Reaction::executed;
 }
 
 constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
@@ -92,14 +60,13 @@ Quaternion quaternion(msg::PackedQuaternion wire) { return unpacked(wire); }
 
 /// Executes a form of CMD_CONTROL_QUAT if its mode is one of that form.
 template <class Request>
-Reaction control_attitude(RequestContext& context, Device& device, const Request& request,
+Reaction control_attitude(RequestContext& context, ControlParts& parts, const Request& request,
                           std::initializer_list<msg::ControlQuatMode> modes) {
-  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   if (std::find(modes.begin(), modes.end(), request.mode) == modes.end()) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.mode));
   }
-  if (!device.control_link.admits(context.port)) return RequestContext::ignore();
+  if (!parts.control_link.admits(context.port)) return RequestContext::ignore();
   QuaternionControl::Target target{.mode = request.mode, .flags = request.flags};
   if constexpr (requires { request.target_attitude; }) {
     target.attitude = rotation_of(quaternion(request.target_attitude));
@@ -108,130 +75,117 @@ Reaction control_attitude(RequestContext& context, Device& device, const Request
   if constexpr (requires { request.target_speed; }) {
     target.speed = in_degrees(request.target_speed);
   }
-  device.control_link.commanded(context.now);
-  device.quaternions.command(device, target, context.now);
+  parts.control_link.commanded(context.now);
+  parts.quaternions.command(parts.gimbal, parts.tuning, target, context.now);
   using Flag = msg::ControlQuatFlag;
   const bool is_attitude = request.mode == msg::ControlQuatMode::attitude;
   if (is_attitude && request.flags.has(Flag::auto_task)) {
-    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::attitude, context.now);
+    parts.tasks.confirm_end(context.port, context.command, Tasks::Kind::attitude, context.now);
   }
   return request.flags.has(Flag::confirm) ? context.confirm() : Reaction::executed;
 }
 
 /// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
-/// the simulation knows the frame.
-template <class Data>
-bool is_help(const Data& data) {
-  bool is_used = data.frame_acc != Xyz<msg::Acceleration>{} ||
-                 data.frame_angle_roll != msg::Angle14{} ||
-                 data.frame_angle_pitch != msg::Angle14{};
-  if constexpr (requires { data.frame_speed; }) {
-    is_used = is_used || data.frame_speed != Xyz<msg::GyroRate>{} ||
-              data.coord_sys.flags().has(msg::HelperDataFlag::use_frame_heading);
-  }
-  return is_used;
-}
-
-/// Assumption: an unknown COORD_SYS counts as the default one.
-template <class Data>
-Reaction help(RequestContext& context, Device& device, const Data& data) {
-  if (is_help(data)) device.gimbal.help(context.now);
-  return context.confirm();
+/// the simulation knows the frame. Assumption: an unknown COORD_SYS counts as the default one.
+bool is_help(const msg::HelperDataExt& data) {
+  return data.frame_acc != Xyz<msg::Acceleration>{} || data.frame_angle_roll != msg::Angle14{} ||
+         data.frame_angle_pitch != msg::Angle14{} || data.frame_speed != Xyz<msg::GyroRate>{} ||
+         data.coord_sys.flags().has(msg::HelperDataFlag::use_frame_heading);
 }
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::Control& request, Device& device) {
-  const msg::ControlMode mode = request.control_mode;
-  return control(context, device, request, {mode, mode, mode});
+Reaction handle(RequestContext& context, const msg::ControlExt& request, ControlParts& parts) {
+  AxisTargets targets;
+  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+    const msg::Angle14 angle = request.axes[axis].angle;
+    targets[axis] = {request.control_mode[axis], request.real_speed(axis), angle.degrees(),
+                     angle.raw()};
+  }
+  return control(context, parts, targets);
 }
 
-Reaction handle(RequestContext& context, const msg::ControlExt& request, Device& device) {
-  return control(context, device, request, request.control_mode);
+Reaction handle(RequestContext& context, const msg::ControlExtCommand& request,
+                ControlParts& parts) {
+  return control(context, parts, targets_of(request));
 }
 
-Reaction handle(RequestContext& context, const msg::ControlExtCommand& request, Device& device) {
-  return control(context, device, targets_of(request));
-}
-
-Reaction handle(RequestContext& context, const msg::ControlConfig& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ControlConfig& request,
+                ControlLink& control_link, Modes& modes, Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  device.control_link.configure(device, request, context.port, context.now);
+  control_link.configure(modes, request, context.port, context.now);
+  parameters.apply_later();
   // Confirms the configuration itself unless the host wants no confirmations.
-  return device.control_link.confirms() ? context.confirm() : Reaction::executed;
+  return control_link.confirms() ? context.confirm() : Reaction::executed;
 }
 
-Reaction handle(RequestContext& context, const msg::ControlQuatDisabled& request, Device& device) {
-  return control_attitude(context, device, request, {msg::ControlQuatMode::disabled});
+Reaction handle(RequestContext& context, const msg::ControlQuatDisabled& request,
+                QuaternionControl&, ControlParts& parts) {
+  return control_attitude(context, parts, request, {msg::ControlQuatMode::disabled});
 }
-Reaction handle(RequestContext& context, const msg::ControlQuatSpeed& request, Device& device) {
-  return control_attitude(context, device, request,
+Reaction handle(RequestContext& context, const msg::ControlQuatSpeed& request, QuaternionControl&,
+                ControlParts& parts) {
+  return control_attitude(context, parts, request,
                           {msg::ControlQuatMode::speed, msg::ControlQuatMode::speed_limited});
 }
-Reaction handle(RequestContext& context, const msg::ControlQuatAttitude& request, Device& device) {
-  return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
+Reaction handle(RequestContext& context, const msg::ControlQuatAttitude& request,
+                QuaternionControl&, ControlParts& parts) {
+  return control_attitude(context, parts, request, {msg::ControlQuatMode::attitude});
 }
 Reaction handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request,
-                Device& device) {
-  return control_attitude(context, device, request, {msg::ControlQuatMode::attitude});
+                QuaternionControl&, ControlParts& parts) {
+  return control_attitude(context, parts, request, {msg::ControlQuatMode::attitude});
 }
 Reaction handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request,
-                Device& device) {
-  return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
+                QuaternionControl&, ControlParts& parts) {
+  return control_attitude(context, parts, request, {msg::ControlQuatMode::speed_attitude});
 }
 Reaction handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request,
-                Device& device) {
-  return control_attitude(context, device, request, {msg::ControlQuatMode::speed_attitude});
+                QuaternionControl&, ControlParts& parts) {
+  return control_attitude(context, parts, request, {msg::ControlQuatMode::speed_attitude});
 }
 Reaction handle(RequestContext& context, const msg::ControlQuatStatusRequest& request,
-                Device& device) {
-  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
-  return context.answer(device.quaternions.status(device, request.data_set, context.now));
+                const QuaternionControl& quaternions, Gimbal& gimbal, const Tuning& tuning) {
+  return context.answer(quaternions.status(gimbal, tuning, request.data_set, context.now));
 }
-Reaction handle(RequestContext& context, const msg::ControlQuatConfig& request, Device& device) {
-  if (!has_quaternions(device)) return context.refuse(msg::BoardErrorCode::not_supported);
-  device.quaternions.configure(request);
+Reaction handle(RequestContext& context, const msg::ControlQuatConfig& request,
+                QuaternionControl& quaternions) {
+  quaternions.configure(request);
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Device& device) {
-  msg::GetAngles data;
-  measure(device, context.now, data);
-  return context.answer(data);
+Reaction handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Gimbal& gimbal) {
+  return context.answer(angles(gimbal, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/,
-                Device& device) {
-  msg::GetAnglesExt data;
-  measure(device, context.now, data);
-  return context.answer(data);
+                Gimbal& gimbal, const Imus& imus, const BoardOptions& options) {
+  return context.answer(angles(gimbal, knows_joints(options, imus), context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::MotorsOn& /*request*/, Device& device) {
-  return turn_motors(context, device, true);
-}
-
-Reaction handle(RequestContext& context, const msg::MotorsOff& /*request*/, Device& device) {
-  return turn_motors(context, device, false);
+Reaction handle(RequestContext& context, const msg::MotorsOn& /*request*/, Tasks& tasks,
+                Gimbal& gimbal) {
+  tasks.set_motors(gimbal, true, context.now);
+  // An empty battery keeps the motors off.
+  if (gimbal.stopped_by_battery()) return context.refuse(msg::BoardErrorCode::wrong_state);
+  return context.confirm();
 }
 
 // Assumption: brakes are as strong as the friction of a motor without current.
-Reaction handle(RequestContext& context, const msg::MotorsOffExt& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::MotorsOffExt& request, Tasks& tasks,
+                Gimbal& gimbal) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
-    case msg::MotorsOffMode::brake: return turn_motors(context, device, false);
-    case msg::MotorsOffMode::safe_stop:
-      device.tasks.stop_safely(device, context.now);
-      return context.confirm();
+    case msg::MotorsOffMode::brake: tasks.set_motors(gimbal, false, context.now); break;
+    case msg::MotorsOffMode::safe_stop: tasks.stop_safely(gimbal, context.now); break;
+    default:
+      return context.refuse(msg::BoardErrorCode::wrong_params,
+                            static_cast<std::uint32_t>(request.mode));
   }
-  return context.refuse(msg::BoardErrorCode::wrong_params,
-                        static_cast<std::uint32_t>(request.mode));
+  return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::ExecuteMenu& request, Device& device) {
-  return execute(context, device, request.cmd_id);
-}
-
+// The actions of the menu use almost all parts.
 Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
   if (!execute_menu(device, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
@@ -245,21 +199,19 @@ Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, Dev
   return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Reaction::executed;
 }
 
-Reaction handle(RequestContext& context, const msg::SyncMotors& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::SyncMotors& request, Tasks& tasks,
+                Gimbal& gimbal) {
   const auto axis = static_cast<std::size_t>(request.axis);
   if (axis >= Axes<int>::size()) return context.refuse(msg::BoardErrorCode::wrong_params);
   // Assumption: the unit of ANGLE, which no source gives, is that of Angle14.
   const double degrees = request.angle * msg::LongAngle14(1).degrees();
-  device.tasks.synchronize(device, axis, degrees, milliseconds(request.time_ms.raw()), context.now);
+  tasks.synchronize(gimbal, axis, degrees, milliseconds(request.time_ms.raw()), context.now);
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::HelperData& request, Device& device) {
-  return help(context, device, request);
-}
-
-Reaction handle(RequestContext& context, const msg::HelperDataExt& request, Device& device) {
-  return help(context, device, request);
+Reaction handle(RequestContext& context, const msg::HelperDataExt& request, Gimbal& gimbal) {
+  if (is_help(request)) gimbal.help(context.now);
+  return context.confirm();
 }
 
 }  // namespace sbgc::emulator

@@ -55,19 +55,18 @@ void retract(Device& device, Instant now) {
   device.modes.retracted = true;
 }
 
-void invert_rc(Device& device, std::size_t axis, Instant now) {
-  device.parameters.change_in_use<msg::ReadParams3>([axis](msg::ReadParams3& parameters) {
+void invert_rc(Parameters& active, std::size_t axis) {
+  active.change_in_use<msg::ReadParams3>([axis](msg::ReadParams3& parameters) {
     auto& mode = parameters.rc[axis].rc_mode;
     mode.set_inverted(!mode.inverted());
   });
-  device.apply_parameters(now);
 }
 
 /// Assumption: the trim makes the current signals the center.
-void trim_rc(Device& device, Instant now) {
+void trim_rc(Device& device) {
   Axes<std::int8_t> trims;
   for (std::size_t axis = 0; axis < trims.size(); ++axis) {
-    const double signal = device.remote.own(device, axis).value_or(0);
+    const double signal = device.remote.own(device.parameters, axis).value_or(0);
     constexpr double lowest = -127, highest = 127;
     const double counts = -saturated<msg::CentredRcSignal>(signal).raw();
     trims[axis] = static_cast<std::int8_t>(std::clamp(counts, lowest, highest));
@@ -78,7 +77,6 @@ void trim_rc(Device& device, Instant now) {
           parameters.rc_trim[axis] = trims[axis];
         }
       }));
-  device.apply_parameters(now);
 }
 
 std::optional<std::size_t> profile_set_of(Command action) {
@@ -129,12 +127,12 @@ bool move_camera(Device& device, Command action, Instant now) {
 }
 
 /// Actions that switch something until the board restarts.
-bool switch_mode(Device& device, Command action, Instant now) {
+bool switch_mode(Device& device, Command action) {
   Modes& modes = device.modes;
   switch (action) {
-    case Command::invert_rc_roll: invert_rc(device, roll_motor, now); return true;
-    case Command::invert_rc_pitch: invert_rc(device, pitch_motor, now); return true;
-    case Command::invert_rc_yaw: invert_rc(device, yaw_motor, now); return true;
+    case Command::invert_rc_roll: invert_rc(device.parameters, roll_motor); return true;
+    case Command::invert_rc_pitch: invert_rc(device.parameters, pitch_motor); return true;
+    case Command::invert_rc_yaw: invert_rc(device.parameters, yaw_motor); return true;
     case Command::forced_follow_toggle: modes.follows = !modes.follows; break;
     case Command::disable_follow_toggle: modes.follow_off = !modes.follow_off; break;
     case Command::tripod_mode_off: modes.tripod = false; break;
@@ -146,7 +144,7 @@ bool switch_mode(Device& device, Command action, Instant now) {
     case Command::servo_mode_toggle: modes.servo = !modes.servo; break;
     default: return false;
   }
-  device.apply_parameters(now);
+  device.parameters.apply_later();
   return true;
 }
 
@@ -156,35 +154,35 @@ bool execute_later_action(Device& device, Command action, Instant now) {
   using Kind = Calibrations::Kind;
   if (const auto slot = profile_set_of(action)) {
     // An empty slot changes nothing.
-    static_cast<void>(device.load_profile_set(*slot, now));
+    static_cast<void>(device.parameters.load_profile_set(*slot));
     return true;
   }
-  if (move_camera(device, action, now) || switch_mode(device, action, now)) return true;
+  if (move_camera(device, action, now) || switch_mode(device, action)) return true;
   switch (action) {
     case Command::calib_momentum: begin_calibration(device, Kind::momentum, now); break;
     case Command::calib_acc_auto: begin_calibration(device, Kind::acc, now); break;
     case Command::ext_gyro_online_calib: begin_calibration(device, Kind::gyro, now); break;
     case Command::camera_rec_photo_event:
-      Events::emit(device, msg::EventId::camera, msg::EventType::off, now);
+      Events::emit(device, msg::EventId::camera, msg::EventType::off);
       break;
     case Command::camera_photo_event:
-      Events::emit(device, msg::EventId::camera, msg::EventType::on, now);
+      Events::emit(device, msg::EventId::camera, msg::EventType::on);
       break;
-    case Command::motors_safe_stop: device.tasks.stop_safely(device, now); break;
+    case Command::motors_safe_stop: device.tasks.stop_safely(device.gimbal, now); break;
     case Command::motors_safe_toggle:
       if (device.gimbal.motors_on()) {
-        device.tasks.stop_safely(device, now);
+        device.tasks.stop_safely(device.gimbal, now);
       } else {
-        device.set_motors(true, now);
+        device.tasks.set_motors(device.gimbal, true, now);
       }
       break;
     case Command::reset_imu: device.gimbal.gyro_calibrated(false, now); break;
     case Command::auto_pid_gain_only:
-      static_cast<void>(device.auto_tuning.start(device, now));
+      static_cast<void>(device.auto_tuning.start(device.calibration, now));
       break;
     case Command::set_cur_pos_as_home: return execute_menu(device, Command::set_angle, now);
     case Command::stop_script: device.scripts.stop(); break;
-    case Command::set_rc_trim: trim_rc(device, now); break;
+    case Command::set_rc_trim: trim_rc(device); break;
     default: return false;
   }
   return true;

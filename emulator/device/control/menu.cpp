@@ -47,7 +47,6 @@ void set_angle(Device& device, bool is_saved, Instant now) {
   } else {
     parameters.change_in_use<msg::ReadParams3>(edit);
   }
-  device.apply_parameters(now);
 }
 
 void go_home(Device& device, Instant now) {
@@ -70,19 +69,19 @@ void move_to(Device& device, std::size_t axis, double angle, Instant now) {
 }
 
 void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
-  const std::size_t imu = device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
-  static_cast<void>(device.calibrations.start(device, kind, imu, {}, now));
+  static_cast<void>(
+      device.calibrations.start(device.calibration, kind, device.imus.selected_index(), {}, now));
 }
 
 bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
   using Kind = Calibrations::Kind;
   if (const auto profile = profile_of(action)) {
-    device.select_profile(*profile, now);
+    device.parameters.select_profile(*profile);
     return true;
   }
   if (const auto script = script_of(action)) {
     // An empty slot starts nothing.
-    if (Scripts::are_supported(device)) {
+    if (Scripts::are_supported(device.options)) {
       static_cast<void>(device.scripts.start(device.files, *script, {}, now));
     }
     return true;
@@ -91,11 +90,11 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::none: break;
     case msg::MenuCommand::swap_pitch_roll:
       device.remote.swap(pitch, roll);
-      device.remote.apply(device, now);
+      device.remote.apply(device.parameters, device.gimbal, now);
       break;
     case msg::MenuCommand::swap_yaw_roll:
       device.remote.swap(yaw, roll);
-      device.remote.apply(device, now);
+      device.remote.apply(device.parameters, device.gimbal, now);
       break;
     case msg::MenuCommand::calib_acc: begin_calibration(device, Kind::acc, now); break;
     case msg::MenuCommand::calib_gyro: begin_calibration(device, Kind::gyro, now); break;
@@ -106,14 +105,16 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
       begin_calibration(device, Kind::gyro_temperature, now);
       break;
     case msg::MenuCommand::calib_mag: begin_calibration(device, Kind::mag, now); break;
-    case msg::MenuCommand::reset: device.restarts.announce(device, now); break;
+    case msg::MenuCommand::reset: device.restarts.announce(device.ports, now); break;
     case msg::MenuCommand::set_angle: set_angle(device, true, now); break;
     case msg::MenuCommand::set_angle_no_save: set_angle(device, false, now); break;
-    case msg::MenuCommand::motor_toggle: device.set_motors(!device.gimbal.motors_on(), now); break;
-    case msg::MenuCommand::motor_on: device.set_motors(true, now); break;
-    case msg::MenuCommand::motor_off: device.set_motors(false, now); break;
+    case msg::MenuCommand::motor_toggle:
+      device.tasks.set_motors(device.gimbal, !device.gimbal.motors_on(), now);
+      break;
+    case msg::MenuCommand::motor_on: device.tasks.set_motors(device.gimbal, true, now); break;
+    case msg::MenuCommand::motor_off: device.tasks.set_motors(device.gimbal, false, now); break;
     case msg::MenuCommand::auto_pid:
-      static_cast<void>(device.auto_tuning.start(device, now));
+      static_cast<void>(device.auto_tuning.start(device.calibration, now));
       break;
     case msg::MenuCommand::look_down: move_to(device, pitch, 90, now); break;
     case msg::MenuCommand::home_position: go_home(device, now); break;
@@ -131,8 +132,8 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::button_press: {
       // A single press. An action that presses the button again does nothing.
       const msg::MenuCommand pressed = device.parameters.of<msg::ReadParams3>().menu_cmd[0];
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::on, now);
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::off, now);
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::on);
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::off);
       return pressed == msg::MenuCommand::button_press || execute_menu(device, pressed, now);
     }
     default: return execute_later_action(device, action, now);

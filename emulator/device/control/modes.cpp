@@ -1,27 +1,22 @@
 #include "device/control/modes.hpp"
 
-#include <cmath>
-
 #include "device/device.hpp"
-#include "device/parameters/gimbal_tuning.hpp"
-#include "physics/attitude.hpp"
 
 namespace sbgc::emulator {
 
-msg::StateFlags state_flags(Device& device, Instant now) {
+msg::StateFlags state_flags(Gimbal& gimbal, const Modes& modes, const Tuning& tuning, Instant now) {
   using enum msg::StateFlag;
-  const Sample sample = device.gimbal.sample(now);
+  const Sample sample = gimbal.sample(now);
   msg::StateFlags flags = init_step1_done | init_step2_done;
   flags.set(startup_auto_routine_done);
   flags.set(is_frame_inverted, sample.frame_up.z < 0);
-  flags.set(shake_gen_enabled, device.modes.shakes);
-  flags.set(servo_mode_enabled, device.modes.servo);
-  const Tuning tuning = device.tuning();
+  flags.set(shake_gen_enabled, modes.shakes);
+  flags.set(servo_mode_enabled, modes.servo);
   flags.set(follow_mode_roll, tuning.axes.roll.follows);
   flags.set(follow_mode_pitch, tuning.axes.pitch.follows);
   flags.set(follow_mode_yaw, tuning.axes.yaw.follows);
-  flags.set(tripod_mode_enabled, device.modes.tripod);
-  flags.set(retracted_position, device.modes.retracted);
+  flags.set(tripod_mode_enabled, modes.tripod);
+  flags.set(retracted_position, modes.retracted);
   return flags;
 }
 
@@ -29,7 +24,7 @@ msg::CalibMode calibration_mode(const Device& device) {
   using Kind = Calibrations::Kind;
   if (device.tasks.is_stopping()) return msg::CalibMode::safe_stop;
   if (device.auto_tuning.is_running()) return msg::CalibMode::auto_pid;
-  if (device.is_writing_parameters) return msg::CalibMode::write_params;
+  if (device.modes.is_writing_parameters) return msg::CalibMode::write_params;
   const auto kind = device.calibrations.under_way();
   if (!kind) return msg::CalibMode::none;
   switch (*kind) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/features.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -13,8 +13,8 @@ namespace {
 /// How often a speed in space is converted to speeds of the axes.
 constexpr Duration turn_period = milliseconds(20);
 
-Pose pose(const Device& device, const Axes<double>& angles) {
-  return {angles, device.tuning().rotation_order};
+Pose pose(const Tuning& tuning, const Axes<double>& angles) {
+  return {angles, tuning.rotation_order};
 }
 
 std::array<float, 4> wire(const Quaternion& quaternion) {
@@ -41,25 +41,29 @@ bool has_speed(msg::ControlQuatMode mode) {
 
 }  // namespace
 
+bool QuaternionControl::are_supported(const BoardOptions& options) {
+  return features_ext2_of(options).has(msg::BoardFeaturesExt2Bit::quat_control);
+}
+
 double QuaternionControl::limited(double speed, std::size_t direction) const {
   const double limit = max_speed_[direction];
   return limit == 0 ? speed : std::clamp(speed, -limit, limit);
 }
 
-void QuaternionControl::command(Device& device, const Target& target, Instant now) {
+void QuaternionControl::command(Gimbal& gimbal, const Tuning& tuning, const Target& target,
+                                Instant now) {
   target_ = target;
   next_ = Instant::never;
   if (target.mode == msg::ControlQuatMode::disabled) {
-    for (std::size_t axis = 0; axis < 3; ++axis) device.gimbal.command(axis, {}, now);
+    for (std::size_t axis = 0; axis < 3; ++axis) gimbal.command(axis, {}, now);
   } else if (has_speed(target.mode)) {
-    turn(device, now);
+    turn(gimbal, tuning, now);
     next_ = now + turn_period;
   } else if (target.attitude) {
-    const Tuning tuning = device.tuning();
-    const Axes<double> present = device.gimbal.sample(now).targets;
+    const Axes<double> present = gimbal.sample(now).targets;
     const Axes<double> angles = angles_of(*target.attitude, tuning.rotation_order, present);
     const auto speeds =
-        euler_speeds(pose(device, present), to_body(*target.attitude, target.speed));
+        euler_speeds(pose(tuning, present), to_body(*target.attitude, target.speed));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t direction = turning_axes[axis].direction;
       AxisCommand command{.mode = AxisMode::angle, .angle = angles[axis]};
@@ -69,19 +73,18 @@ void QuaternionControl::command(Device& device, const Target& target, Instant no
       }
       command.speed = limited(command.speed, direction);
       if (command.mode == AxisMode::angle) command.speed = max_speed_[direction];
-      device.gimbal.command(axis, command, now);
+      gimbal.command(axis, command, now);
     }
   }
 }
 
-void QuaternionControl::turn(Device& device, Instant now) const {
-  const Pose now_pose = pose(device, device.gimbal.sample(now).targets);
+void QuaternionControl::turn(Gimbal& gimbal, const Tuning& tuning, Instant now) const {
+  const Pose now_pose = pose(tuning, gimbal.sample(now).targets);
   Vector speed = target_.speed;
   for (std::size_t i = 0; i < 3; ++i) speed[i] = limited(speed[i], i);
   const auto speeds = euler_speeds(now_pose, to_body(now_pose.rotation(), speed));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    device.gimbal.command(axis, {.mode = AxisMode::speed, .speed = speeds ? (*speeds)[axis] : 0},
-                          now);
+    gimbal.command(axis, {.mode = AxisMode::speed, .speed = speeds ? (*speeds)[axis] : 0}, now);
   }
 }
 
@@ -97,19 +100,19 @@ void QuaternionControl::configure(const msg::ControlQuatConfig& config) {
   }
 }
 
-bool QuaternionControl::has_arrived(Device& device, Instant now) const {
+bool QuaternionControl::has_arrived(Gimbal& gimbal, const Tuning& tuning, Instant now) const {
   if (!target_.attitude) return true;
-  const Quaternion actual =
-      quaternion_of(pose(device, device.gimbal.sample(now).angles).rotation());
+  const Quaternion actual = quaternion_of(pose(tuning, gimbal.sample(now).angles).rotation());
   return angle_between(actual, quaternion_of(*target_.attitude)) <= 1;
 }
 
-msg::ControlQuatStatus QuaternionControl::status(Device& device,
-                                                 msg::ControlQuatStatusFields fields, Instant now) {
+msg::ControlQuatStatus QuaternionControl::status(Gimbal& gimbal, const Tuning& tuning,
+                                                 msg::ControlQuatStatusFields fields,
+                                                 Instant now) const {
   using enum msg::ControlQuatStatusField;
-  const Sample sample = device.gimbal.sample(now);
-  const Pose setpoint_pose = pose(device, sample.targets);
-  const Pose actual_pose = pose(device, sample.angles);
+  const Sample sample = gimbal.sample(now);
+  const Pose setpoint_pose = pose(tuning, sample.targets);
+  const Pose actual_pose = pose(tuning, sample.angles);
   const Quaternion setpoint = quaternion_of(setpoint_pose.rotation());
   const Quaternion actual = quaternion_of(actual_pose.rotation());
   const Quaternion target = target_.attitude ? quaternion_of(*target_.attitude) : setpoint;
@@ -133,9 +136,8 @@ msg::ControlQuatStatus QuaternionControl::status(Device& device,
   return status;
 }
 
-void QuaternionControl::advance(Device& device, Instant now) {
-  if (next_ > now) return;
-  turn(device, now);
+void QuaternionControl::advance(Instant now, Gimbal& gimbal, const Tuning& tuning) {
+  turn(gimbal, tuning, now);
   next_ = now + turn_period;
 }
 

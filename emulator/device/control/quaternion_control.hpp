@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/time.hpp>
@@ -12,8 +12,6 @@
 #include "physics/quaternion.hpp"
 
 namespace sbgc::emulator {
-
-struct Device;
 
 /// CMD_CONTROL_QUAT. Assumption: speeds are rotation vectors in space, and the attitude of the
 /// camera is that of its Euler angles.
@@ -26,20 +24,22 @@ class QuaternionControl {
     Vector speed{};  ///< deg/s about the axes of the world
   };
 
+  static bool are_supported(const BoardOptions& options);
   /// Follows a new target, or none if its mode is DISABLED.
-  void command(Device& device, const Target& target, Instant now);
+  void command(Gimbal& gimbal, const Tuning& tuning, const Target& target, Instant now);
   /// Another command controls the axes from now on.
   void end();
   void configure(const msg::ControlQuatConfig& config);
-  msg::ControlQuatStatus status(Device& device, msg::ControlQuatStatusFields fields, Instant now);
+  msg::ControlQuatStatus status(Gimbal& gimbal, const Tuning& tuning,
+                                msg::ControlQuatStatusFields fields, Instant now) const;
   /// True if the camera is within 1 degree of the target attitude.
-  bool has_arrived(Device& device, Instant now) const;
+  bool has_arrived(Gimbal& gimbal, const Tuning& tuning, Instant now) const;
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Gimbal& gimbal, const Tuning& tuning);
 
  private:
-  void turn(Device& device, Instant now) const;
+  void turn(Gimbal& gimbal, const Tuning& tuning, Instant now) const;
   double limited(double speed, std::size_t direction) const;
 
   Target target_{};

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/control/modes.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/remote_control.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -25,7 +27,7 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
 }
 
 /// Sets the signal of modes that control an axis like a receiver.
-void set_signal(const Device& device, std::size_t axis, const AxisTarget& target,
+void set_signal(const msg::ReadParams3& parameters, std::size_t axis, const AxisTarget& target,
                 AxisCommand& command) {
   const auto raw =
       static_cast<std::int16_t>(std::clamp<std::int32_t>(target.signal, -32768, 32767));
@@ -36,7 +38,6 @@ void set_signal(const Device& device, std::size_t axis, const AxisTarget& target
   command.is_lost =
       raw == (is_fine ? msg::ApiVirtChHighRes::undefined : msg::ApiVirtChControl::undefined);
   // "Should be in range -500...500": like the signal of a receiver, it saturates.
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
   command.signal = RemoteControl::shaped(parameters, axis, std::clamp(signal, -1.0, 1.0));
   // FORCE_RC_SPEED, which has the bit of AUTO_TASK.
   if (!target.mode.flags().has(msg::ControlFlag::auto_task) || command.is_lost) return;
@@ -71,8 +72,8 @@ AxisTargets targets_of(const msg::ControlExtCommand& r) {
   return {target_of(r.axes.roll), target_of(r.axes.pitch), target_of(r.axes.yaw)};
 }
 
-std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const AxisTarget& target,
-                                      Instant now) {
+std::optional<AxisCommand> command_of(const ControlParts& parts, std::size_t axis,
+                                      const AxisTarget& target, Instant now) {
   const auto axis_mode = mode_of(target.mode.mode());
   if (!axis_mode) return {};
   AxisCommand command{*axis_mode};
@@ -80,20 +81,20 @@ std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const Ax
   command.angle = target.angle;
   if (target.mode.mode() == msg::ControlModeKind::angle_shortest) {
     constexpr double turn = 360;
-    const double from = device.gimbal.sample(now).targets[axis];
+    const double from = parts.gimbal.sample(now).targets[axis];
     command.angle = from + std::remainder(target.angle - from, turn);
   }
   // In servo mode, angles are those of the motors.
-  if (command.mode == AxisMode::angle && device.modes.servo)
-    command.mode = AxisMode::relative_angle;
+  if (command.mode == AxisMode::angle && parts.modes.servo) command.mode = AxisMode::relative_angle;
   // The angle determines the direction, so the sign of the speed is ignored.
   if (command.mode == AxisMode::angle || command.mode == AxisMode::relative_angle) {
     command.speed = std::abs(command.speed);
     if (target.mode.flags().has(msg::ControlFlag::auto_task)) {
-      command.speed = device.parameters.of<msg::ReadParamsExt2>().auto_speed;
+      command.speed = parts.parameters.of<msg::ReadParamsExt2>().auto_speed;
     }
   }
-  if (command.mode == AxisMode::signal) set_signal(device, axis, target, command);
+  if (command.mode == AxisMode::signal)
+    set_signal(parts.parameters.of<msg::ReadParams3>(), axis, target, command);
   return command;
 }
 

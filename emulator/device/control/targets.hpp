@@ -12,7 +12,22 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class ControlLink;
+class Parameters;
+class QuaternionControl;
+class Tasks;
+struct Modes;
+
+/// The parts that commands to move the camera use.
+struct ControlParts {
+  ControlLink& control_link;
+  QuaternionControl& quaternions;
+  Tasks& tasks;
+  Modes& modes;
+  Gimbal& gimbal;
+  const Parameters& parameters;
+  const Tuning& tuning;
+};
 
 struct AxisTarget {
   msg::ControlMode mode{};
@@ -27,8 +42,8 @@ AxisTargets targets_of(const msg::ControlExtCommand& request);
 
 /// Returns the command for the gimbal; nothing if there is no such mode. MODE_IGNORE gives no
 /// command and must be handled before.
-std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const AxisTarget& target,
-                                      Instant now);
+std::optional<AxisCommand> command_of(const ControlParts& parts, std::size_t axis,
+                                      const AxisTarget& target, Instant now);
 
 /// True if the end of the motion is to be confirmed.
 bool is_task(const AxisTarget& target);

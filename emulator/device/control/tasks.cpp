@@ -22,8 +22,8 @@ Duration longest(Tasks::Kind kind) {
   return kind == Tasks::Kind::action ? seconds(59) : seconds(10);
 }
 
-bool has_arrived(Device& device, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
+bool has_arrived(Gimbal& gimbal, Instant now) {
+  const Sample sample = gimbal.sample(now);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (sample.target_speeds[axis] != 0) return false;
     if (std::abs(sample.angles[axis] - sample.targets[axis]) > arrival_tolerance) return false;
@@ -31,24 +31,26 @@ bool has_arrived(Device& device, Instant now) {
   return true;
 }
 
-bool has_stopped(Device& device, Instant now) {
-  const Axes<double> speeds = device.gimbal.sample(now).target_speeds;
+bool has_stopped(Gimbal& gimbal, Instant now) {
+  const Axes<double> speeds = gimbal.sample(now).target_speeds;
   return speeds == Axes<double>{};
 }
 
 bool has_ended(Device& device, Tasks::Kind kind, Instant now) {
   switch (kind) {
-    case Tasks::Kind::motion: return has_arrived(device, now);
-    case Tasks::Kind::attitude: return device.quaternions.has_arrived(device, now);
+    case Tasks::Kind::motion: return has_arrived(device.gimbal, now);
+    case Tasks::Kind::attitude:
+      return device.quaternions.has_arrived(device.gimbal, device.tuning, now);
     case Tasks::Kind::action: break;
   }
   return !device.calibrations.under_way() && !device.auto_tuning.is_running() &&
-         !device.scripts.running() && !device.tasks.is_stopping() && has_arrived(device, now);
+         !device.scripts.running() && !device.tasks.is_stopping() &&
+         has_arrived(device.gimbal, now);
 }
 
 void report_end(Device& device, std::size_t port, std::uint8_t command, bool is_success,
                 Instant now) {
-  RequestContext context(device, port, command, Confirmed::always, now);
+  RequestContext context(device.ports, device.options, port, command, Confirmed::always, now);
   constexpr std::array<std::uint8_t, 1> complete{1};
   if (is_success) {
     context.confirm(complete);
@@ -71,31 +73,34 @@ void Tasks::confirm_end(std::size_t port, std::uint8_t command, Kind kind, Insta
   plan(now);
 }
 
-void Tasks::stop_safely(Device& device, Instant now) {
-  if (!device.gimbal.motors_on()) return;
+void Tasks::set_motors(Gimbal& gimbal, bool on, Instant now) {
+  stop_ = off_ = Instant::never;
+  gimbal.set_motors(on, now);
+}
+
+void Tasks::stop_safely(Gimbal& gimbal, Instant now) {
+  if (!gimbal.motors_on()) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    device.gimbal.command(axis, {.mode = AxisMode::speed}, now);
+    gimbal.command(axis, {.mode = AxisMode::speed}, now);
   }
   stop_ = now + longest_stop;
   plan(now);
-  if (has_stopped(device, now)) device.set_motors(false, now);
+  if (has_stopped(gimbal, now)) set_motors(gimbal, false, now);
 }
 
-void Tasks::synchronize(Device& device, std::size_t axis, double degrees, Duration time,
+void Tasks::synchronize(Gimbal& gimbal, std::size_t axis, double degrees, Duration time,
                         Instant now) {
-  device.set_motors(true, now);
-  const double angle = device.gimbal.sample(now).angles[axis] + degrees;
+  set_motors(gimbal, true, now);
+  const double angle = gimbal.sample(now).angles[axis] + degrees;
   const double seconds = std::max(static_cast<double>(time.us) * 1e-6, 1e-3);
-  device.gimbal.command(axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle},
-                        now);
+  gimbal.command(axis, {.mode = AxisMode::angle, .speed = degrees / seconds, .angle = angle}, now);
   off_ = now + time;
   plan(now);
 }
 
-void Tasks::advance(Device& device, Instant now) {
-  if (next_ > now) return;
-  if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device, now))) {
-    device.set_motors(false, now);
+void Tasks::advance(Instant now, Device& device) {
+  if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device.gimbal, now))) {
+    set_motors(device.gimbal, false, now);
   }
   const std::vector<Task> before = std::move(tasks_);
   tasks_.clear();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
@@ -24,17 +25,17 @@ class Tasks {
   /// Confirms `command` when the task ends. Replaces a task of the same command and port.
   void confirm_end(std::size_t port, std::uint8_t command, Kind kind, Instant now);
   /// Slows down and turns the motors off.
-  void stop_safely(Device& device, Instant now);
+  void stop_safely(Gimbal& gimbal, Instant now);
   /// Drives one motor for this time, then turns the motors off.
-  void synchronize(Device& device, std::size_t axis, double degrees, Duration time, Instant now);
+  void synchronize(Gimbal& gimbal, std::size_t axis, double degrees, Duration time, Instant now);
   bool is_stopping() const { return stop_ != Instant::never; }
-  /// The motors were turned on or off otherwise.
-  void forget_stop() { stop_ = off_ = Instant::never; }
+  /// Turns the motors on or off, in place of a stop that is under way.
+  void set_motors(Gimbal& gimbal, bool on, Instant now);
 
   void drop_port(std::size_t port);
 
   Instant next() const { return next_; }
-  void advance(Device& device, Instant now);
+  void advance(Instant now, Device& device);
 
  private:
   struct Task {

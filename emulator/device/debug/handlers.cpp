@@ -18,6 +18,7 @@ Reaction handle(RequestContext& context, const msg::DebugVarsInfo3Request& reque
   return context.answer(debug_variables_info(first));
 }
 
+// Each part may have debug variables.
 Reaction handle(RequestContext& context, const msg::DebugVars3Request&, Device& device) {
   return context.answer(debug_variable_values(device, context.now));
 }

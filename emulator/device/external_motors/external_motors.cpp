@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/features.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -26,8 +26,8 @@ double control_speed(std::int32_t counts) {
 
 }  // namespace
 
-bool ExternalMotors::are_supported(const Device& device) {
-  return device.features_ext2().has(msg::BoardFeaturesExt2Bit::ext_motors);
+bool ExternalMotors::are_supported(const BoardOptions& options) {
+  return features_ext2_of(options).has(msg::BoardFeaturesExt2Bit::ext_motors);
 }
 
 void ExternalMotors::Motor::step(double seconds) {
@@ -193,7 +193,7 @@ msg::ExtMotorsState ExternalMotors::state(Gimbal& gimbal, std::size_t motor,
   return state;
 }
 
-void ExternalMotors::restart(Device&, Instant now) {
+void ExternalMotors::restart(Instant now) {
   motors_ = {};
   for (Motor& motor : motors_) motor.at = now;
 }

@@ -5,12 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/messages/external_motors.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
-
-struct Device;
 
 /// Seven motors, each of which follows its setpoint with the delay of a first-order system, within
 /// its limits. Assumption: the motors are alike, and their home position is 0.
@@ -18,7 +17,7 @@ class ExternalMotors {
  public:
   static constexpr std::size_t count = 7;
 
-  static bool are_supported(const Device& device);
+  static bool are_supported(const BoardOptions& options);
 
   /// Returns false, without effect, if there is no such action.
   bool act(std::size_t motor, msg::ExtMotorActionKind action, Instant now);
@@ -40,7 +39,7 @@ class ExternalMotors {
   };
   Motion motion(std::size_t motor, Instant now);
 
-  void restart(Device& device, Instant now);
+  void restart(Instant now);
 
  private:
   struct Motor {

@@ -7,7 +7,6 @@
 
 #include <sbgc/meta/enums.hpp>
 
-#include "device/calibration/actions.hpp"
 #include "device/realtime/custom_data.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/attitude.hpp"
@@ -15,20 +14,8 @@
 namespace sbgc::emulator {
 namespace {
 
-Reaction select_imu(RequestContext& context, Device& device, msg::SelectedImu imu) {
-  const bool exists =
-      imu == msg::SelectedImu::main || (imu == msg::SelectedImu::frame && device.has_frame_imu());
-  if (!exists) return RequestContext::ignore();
-  device.cur_imu = imu;
-  return context.confirm();
-}
-
-bool has_external_imu(const Device& device) {
-  return device.features_ext().has(msg::BoardFeaturesExtBit::ext_imu);
-}
-
-double degrees_per_second(msg::GyroOffset offset) {
-  return offset.gyro_units() * Device::gyro_unit();
+bool has_external_imu(const BoardOptions& options) {
+  return features_ext_of(options).has(msg::BoardFeaturesExtBit::ext_imu);
 }
 
 /// Returns nothing if the length is not close to 1.
@@ -42,23 +29,22 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 }
 
 template <class Mode>
-Reaction report_attitude(RequestContext& context, Device& device, Mode mode) {
+Reaction report_attitude(RequestContext& context, Gimbal& gimbal, const Imus& imus, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
-  if (of_frame && !knows_frame(device, context.now))
+  if (of_frame && !knows_frame(imus, gimbal, context.now))
     return context.refuse(msg::BoardErrorCode::not_supported);
-  msg::AhrsHelper answer;
-  measure(device, of_frame, context.now, answer);
-  return context.answer(answer);
+  return context.answer(directions(gimbal, of_frame, context.now));
 }
 
 /// For the forms without vectors, which cannot set the attitude.
 template <class Request>
-Reaction report_attitude_only(RequestContext& context, Device& device, const Request& request) {
+Reaction report_attitude_only(RequestContext& context, Gimbal& gimbal, const Imus& imus,
+                              const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
   }
-  return report_attitude(context, device, request.mode);
+  return report_attitude(context, gimbal, imus, request.mode);
 }
 
 /// Options of the form with a wide mode.
@@ -76,19 +62,21 @@ WideOptions wide_options(msg::AhrsHelperWideMode mode) {
 }
 
 template <class Request>
-Reaction report_or_set_attitude(RequestContext& context, Device& device, const Request& request) {
+Reaction report_or_set_attitude(RequestContext& context, Gimbal& gimbal, const Imus& imus,
+                                const BoardOptions& options, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
-  if (!mode.has(Bit::set)) return report_attitude(context, device, mode);
-  const WideOptions options = wide_options(mode);
-  if (options.disables) return context.confirm();
+  if (!mode.has(Bit::set)) return report_attitude(context, gimbal, imus, mode);
+  const WideOptions wide = wide_options(mode);
+  if (wide.disables) return context.confirm();
   if (mode.has(Bit::z1_only) && mode.has(Bit::h1_only)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
   Gimbal::Attitude attitude;
   attitude.of_frame = mode.has(Bit::frame_imu);
   attitude.reference_only = mode.has(Bit::reference_only);
-  attitude.translates = (mode.has(Bit::translate) || options.translates) && knows_joints(device);
+  attitude.translates =
+      (mode.has(Bit::translate) || wide.translates) && knows_joints(options, imus);
   if (!mode.has(Bit::h1_only)) {
     attitude.up = direction(request.z1_vector);
     if (!attitude.up) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
@@ -97,70 +85,74 @@ Reaction report_or_set_attitude(RequestContext& context, Device& device, const R
     attitude.north = direction(request.h1_vector);
     if (!attitude.north) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
-  device.gimbal.correct(attitude, context.now);
+  gimbal.correct(attitude, context.now);
   return context.confirm();
 }
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::SelectImu3& request, Device& device) {
-  return select_imu(context, device, request.imu_type);
+Reaction handle(RequestContext& context, const msg::SelectImu3& request, Imus& imus) {
+  const bool exists = request.imu_type == msg::SelectedImu::main ||
+                      (request.imu_type == msg::SelectedImu::frame && imus.has_frame);
+  if (!exists) return RequestContext::ignore();
+  imus.selected = request.imu_type;
+  return context.confirm();
 }
-/// Ignores the other parameters, which are undocumented.
-Reaction handle(RequestContext& context, const msg::SelectImu3Ext& request, Device& device) {
-  return select_imu(context, device, request.imu_type);
-}
-
 /// Assumption: the gyroscope is calibrated, as its duration is a parameter.
-Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Device& device) {
-  if (request.imu_type == msg::CalibImu::frame && !device.has_frame_imu()) {
+Reaction handle(RequestContext& context, const msg::SelectImu3Calibrate& request, Imus& imus,
+                CalibrationParts& parts) {
+  if (request.imu_type == msg::CalibImu::frame && !imus.has_frame) {
     return RequestContext::ignore();
   }
-  if (request.imu_type == msg::CalibImu::main) device.cur_imu = msg::SelectedImu::main;
-  if (request.imu_type == msg::CalibImu::frame) device.cur_imu = msg::SelectedImu::frame;
-  return calibrate_gyro(context, device, request.imu_type, request.action,
+  if (request.imu_type == msg::CalibImu::main) imus.selected = msg::SelectedImu::main;
+  if (request.imu_type == msg::CalibImu::frame) imus.selected = msg::SelectedImu::frame;
+  return calibrate_gyro(context, parts, request.imu_type, request.action,
                         milliseconds(request.time_ms.raw()));
 }
 
-Reaction handle(RequestContext& context, const msg::AhrsHelperRequest& request, Device& device) {
-  return report_attitude_only(context, device, request);
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequest& request, Gimbal& gimbal,
+                const Imus& imus) {
+  return report_attitude_only(context, gimbal, imus, request);
 }
-Reaction handle(RequestContext& context, const msg::AhrsHelperRequestWide& request,
-                Device& device) {
-  return report_attitude_only(context, device, request);
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequestWide& request, Gimbal& gimbal,
+                const Imus& imus) {
+  return report_attitude_only(context, gimbal, imus, request);
 }
-Reaction handle(RequestContext& context, const msg::AhrsHelperRequestExt& request, Device& device) {
-  return report_or_set_attitude(context, device, request);
+Reaction handle(RequestContext& context, const msg::AhrsHelperRequestExt& request, Gimbal& gimbal,
+                const Imus& imus, const BoardOptions& options) {
+  return report_or_set_attitude(context, gimbal, imus, options, request);
 }
 Reaction handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request,
-                Device& device) {
-  return report_or_set_attitude(context, device, request);
+                Gimbal& gimbal, const Imus& imus, const BoardOptions& options) {
+  return report_or_set_attitude(context, gimbal, imus, options, request);
 }
 
-Reaction handle(RequestContext& context, const msg::GyroCorrection& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::GyroCorrection& request, Imus& imus,
+                Memory& memory, Gimbal& gimbal, const Parameters& parameters) {
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
     return context.refuse(msg::BoardErrorCode::wrong_params);
-  if (of_frame && !device.has_frame_imu())
-    return context.refuse(msg::BoardErrorCode::not_supported);
+  if (of_frame && !imus.has_frame) return context.refuse(msg::BoardErrorCode::not_supported);
   Vector offset;
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
   }
   const std::size_t imu = of_frame ? 1 : 0;
-  device.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
-  device.memory.imus[imu].gyro_offset = offset;
-  ++device.memory.revision;
-  device.correct_gyros(context.now);
+  imus.headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
+  memory.imus[imu].gyro_offset = offset;
+  ++memory.revision;
+  imus.correct(gimbal, memory, parameters, context.now);
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Device& device) {
-  if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
-  const Sample sample = device.gimbal.sample(context.now);
-  const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
+Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&,
+                const BoardOptions& options, Gimbal& gimbal, const Imus& imus,
+                const Parameters& parameters, const Tuning& tuning) {
+  if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);
+  const Sample sample = gimbal.sample(context.now);
+  const Rotation attitude = Pose(sample.angles, tuning.rotation_order).rotation();
   msg::ExtImuDebugInfo info;
-  info.ahrs_debug_info = attitude_debug(device, context.now);
+  info.ahrs_debug_info = attitude_debug(sample, imus, parameters);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       info.dcm[3 * row + column] = static_cast<float>(attitude.rows[row][column]);
@@ -171,10 +163,9 @@ Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&, Dev
 }
 
 /// The emulated external IMU has no protocol of its own: it repeats the command without data.
-Reaction handle(RequestContext& context, const msg::ExtImuCmd& request, Device& device) {
-  if (!has_external_imu(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+Reaction handle(RequestContext& context, const msg::ExtImuCmd& request,
+                const BoardOptions& options) {
+  if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);
   msg::ExtImuCmd answer;
   answer.cmd_id = request.cmd_id;
   static_cast<void>(context.confirm());
@@ -182,11 +173,10 @@ Reaction handle(RequestContext& context, const msg::ExtImuCmd& request, Device& 
 }
 
 /// The emulated sensor answers queries without data and confirms all other commands.
-Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ExtSensCmdRequest& request,
+                const BoardOptions& options) {
   using enum msg::ExtSensCommand;
-  if (!has_external_imu(device)) {
-    return context.refuse(msg::BoardErrorCode::not_supported);
-  }
+  if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);
   static_cast<void>(context.confirm());
   msg::ExtSensCmd answer;
   switch (request.cmd_id) {

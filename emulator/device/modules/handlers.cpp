@@ -30,9 +30,10 @@ Reaction introduce(RequestContext& context, const BoardOptions& options,
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::ModuleListRequest&, Device& device) {
+Reaction handle(RequestContext& context, const msg::ModuleListRequest&,
+                const BoardOptions& options) {
   msg::ModuleList list;
-  for (const Module& module : modules_of(device)) {
+  for (const Module& module : modules_of(options)) {
     msg::ModuleInfo info;
     info.id = module.id;
     info.board_ver = info.bootloader_ver = hardware_version;
@@ -42,15 +43,16 @@ Reaction handle(RequestContext& context, const msg::ModuleListRequest&, Device& 
   return context.answer(list);
 }
 
-Reaction handle(RequestContext& context, const msg::CanDeviceScanRequest&, Device& device) {
-  if (!device.features().has(msg::BoardFeature::can_port)) {
+Reaction handle(RequestContext& context, const msg::CanDeviceScanRequest&,
+                const BoardOptions& options) {
+  if (!features_of(options).has(msg::BoardFeature::can_port)) {
     return context.refuse(msg::BoardErrorCode::not_supported);
   }
   msg::CanDeviceScan scan;
-  for (const Module& module : modules_of(device)) {
+  for (const Module& module : modules_of(options)) {
     msg::CanDevice one;
     // Derived from the id of the board, so that no two emulated boards have the same device.
-    one.uid = device.options.mcu_id;
+    one.uid = options.mcu_id;
     one.uid[0] = static_cast<std::uint8_t>(module.can_id);
     one.id = module.can_id;
     static_cast<void>(one.type.set_kind(module.kind));
@@ -61,15 +63,15 @@ Reaction handle(RequestContext& context, const msg::CanDeviceScanRequest&, Devic
 
 /// Assumption: data for a device that does not exist are lost.
 Reaction handle(RequestContext& context, const msg::TransparentSapiRequest& request,
-                Device& device) {
-  for (const Module& module : modules_of(device)) {
+                const BoardOptions& options) {
+  for (const Module& module : modules_of(options)) {
     if (module.transparent == msg::TransparentDevice{}) continue;
     if (module.transparent != request.target.device()) continue;
     Reaction reaction = Reaction::executed;
     Parser parser;
     parser.feed(std::span(request.payload.data(), request.payload.size()), [&](const Frame& frame) {
       if (frame.id != roles::introduction_request_id) return;
-      reaction = introduce(context, device.options, request, module.firmware);
+      reaction = introduce(context, options, request, module.firmware);
     });
     return reaction;
   }

@@ -19,23 +19,23 @@ E counted(E first, std::size_t index) {
 
 }  // namespace
 
-std::size_t can_drivers(const Device& device) {
-  if (!device.features().has(msg::BoardFeature::can_port)) return 0;
-  return ExternalMotors::are_supported(device) ? ExternalMotors::count : 3;
+std::size_t can_drivers(const BoardOptions& options) {
+  if (!features_of(options).has(msg::BoardFeature::can_port)) return 0;
+  return ExternalMotors::are_supported(options) ? ExternalMotors::count : 3;
 }
 
-std::vector<Module> modules_of(const Device& device) {
+std::vector<Module> modules_of(const BoardOptions& options) {
   using Kind = msg::CanDeviceKind;
   std::vector<Module> modules;
-  if (!device.features().has(msg::BoardFeature::can_port)) return modules;
+  if (!features_of(options).has(msg::BoardFeature::can_port)) return modules;
   modules.push_back({msg::ModuleId::imu_main, msg::CanDeviceId::can_imu_main, Kind::imu,
                      msg::TransparentDevice::can_imu_main, imu_firmware});
-  if (device.options.has_frame_imu) {
+  if (options.has_frame_imu) {
     modules.push_back({msg::ModuleId::imu_frame, msg::CanDeviceId::can_imu_frame, Kind::imu,
                        msg::TransparentDevice::can_imu_frame, imu_firmware});
   }
   constexpr std::size_t reachable = 4;
-  for (std::size_t i = 0; i < can_drivers(device); ++i) {
+  for (std::size_t i = 0; i < can_drivers(options); ++i) {
     const auto transparent =
         i < reachable ? counted(msg::TransparentDevice::can_drv1, i) : msg::TransparentDevice{};
     modules.push_back({counted(msg::ModuleId::can_drv1, i), counted(msg::CanDeviceId::can_drv1, i),
@@ -44,19 +44,20 @@ std::vector<Module> modules_of(const Device& device) {
   return modules;
 }
 
-void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
-             msg::CanDrvTelemetry& data) {
+msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               Instant now) {
   using enum msg::CanDrvTelemetryFlag;
   const Sample sample = device.gimbal.sample(now);
   // Assumption: the drivers are those of the external motors, or of the axes without them.
   ExternalMotors::Motion motion;
-  if (ExternalMotors::are_supported(device)) {
+  if (ExternalMotors::are_supported(device.options)) {
     motion = device.external_motors.motion(driver, now);
   } else {
     motion = {sample.speeds[driver] - turning(sample.frame_speed)[driver], sample.power[driver]};
   }
   const double milliamperes = 50 + 2000 * std::abs(motion.load);
   constexpr double degrees_per_turn = 360;
+  msg::CanDrvTelemetry data;
   data.drv_id = static_cast<std::uint8_t>(driver);
   data.timestamp_ms = msg::MillisecondClock(
       static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
@@ -84,6 +85,7 @@ void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags field
   if (fields.has(pid_speed_err)) data.pid_speed_err = std::int16_t{0};
   if (fields.has(iq_ref)) data.iq_ref = saturated<msg::CurrentShare>(100 * motion.load);
   if (fields.has(pid_current_err)) data.pid_current_err = std::int16_t{0};
+  return data;
 }
 
 }  // namespace sbgc::emulator

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/messages/modules.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/time.hpp>
@@ -24,11 +25,11 @@ struct Module {
 };
 
 /// The number of drivers.
-std::size_t can_drivers(const Device& device);
-std::vector<Module> modules_of(const Device& device);
+std::size_t can_drivers(const BoardOptions& options);
+std::vector<Module> modules_of(const BoardOptions& options);
 
-/// Fills `data` with live data of a driver. Precondition: it exists.
-void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
-             msg::CanDrvTelemetry& data);
+/// Live data of a driver. Precondition: it exists.
+msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               Instant now);
 
 }  // namespace sbgc::emulator

@@ -7,7 +7,8 @@
 
 #include <sbgc/parameters.hpp>
 
-#include "device/device.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
 #include "device/request_context.hpp"
 
 namespace sbgc::emulator {
@@ -32,12 +33,12 @@ inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
 
 /// Returns the copy that a request selects; nothing if there is no such copy.
 template <class S, class Request>
-std::optional<std::uint8_t> copy_of(const Device& device, const Request& request) {
+std::optional<std::uint8_t> copy_of(const Parameters& parameters, const Request& request) {
   if constexpr (ParametersOf<S>::copies == 1) {
     return std::uint8_t{0};
   } else {
     const std::uint8_t copy = ParametersOf<S>::copy(request);
-    if (copy == Request::active_profile) return device.parameters.profile();
+    if (copy == Request::active_profile) return parameters.profile();
     if (copy < ParametersOf<S>::copies) return copy;
     return {};
   }
@@ -45,11 +46,9 @@ std::optional<std::uint8_t> copy_of(const Device& device, const Request& request
 
 /// Sets the fields that hold state of the board.
 template <class S>
-void fill_state(const Device& device, S& parameters) {
-  if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.cur_imu;
-  if constexpr (requires { parameters.cur_profile_id; }) {
-    parameters.cur_profile_id = device.parameters.profile();
-  }
+void fill_state(const Parameters& parameters, const Imus& imus, S& answer) {
+  if constexpr (requires { answer.cur_imu; }) answer.cur_imu = imus.selected;
+  if constexpr (requires { answer.cur_profile_id; }) answer.cur_profile_id = parameters.profile();
 }
 
 }  // namespace detail
@@ -61,19 +60,19 @@ inline constexpr bool accesses_parameters = detail::accesses_one<Request, Parame
 /// Handles such a request. Stores any values: the specification does not say that the board checks
 /// them, and it must keep values that it does not understand.
 template <class Request>
-Reaction access_parameters(RequestContext& context, const Request& request, Device& device) {
+Reaction access_parameters(RequestContext& context, const Request& request, Parameters& parameters,
+                           const Imus& imus) {
   Reaction reaction = Reaction::refused;
   ParameterMessages::for_each([&]<class S>(Type<S>) {
     if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
-      const auto copy = detail::copy_of<S>(device, request);
+      const auto copy = detail::copy_of<S>(parameters, request);
       if (!copy) {
         reaction = context.refuse(msg::BoardErrorCode::wrong_params);
       } else if constexpr (detail::reads<Request, S>) {
-        S answer = device.parameters.read<S>(*copy);
-        detail::fill_state(device, answer);
+        S answer = parameters.read<S>(*copy);
+        detail::fill_state(parameters, imus, answer);
         reaction = context.answer_anyway(answer);
-      } else if (device.parameters.write<S>(*copy, request)) {
-        device.apply_parameters(context.now);
+      } else if (parameters.write<S>(*copy, request)) {
         reaction = context.confirm();
       } else {
         reaction = context.refuse(msg::BoardErrorCode::operation_failed);

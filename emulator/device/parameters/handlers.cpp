@@ -23,42 +23,46 @@ Reaction handle(RequestContext& context, const msg::SaveParams3& request, Parame
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::UseDefaults& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::UseDefaults& request, Parameters& parameters,
+                Memory& memory, Imus& imus) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
-    device.parameters.erase();
-    device.forget_calibrations();
+    parameters.erase();
+    memory.imus = {};
+    memory.battery_factor = Memory{}.battery_factor;
+    ++memory.revision;
+    imus.headings = {};
   } else if (request.profile_id < ParametersOf<msg::ReadParams3>::copies) {
-    device.parameters.use_defaults(request.profile_id);
+    parameters.use_defaults(request.profile_id);
   } else {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.profile_id);
   }
-  device.apply_parameters(context.now);
   return context.confirm();
 }
 
 /// Between the two requests, written parameters are stored but not yet in use.
-Reaction handle(RequestContext& context, const msg::WriteParamsSet& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::WriteParamsSet& request, Modes& modes,
+                Parameters& parameters) {
   switch (request.action) {
-    case msg::WriteParamsAction::start: device.is_writing_parameters = true; break;
+    case msg::WriteParamsAction::start: modes.is_writing_parameters = true; break;
     case msg::WriteParamsAction::finish:
-      device.is_writing_parameters = false;
-      device.apply_parameters(context.now);
+      modes.is_writing_parameters = false;
+      parameters.apply_later();
       break;
     default: return context.refuse(msg::BoardErrorCode::wrong_params);
   }
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::ProfileSet& request, Device& device) {
+Reaction handle(RequestContext& context, const msg::ProfileSet& request, Parameters& parameters) {
   const std::size_t index = request.slot - std::size_t{1};
-  if (request.slot == 0 || index >= device.memory.profile_sets.size()) {
+  if (request.slot == 0 || index >= Memory::profile_set_slots) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.slot);
   }
   switch (request.action) {
-    case msg::ProfileSetAction::save: device.save_profile_set(index); break;
-    case msg::ProfileSetAction::clear: device.clear_profile_set(index); break;
+    case msg::ProfileSetAction::save: parameters.save_profile_set(index); break;
+    case msg::ProfileSetAction::clear: parameters.clear_profile_set(index); break;
     case msg::ProfileSetAction::load:
-      if (!device.load_profile_set(index, context.now)) {
+      if (!parameters.load_profile_set(index)) {
         return context.refuse(msg::BoardErrorCode::operation_failed, request.slot);
       }
       break;

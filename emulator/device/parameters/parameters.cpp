@@ -25,6 +25,7 @@ std::uint8_t Parameters::profile() const {
 void Parameters::select_profile(std::uint8_t profile) {
   if (memory_.is_unsaved || memory_.profile != profile) ++memory_.revision;
   memory_.profile = profile;
+  apply_later();
   ParameterMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) use(stored<M>(profile));
   });
@@ -53,17 +54,20 @@ bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
   }
   if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
   variables_[id] = {value, variable_value(in_use_, id)};
+  apply_later();
   return true;
 }
 
 std::optional<msg::VariableId> Parameters::set_variables(std::span<const msg::AdjVarValue> values) {
   const auto in_use = in_use_;
   const auto variables = variables_;
+  const bool is_changed = is_changed_;
   for (const msg::AdjVarValue& one : values) {
     if (set_variable(one.param_id, one.param_value)) continue;
     // Do not set the old values again: they may be out of the variable's range.
     in_use_ = in_use;
     variables_ = variables;
+    is_changed_ = is_changed;
     return one.param_id;
   }
   return {};
@@ -106,16 +110,23 @@ void Parameters::use_defaults(std::uint8_t profile) {
   });
 }
 
-std::vector<std::uint8_t> Parameters::profiles() const {
-  std::vector<std::uint8_t> all;
+void Parameters::save_profile_set(std::size_t slot) {
+  std::vector<std::uint8_t>& all = memory_.profile_sets[slot];
+  all.clear();
   for_each_record([&](std::size_t address) {
     const auto bytes = eeprom_.bytes(address, record_size());
     all.insert(all.end(), bytes.begin(), bytes.end());
   });
-  return all;
+  ++memory_.revision;
 }
 
-bool Parameters::restore_profiles(std::span<const std::uint8_t> profiles) {
+void Parameters::clear_profile_set(std::size_t slot) {
+  memory_.profile_sets[slot].clear();
+  ++memory_.revision;
+}
+
+bool Parameters::load_profile_set(std::size_t slot) {
+  std::span<const std::uint8_t> profiles = memory_.profile_sets[slot];
   std::size_t size = 0;
   for_each_record([&](std::size_t) { size += record_size(); });
   if (profiles.size() != size) return false;
@@ -123,7 +134,10 @@ bool Parameters::restore_profiles(std::span<const std::uint8_t> profiles) {
     eeprom_.write(address, profiles.first(record_size()));
     profiles = profiles.subspan(record_size());
   });
+  memory_.profile_set = static_cast<std::uint8_t>(slot + 1);
+  ++memory_.revision;
   reload();
+  apply_later();
   return true;
 }
 
@@ -132,6 +146,7 @@ void Parameters::erase() {
   if (memory_.profile != 0) ++memory_.revision;
   memory_.profile = 0;
   reload();
+  apply_later();
 }
 
 }  // namespace sbgc::emulator

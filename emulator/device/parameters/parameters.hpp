@@ -9,6 +9,7 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <sbgc/emulator/memory.hpp>
 #include <sbgc/framing.hpp>
@@ -22,8 +23,8 @@
 #include <sbgc/types.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/features.hpp"
 #include "device/firmware_limits.hpp"
-#include "device/known_values.hpp"
 #include "device/parameters/factory_parameters.hpp"
 #include "device/storage/eeprom.hpp"
 #include "device/storage/eeprom_records.hpp"
@@ -90,6 +91,7 @@ class Parameters {
     M numbered = parameters;
     set_copy(numbered, copy);
     if (!store(copy, numbered)) return false;
+    apply_later();
     if (copy == copy_in_use<M>()) {
       use(numbered);
     } else {
@@ -104,6 +106,7 @@ class Parameters {
     auto parameters = stored<M>(copy);
     edit(parameters);
     if (!store(copy, parameters)) return false;
+    apply_later();
     auto& in_use = in_use_.template of<M>();
     if (copy == copy_in_use<M>()) {
       edit(in_use);
@@ -117,7 +120,14 @@ class Parameters {
   template <class M, class Edit>
   void change_in_use(const Edit& edit) {
     edit(in_use_.template of<M>());
+    apply_later();
   }
+
+  /// The gimbal and the inputs follow each change at the end of a step of the board. Call it if
+  /// something else has changed on which they depend.
+  void apply_later() { is_changed_ = true; }
+  /// True once after each change.
+  bool take_changes() { return std::exchange(is_changed_, false); }
 
   /// Returns the value of the variable; nothing if this board does not have it.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
@@ -137,10 +147,11 @@ class Parameters {
   /// Restores the factory parameters of one profile, in the EEPROM and the active ones; keeps
   /// general parameters. Precondition: the profile exists.
   void use_defaults(std::uint8_t profile);
-  /// The stored parameters of all profiles, for restore_profiles().
-  std::vector<std::uint8_t> profiles() const;
-  /// Stores and activates them. Returns false, without effect, if they are of another size.
-  bool restore_profiles(std::span<const std::uint8_t> profiles);
+  /// Stores, forgets or loads the parameters of all profiles. load_profile_set() returns false,
+  /// without effect, if the slot is empty. Precondition: the slot exists; they count from 0.
+  void save_profile_set(std::size_t slot);
+  void clear_profile_set(std::size_t slot);
+  bool load_profile_set(std::size_t slot);
 
   /// Erases the whole EEPROM, including files and user data. Activates factory parameters and the
   /// first profile.
@@ -243,6 +254,7 @@ class Parameters {
   Eeprom eeprom_;
   OneOfEach<ParameterMessages> in_use_{};
   std::map<msg::VariableId, Variable> variables_{};  ///< variables that were set
+  bool is_changed_{};
 };
 
 }  // namespace sbgc::emulator

@@ -5,35 +5,22 @@
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
-namespace {
 
-Reaction read_i2c(RequestContext& context, Device& device, msg::I2cDevice chip,
-                  std::uint8_t address, msg::SmallByteCount size) {
-  if (!I2cBus::answers(device, chip)) {
-    return context.refuse(msg::BoardErrorCode::operation_failed);
-  }
-  if (size.raw() == 0) return context.refuse(msg::BoardErrorCode::wrong_params);
-  const auto bytes = device.i2c.read(device, chip, address, size.raw(), context.now);
-  msg::I2cReadRegBuf answer;
-  for (const std::uint8_t byte : bytes) answer.data.push_back(byte);
-  return context.answer(answer);
-}
-
-}  // namespace
-
-Reaction handle(RequestContext& context, const msg::TriggerPin& request, Device& device) {
-  const bool switched = device.outputs.set_pin(device, request.pin_id, request.state);
+Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs& outputs,
+                const Parameters& parameters) {
+  const bool switched =
+      outputs.set_pin(parameters, context.versions(), request.pin_id, request.state);
   return switched ? context.confirm() : RequestContext::ignore();
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,
-                Parameters& parameters) {
+                const Parameters& parameters) {
   const bool fits = outputs.set_servos(parameters, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOutExt& request, Outputs& outputs,
-                Parameters& parameters) {
+                const Parameters& parameters) {
   const bool fits = outputs.set_servos(parameters, request);
   return fits ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
@@ -43,34 +30,29 @@ Reaction handle(RequestContext& context, const msg::BeepSound& request, Outputs&
   return plays ? context.confirm() : context.refuse(msg::BoardErrorCode::wrong_params);
 }
 
-Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequest& request, Device& device) {
-  return read_i2c(context, device, request.device_addr, request.reg_addr, request.data_len);
+Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequest& request,
+                const I2cBus& i2c, const BoardOptions& options, const Eeprom& memory,
+                Gimbal& gimbal) {
+  const auto bytes = i2c.read(options, memory, gimbal, request.device_addr, request.reg_addr,
+                              request.data_len.raw(), context.now);
+  if (!bytes) return context.refuse(msg::BoardErrorCode::operation_failed);
+  if (bytes->empty()) return context.refuse(msg::BoardErrorCode::wrong_params);
+  msg::I2cReadRegBuf answer;
+  for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
+  return context.answer(answer);
 }
-/// Assumption: the first register, as the emulated chips have no pointer of their own.
-Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestNoRegister& request,
-                Device& device) {
-  return read_i2c(context, device, request.device_addr, 0, request.data_len);
-}
-/// Assumption: the emulated chips use the lower byte of the address.
-Reaction handle(RequestContext& context, const msg::I2cReadRegBufRequestWideRegister& request,
-                Device& device) {
-  return read_i2c(context, device, request.device_addr, static_cast<std::uint8_t>(request.reg_addr),
-                  request.data_len);
-}
-
-Reaction handle(RequestContext& context, const msg::I2cWriteRegBuf& request, Device& device) {
-  if (!I2cBus::answers(device, request.device_addr)) {
-    return context.refuse(msg::BoardErrorCode::operation_failed);
-  }
-  device.i2c.write(device, request.device_addr, request.reg_addr, request.data);
-  return context.confirm();
+Reaction handle(RequestContext& context, const msg::I2cWriteRegBuf& request, I2cBus& i2c,
+                const BoardOptions& options, Eeprom& memory) {
+  const bool answers =
+      i2c.write(options, memory, request.device_addr, request.reg_addr, request.data);
+  return answers ? context.confirm() : context.refuse(msg::BoardErrorCode::operation_failed);
 }
 
+// A signal may start any action of the menu.
 Reaction handle(RequestContext& context, const msg::ApiVirtChControl& request, Device& device) {
   device.remote.set_channels(device, request, context.now);
   return context.confirm();
 }
-
 Reaction handle(RequestContext& context, const msg::ApiVirtChHighRes& request, Device& device) {
   device.remote.set_channels(device, request, context.now);
   return context.confirm();
@@ -78,7 +60,7 @@ Reaction handle(RequestContext& context, const msg::ApiVirtChHighRes& request, D
 
 /// Inputs that are not in use read as undefined, even if the host lets the board set them up.
 Reaction handle(RequestContext& context, const msg::ReadRcInputsRequest& request,
-                RemoteControl& remote) {
+                const RemoteControl& remote) {
   msg::ReadRcInputs answer;
   for (const msg::RcMap source : request.rc_src) {
     const auto signal = remote.signal(source);

@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "device/device.hpp"
-
 namespace sbgc::emulator {
 namespace {
 
@@ -61,8 +59,8 @@ bool can_be_written(std::uint8_t address, std::size_t reg) {
 }
 
 /// Returns all registers, without values written by hosts.
-std::vector<std::uint8_t> measured(Device& device, std::uint8_t address, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
+std::vector<std::uint8_t> measured(Gimbal& gimbal, std::uint8_t address, Instant now) {
+  const Sample sample = gimbal.sample(now);
   std::vector<std::uint8_t> registers(registers_of(address));
   if (is_imu(address)) {
     const bool is_main = address == Bus::main_imu;
@@ -91,37 +89,41 @@ std::vector<std::uint8_t> measured(Device& device, std::uint8_t address, Instant
   return registers;
 }
 
+/// True if a chip acknowledges this address.
+bool answers(const BoardOptions& options, msg::I2cDevice chip) {
+  const std::uint8_t address = chip.address();
+  if (is_eeprom(chip)) return address == Bus::eeprom;
+  return address == Bus::main_imu || address == Bus::magnetometer ||
+         (address == Bus::frame_imu && options.has_frame_imu);
+}
+
 std::uint16_t key(std::uint8_t address, std::size_t reg) {
   return static_cast<std::uint16_t>(std::size_t{address} * 256 + reg);
 }
 
 /// Returns the EEPROM address of a register. Assumption: REG_ADDR is the high byte of the address,
 /// so hosts can address blocks of 256 bytes.
-std::size_t eeprom_address(const Device& device, std::uint8_t reg) {
-  return reg * std::size_t{256} % device.eeprom.size();
+std::size_t eeprom_address(const Eeprom& memory, std::uint8_t reg) {
+  return reg * std::size_t{256} % memory.size();
 }
 
 }  // namespace
 
-bool I2cBus::answers(const Device& device, msg::I2cDevice chip) {
-  const std::uint8_t address = chip.address();
-  if (is_eeprom(chip)) return address == eeprom;
-  return address == main_imu || address == magnetometer ||
-         (address == frame_imu && device.options.has_frame_imu);
-}
-
-std::vector<std::uint8_t> I2cBus::read(Device& device, msg::I2cDevice chip, std::uint8_t address,
-                                       std::size_t size, Instant now) const {
+std::optional<std::vector<std::uint8_t>> I2cBus::read(const BoardOptions& options,
+                                                      const Eeprom& memory, Gimbal& gimbal,
+                                                      msg::I2cDevice chip, std::uint8_t address,
+                                                      std::size_t size, Instant now) const {
+  if (!answers(options, chip)) return {};
   std::vector<std::uint8_t> result;
   result.reserve(size);
   if (is_eeprom(chip)) {
-    const std::size_t begin = eeprom_address(device, address);
+    const std::size_t begin = eeprom_address(memory, address);
     for (std::size_t i = 0; i < size; ++i) {
-      result.push_back(device.eeprom.bytes((begin + i) % device.eeprom.size(), 1).front());
+      result.push_back(memory.bytes((begin + i) % memory.size(), 1).front());
     }
     return result;
   }
-  const auto registers = measured(device, chip.address(), now);
+  const auto registers = measured(gimbal, chip.address(), now);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t reg = (address + i) % registers.size();
     const auto written = written_.find(key(chip.address(), reg));
@@ -130,19 +132,21 @@ std::vector<std::uint8_t> I2cBus::read(Device& device, msg::I2cDevice chip, std:
   return result;
 }
 
-void I2cBus::write(Device& device, msg::I2cDevice chip, std::uint8_t address,
-                   std::span<const std::uint8_t> data) {
+bool I2cBus::write(const BoardOptions& options, Eeprom& memory, msg::I2cDevice chip,
+                   std::uint8_t address, std::span<const std::uint8_t> data) {
+  if (!answers(options, chip)) return false;
   if (is_eeprom(chip)) {
-    const std::size_t begin = eeprom_address(device, address);
-    const std::size_t before_end = std::min(data.size(), device.eeprom.size() - begin);
-    if (before_end != 0) device.eeprom.write(begin, data.first(before_end));
-    if (before_end != data.size()) device.eeprom.write(0, data.subspan(before_end));
-    return;
+    const std::size_t begin = eeprom_address(memory, address);
+    const std::size_t before_end = std::min(data.size(), memory.size() - begin);
+    if (before_end != 0) memory.write(begin, data.first(before_end));
+    if (before_end != data.size()) memory.write(0, data.subspan(before_end));
+    return true;
   }
   for (std::size_t i = 0; i < data.size(); ++i) {
     const std::size_t reg = (address + i) % registers_of(chip.address());
     if (can_be_written(chip.address(), reg)) written_[key(chip.address(), reg)] = data[i];
   }
+  return true;
 }
 
 }  // namespace sbgc::emulator

@@ -4,15 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::emulator {
+#include "device/storage/eeprom.hpp"
 
-struct Device;
+namespace sbgc::emulator {
 
 /// The registers of the chips: two IMUs and a magnetometer on the sensor bus, the EEPROM on the
 /// other one (assumption: real boards differ).
@@ -23,14 +25,14 @@ class I2cBus {
   static constexpr std::uint8_t magnetometer = 0x1E;
   static constexpr std::uint8_t eeprom = 0x50;  ///< on the second bus
 
-  /// True if a chip acknowledges this address.
-  static bool answers(const Device& device, msg::I2cDevice chip);
-  /// Register addresses increment and wrap after the last one. Precondition for both: the chip
-  /// answers.
-  std::vector<std::uint8_t> read(Device& device, msg::I2cDevice chip, std::uint8_t address,
-                                 std::size_t size, Instant now) const;
-  /// Read-only registers keep their values.
-  void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
+  /// Returns nothing if no chip acknowledges the address. Register addresses increment and wrap
+  /// after the last one.
+  std::optional<std::vector<std::uint8_t>> read(const BoardOptions& options, const Eeprom& memory,
+                                                Gimbal& gimbal, msg::I2cDevice chip,
+                                                std::uint8_t address, std::size_t size,
+                                                Instant now) const;
+  /// Returns false if no chip acknowledges the address. Read-only registers keep their values.
+  bool write(const BoardOptions& options, Eeprom& memory, msg::I2cDevice chip, std::uint8_t address,
              std::span<const std::uint8_t> data);
 
   /// The chips lose the values written by hosts.

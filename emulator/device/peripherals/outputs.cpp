@@ -7,8 +7,7 @@
 #include <sbgc/meta/peripherals.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/device.hpp"
-#include "device/known_values.hpp"
+#include "device/features.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -28,17 +27,17 @@ std::optional<std::size_t> index_of(E value) {
 }
 
 /// True if an RC source is this pin: RC_MAP_* values use the numbers of OutputPin.
-bool is_at(const Device& device, msg::RcMap source, msg::OutputPin pin) {
+bool is_at(Availability versions, msg::RcMap source, msg::OutputPin pin) {
   // Boards without separate analog inputs read analog signals at the PWM pins.
   const bool reads_pin =
       source.source() == msg::RcSource::pwm ||
-      (source.source() == msg::RcSource::analog && !knows(device.versions(), msg::RcInput::adc1));
+      (source.source() == msg::RcSource::analog && !knows(versions, msg::RcInput::adc1));
   return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
 }
 
 /// True if the pin is an input or carries a serial port.
-bool is_taken(const Device& device, msg::OutputPin pin) {
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+bool is_taken(const Parameters& in_use, Availability versions, msg::OutputPin pin) {
+  const auto& parameters = in_use.of<msg::ReadParams3>();
   const msg::RcVirtualMode mode = parameters.rc_virt_mode;
   if (mode == msg::RcVirtualMode::api &&
       (pin == msg::OutputPin::rc_input_roll || pin == msg::OutputPin::rc_input_yaw)) {
@@ -47,7 +46,7 @@ bool is_taken(const Device& device, msg::OutputPin pin) {
   const bool has_receiver = mode == msg::RcVirtualMode::cppm || mode == msg::RcVirtualMode::sbus ||
                             mode == msg::RcVirtualMode::spektrum;
   if (has_receiver && pin == msg::OutputPin::rc_input_roll) return true;
-  const auto is_pin = [&](msg::RcMap source) { return is_at(device, source, pin); };
+  const auto is_pin = [&](msg::RcMap source) { return is_at(versions, source, pin); };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (is_pin(parameters.rc_map[axis])) return true;
   }
@@ -55,7 +54,7 @@ bool is_taken(const Device& device, msg::OutputPin pin) {
       is_pin(parameters.rc_map_fc_pitch)) {
     return true;
   }
-  const auto& slots = device.parameters.of<msg::ReadAdjVarsCfg>();
+  const auto& slots = in_use.of<msg::ReadAdjVarsCfg>();
   const auto reads_pin = [&](const auto& slot) { return is_pin(slot.src_ch); };
   return std::any_of(slots.trigger_slots.begin(), slots.trigger_slots.end(), reads_pin) ||
          std::any_of(slots.analog_slots.begin(), slots.analog_slots.end(), reads_pin);
@@ -89,13 +88,14 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
   return result;
 }
 
-bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState state) {
-  const bool exist = knows(device.versions(), pin) && knows(device.versions(), state);
-  if (!exist || is_taken(device, pin)) return false;
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+bool Outputs::set_pin(const Parameters& parameters, Availability versions, msg::OutputPin pin,
+                      msg::PinState state) {
+  const bool exist = knows(versions, pin) && knows(versions, state);
+  if (!exist || is_taken(parameters, versions, pin)) return false;
+  const auto& servo_out = parameters.of<msg::ReadParams3>().servo_out;
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     const bool is_servo =
-        servos_[i] != floating || parameters.servo_out[i] != msg::ReadParams3::servo_disabled;
+        servos_[i] != floating || servo_out[i] != msg::ReadParams3::servo_disabled;
     if (servo_pin[i] == pin && is_servo) return false;
   }
   pins_[*index_of(pin)] = state;
@@ -168,15 +168,9 @@ bool Outputs::play(const msg::BeepSound& sound, Instant now) {
   return true;
 }
 
-void Outputs::signal(const Device& device, msg::BeeperMode event, Instant now) {
-  if (!device.parameters.of<msg::ReadParams3>().beeper_modes.has(event)) return;
+void Outputs::signal(const Parameters& parameters, msg::BeeperMode event, Instant now) {
+  if (!parameters.of<msg::ReadParams3>().beeper_modes.has(event)) return;
   if (const auto sound = sound_of(event)) sound_ = Sound{*sound, now + standard_sound};
-}
-
-Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
-
-void Outputs::advance(Device&, Instant now) {
-  if (sound_ && sound_->end <= now) sound_.reset();
 }
 
 }  // namespace sbgc::emulator

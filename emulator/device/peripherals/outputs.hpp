@@ -11,9 +11,9 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::emulator {
+#include "device/parameters/parameters.hpp"
 
-struct Device;
+namespace sbgc::emulator {
 
 /// Nothing is connected to them; hosts can query their state.
 class Outputs {
@@ -32,7 +32,8 @@ class Outputs {
   };
 
   /// Returns false, without effect, if there is no such pin or it is in use for another purpose.
-  bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
+  bool set_pin(const Parameters& parameters, Availability versions, msg::OutputPin pin,
+               msg::PinState state);
   /// The state set by a host; empty if none was set.
   std::optional<msg::PinState> pin(msg::OutputPin pin) const;
   /// Returns the high pins, one bit per pin in the order of OutputPin.
@@ -53,11 +54,11 @@ class Outputs {
   /// if the message describes neither.
   bool play(const msg::BeepSound& sound, Instant now);
   /// Plays the standard sound of an event if it has one and the parameters enable it.
-  void signal(const Device& device, msg::BeeperMode event, Instant now);
+  void signal(const Parameters& parameters, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 
-  Instant next() const;
-  void advance(Device& device, Instant now);
+  Instant next() const { return sound_ ? sound_->end : Instant::never; }
+  void advance(Instant /*now*/) { sound_.reset(); }
 
  private:
   static constexpr std::size_t pin_count = 10;

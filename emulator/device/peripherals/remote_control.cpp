@@ -58,13 +58,13 @@ std::optional<double> RemoteControl::signal(msg::RcMap source) const {
   return signals_[source.channel() - 1U];
 }
 
-std::optional<double> RemoteControl::own(const Device& device, std::size_t axis) const {
-  return signal(device.parameters.of<msg::ReadParams3>().rc_map[source_of_axis_[axis]]);
+std::optional<double> RemoteControl::own(const Parameters& parameters, std::size_t axis) const {
+  return signal(parameters.of<msg::ReadParams3>().rc_map[source_of_axis_[axis]]);
 }
 
-std::optional<double> RemoteControl::axis(const Device& device, std::size_t axis) const {
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  std::optional<double> result = own(device, axis);
+std::optional<double> RemoteControl::axis(const Parameters& in_use, std::size_t axis) const {
+  const auto& parameters = in_use.of<msg::ReadParams3>();
+  std::optional<double> result = own(in_use, axis);
   if (result) result = shaped(parameters, axis, *result);
   mix_in(result, parameters.rc_mix_fc_roll, axis, signal(parameters.rc_map_fc_roll),
          parameters.ext_fc_gain_roll);
@@ -74,9 +74,9 @@ std::optional<double> RemoteControl::axis(const Device& device, std::size_t axis
   return result;
 }
 
-std::optional<double> RemoteControl::followed(const Device& device, std::size_t axis) const {
+std::optional<double> RemoteControl::followed(const Parameters& in_use, std::size_t axis) const {
   constexpr std::size_t roll = 0, pitch = 1;
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  const auto& parameters = in_use.of<msg::ReadParams3>();
   if (parameters.follow_mode != msg::FollowMode::fc || (axis != roll && axis != pitch)) return {};
   const msg::RcMap source = axis == roll ? parameters.rc_map_fc_roll : parameters.rc_map_fc_pitch;
   const int gain = axis == roll ? parameters.ext_fc_gain_roll : parameters.ext_fc_gain_pitch;
@@ -89,25 +89,15 @@ void RemoteControl::swap(std::size_t one, std::size_t other) {
   std::swap(source_of_axis_[one], source_of_axis_[other]);
 }
 
-void RemoteControl::apply(Device& device, Instant now) const {
+void RemoteControl::apply(const Parameters& parameters, Gimbal& gimbal, Instant now) const {
   for (std::size_t index = 0; index < source_of_axis_.size(); ++index) {
-    device.gimbal.set_remote(index, axis(device, index), now);
-    device.gimbal.set_followed(index, followed(device, index), now);
+    gimbal.set_remote(index, axis(parameters, index), now);
+    gimbal.set_followed(index, followed(parameters, index), now);
   }
 }
 
-void RemoteControl::set_channels(Device& device, const msg::ApiVirtChControl& signals,
-                                 Instant now) {
-  set(device, signals, now);
-}
-
-void RemoteControl::set_channels(Device& device, const msg::ApiVirtChHighRes& signals,
-                                 Instant now) {
-  set(device, signals, now);
-}
-
 template <class Signals>
-void RemoteControl::set(Device& device, const Signals& signals, Instant now) {
+void RemoteControl::set_channels(Device& device, const Signals& signals, Instant now) {
   for (std::size_t i = 0; i < signals.val_ch.size(); ++i) {
     const auto signal = signals.val_ch[i];
     if (signal.raw() == Signals::undefined) {
@@ -117,9 +107,12 @@ void RemoteControl::set(Device& device, const Signals& signals, Instant now) {
       signals_[i] = std::clamp(signal.fraction(), -1.0, 1.0);
     }
   }
-  apply(device, now);
+  apply(device.parameters, device.gimbal, now);
   follow_command_channel(device, now);
 }
+
+template void RemoteControl::set_channels(Device&, const msg::ApiVirtChControl&, Instant);
+template void RemoteControl::set_channels(Device&, const msg::ApiVirtChHighRes&, Instant);
 
 /// The command channel is a switch with three positions; each change of position starts an action.
 /// Only new signals count, because an action that changes the source of the channel could otherwise

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/parameters.hpp>
@@ -14,6 +13,8 @@
 
 namespace sbgc::emulator {
 
+class Gimbal;
+class Parameters;
 struct Device;
 
 /// RC inputs. Only the virtual channels of the API carry signals: nothing is connected to the pins
@@ -22,31 +23,29 @@ class RemoteControl {
  public:
   static constexpr std::size_t channels = decltype(msg::ApiVirtChControl::val_ch)::capacity();
 
-  /// CMD_API_VIRT_CH_CONTROL: sets the signals of all virtual channels until the next message.
-  void set_channels(Device& device, const msg::ApiVirtChControl& signals, Instant now);
-  /// The same in high resolution (CMD_API_VIRT_CH_HIGH_RES).
-  void set_channels(Device& device, const msg::ApiVirtChHighRes& signals, Instant now);
+  /// CMD_API_VIRT_CH_CONTROL and CMD_API_VIRT_CH_HIGH_RES: sets the signals of all virtual channels
+  /// until the next message.
+  template <class Signals>
+  void set_channels(Device& device, const Signals& signals, Instant now);
   /// The signal of a source of RC_MAP_* or SRC_CH, -1..1; empty if there is none.
   std::optional<double> signal(msg::RcMap source) const;
   /// The raw signal of the source that is mapped to an axis.
-  std::optional<double> own(const Device& device, std::size_t axis) const;
+  std::optional<double> own(const Parameters& parameters, std::size_t axis) const;
   /// The signal that controls an axis: trimmed, mixed and shaped according to the parameters.
-  std::optional<double> axis(const Device& device, std::size_t axis) const;
+  std::optional<double> axis(const Parameters& in_use, std::size_t axis) const;
   /// In FOLLOW_MODE_FC, the angle of the flight controller that an axis follows; otherwise empty.
-  std::optional<double> followed(const Device& device, std::size_t axis) const;
+  std::optional<double> followed(const Parameters& in_use, std::size_t axis) const;
   /// Shapes a signal, -1..1, by the direction, trim, dead band and curve of an axis.
   static double shaped(const msg::ReadParams3& parameters, std::size_t axis, double signal);
   /// Swaps the signals of two axes until the board restarts; used by the menu.
   void swap(std::size_t one, std::size_t other);
   /// Passes signals and followed angles to the gimbal. Call it after each change of signals or
   /// parameters.
-  void apply(Device& device, Instant now) const;
+  void apply(const Parameters& parameters, Gimbal& gimbal, Instant now) const;
 
  private:
   enum class Position : std::uint8_t { none, low, middle, high };
 
-  template <class Signals>
-  void set(Device& device, const Signals& signals, Instant now);
   void follow_command_channel(Device& device, Instant now);
 
   std::array<std::optional<double>, channels> signals_{};

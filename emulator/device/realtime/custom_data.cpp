@@ -1,8 +1,5 @@
 #include "device/realtime/custom_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "device/device.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/quantities.hpp"
@@ -65,20 +62,18 @@ Axes<Q> axes_of(const Axes<double>& from, double factor = 1) {
 
 }  // namespace
 
-msg::AhrsDebugInfo attitude_debug(Device& device, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
-  const bool has_frame = device.has_frame_imu();
+msg::AhrsDebugInfo attitude_debug(const Sample& sample, const Imus& imus,
+                                  const Parameters& parameters) {
   msg::AhrsDebugInfo out;
   out.main_imu_ref_src = references(true);
-  out.frame_imu_ref_src = references(has_frame);
+  out.frame_imu_ref_src = references(imus.has_frame);
   out.main_z_err = saturated<msg::AngleError>(sample.gravity_error);
   out.main_h_err = saturated<msg::AngleError>(sample.heading_error);
-  if (has_frame) {
+  if (imus.has_frame) {
     out.frame_z_err = saturated<msg::AngleError>(sample.frame_gravity_error);
     out.frame_h_err = saturated<msg::AngleError>(sample.frame_heading_error);
   }
-  const bool is_set_up =
-      device.parameters.of<msg::ReadParamsExt3>().ext_imu_type != msg::ExtImuModel{};
+  const bool is_set_up = parameters.of<msg::ReadParamsExt3>().ext_imu_type != msg::ExtImuModel{};
   static_cast<void>(out.ext_imu_status.set_state(is_set_up ? msg::ExtImuState::not_connected
                                                            : msg::ExtImuState::disabled));
   return out;
@@ -88,15 +83,16 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
                    Instant now, msg::RealtimeDataCustom& data) {
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
-  const Tuning tuning = device.tuning();
-  const bool has_joints = knows_joints(device);
+  const Tuning& tuning = device.tuning;
+  const bool has_joints = knows_joints(device.options, device.imus);
   // There is no fourth motor.
   if (blocks.has(Flag::motor4_control)) data.motor4_control = msg::Motor4Control{};
-  if (blocks.has(Flag::ahrs_debug_info)) data.ahrs_debug_info = attitude_debug(device, now);
+  if (blocks.has(Flag::ahrs_debug_info))
+    data.ahrs_debug_info = attitude_debug(sample, device.imus, device.parameters);
   if (blocks.has(Flag::encoder_raw24)) {
     Axes<U24>& encoders = data.encoder_raw24.emplace();
     encoders = Axes<U24>{};
-    for (std::size_t axis = 0; device.has_encoders() && axis < 3; ++axis) {
+    for (std::size_t axis = 0; has_encoders(device.options) && axis < 3; ++axis) {
       const auto counts = static_cast<std::int64_t>(sample.joints[axis] * counts_per_degree);
       encoders[axis] = U24(static_cast<std::uint32_t>(counts & 0xFFFFFF));
     }
@@ -126,7 +122,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::system_state)) {
     msg::SystemStatus& state = data.system_state.emplace();
     state = {};
-    state.flags = state_flags(device, now);
+    state.flags = state_flags(device.gimbal, device.modes, device.tuning, now);
     state.calib_mode = calibration_mode(device);
   }
   const auto attitude = [&](const Axes<double>& angles) {
@@ -159,6 +155,16 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
       lowest[axis] = saturated<msg::LongAngle14>(tuning.axes[axis].remote_min);
       highest[axis] = saturated<msg::LongAngle14>(tuning.axes[axis].remote_max);
     }
+  }
+  if (blocks.has(Flag::frame_cam_angle_20)) {
+    data.frame_cam_angle_20 =
+        has_joints ? axes_of<msg::Angle20>(sample.joints) : Axes<msg::Angle20>{};
+  }
+  if (blocks.has(Flag::main_imu_state)) {
+    msg::MainImuState& state = data.main_imu_state.emplace();
+    state = {};
+    state.g_ref_error = saturated<msg::AngleError>(sample.gravity_error);
+    state.h_ref_error = saturated<msg::AngleError>(sample.heading_error);
   }
 }
 

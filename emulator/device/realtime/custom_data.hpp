@@ -3,16 +3,20 @@
 
 #include <cstddef>
 
+#include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
 
+class Parameters;
 struct Device;
+struct Imus;
 
 /// The state of the attitude estimation, as hosts see it.
-msg::AhrsDebugInfo attitude_debug(Device& device, Instant now);
+msg::AhrsDebugInfo attitude_debug(const Sample& sample, const Imus& imus,
+                                  const Parameters& parameters);
 /// Fills the blocks from MOTOR4_CONTROL on.
 void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks,
                    Instant now, msg::RealtimeDataCustom& data);

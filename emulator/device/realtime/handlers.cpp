@@ -5,50 +5,45 @@
 #include "device/realtime/live_data.hpp"
 
 namespace sbgc::emulator {
-namespace {
 
-msg::RealtimeData3 data_3(RequestContext& context, Device& device) {
-  msg::RealtimeData3 data;
-  measure(device, context.port, context.now, data);
-  return data;
-}
-
-}  // namespace
+// Live data are measured by all parts.
 
 Reaction handle(RequestContext& context, const msg::RealtimeData& /*request*/, Device& device) {
-  return context.answer_anyway(data_3(context, device));
+  return context.answer_anyway(realtime_data_3(device, context.port, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/,
                 Device& device) {
-  return context.answer(data_3(context, device));
+  return context.answer(realtime_data_3(device, context.port, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/,
                 Device& device) {
-  msg::RealtimeData4 data;
-  measure(device, context.port, context.now, data);
-  return context.answer(data);
+  return context.answer(realtime_data_4(device, context.port, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request,
                 Device& device) {
-  const auto blocks = known_blocks(device, request.flags);
+  const auto blocks = known_blocks(context.versions(), request.flags);
   if (!blocks) return context.refuse(msg::BoardErrorCode::wrong_params, request.flags.raw());
-  msg::RealtimeDataCustom data;
-  measure(device, context.port, *blocks, context.now, data);
-  return context.answer(data);
+  return context.answer(custom_data(device, context.port, *blocks, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Device& device) {
-  switch (device.streams.change(device, context.port, request, context.now)) {
-    case Streams::Change::done: break;
-    case Streams::Change::no_room:
-      return context.refuse(msg::BoardErrorCode::temporary,
-                            static_cast<std::uint32_t>(request.cmd_id));
-    case Streams::Change::bad_command:
-      return context.refuse(msg::BoardErrorCode::wrong_params,
-                            static_cast<std::uint32_t>(request.cmd_id));
+Reaction handle(RequestContext& context, const msg::RealtimeDataCustom2Request& request,
+                Device& device) {
+  msg::RealtimeDataCustom2Request known = request;
+  limit_to(context.versions(), known);
+  return context.answer(custom_data_2(device, known.flags, context.now));
+}
+
+Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Streams& streams,
+                Ports& ports, const BoardOptions& options, const Imus& imus, Gimbal& gimbal) {
+  const auto command = static_cast<std::uint32_t>(request.cmd_id);
+  if (!can_stream(options, imus, gimbal, request, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params, command);
+  }
+  if (!streams.change(ports, context.port, request, context.now)) {
+    return context.refuse(msg::BoardErrorCode::temporary, command);
   }
   return context.confirm();
 }

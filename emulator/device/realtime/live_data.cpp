@@ -1,7 +1,6 @@
 #include "device/realtime/live_data.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include <sbgc/detail/meta_limits.hpp>
 #include <sbgc/meta/realtime.hpp>
@@ -31,10 +30,10 @@ msg::RcSignal pulse(std::optional<double> signal) {
 }
 
 /// Returns the signal for a flight controller; 0 if no input is assigned to it.
-msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
+msg::RcSignal controller_pulse(const RemoteControl& remote, msg::RcMap source) {
   // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
   if (source == msg::RcInput::input_no) return msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
-  return pulse(device.remote.signal(source));
+  return pulse(remote.signal(source));
 }
 
 msg::FineRcSignal fine(std::optional<double> signal) {
@@ -46,12 +45,27 @@ Xyz<float> vector(const Vector& from) {
   return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
 }
 
-Axes<msg::Acceleration> accelerations(const Sample& sample) {
+Axes<msg::Acceleration> accelerations(const Vector& measured) {
   Axes<msg::Acceleration> to;
   for (std::size_t axis = 0; axis < to.size(); ++axis) {
-    to[axis] = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+    to[axis] = saturated<msg::Acceleration>(measured[sensor_axis(axis)]);
   }
   return to;
+}
+
+/// Assumption: the scale of the raw data depends on the sensor.
+Axes<std::int16_t> magnetometer(const Sample& sample) {
+  Axes<std::int16_t> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+/// The 16-bit clock wraps every 65.5 s.
+msg::MillisecondClock clock_of(const Device& device, Instant now) {
+  return msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
 }
 
 Axes<msg::GyroRate> rates(const Axes<double>& from) {
@@ -62,7 +76,7 @@ Axes<msg::GyroRate> rates(const Axes<double>& from) {
   return to;
 }
 
-Axes<msg::Angle14> angles(const Axes<double>& from) {
+Axes<msg::Angle14> wire(const Axes<double>& from) {
   return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
 }
 
@@ -70,12 +84,12 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  const Axes<msg::Acceleration> acceleration = accelerations(sample);
+  const Axes<msg::Acceleration> acceleration = accelerations(sample.acceleration);
   const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = acceleration[axis];
     data.axes[axis].gyro_data = gyro[axis];
-    data.rc[axis] = pulse(device.remote.own(device, axis));
+    data.rc[axis] = pulse(device.remote.own(device.parameters, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
@@ -84,24 +98,16 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
   data.system_error = device.errors(now);
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
   data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
-  data.ext_fc_roll = controller_pulse(device, parameters.rc_map_fc_roll);
-  data.ext_fc_pitch = controller_pulse(device, parameters.rc_map_fc_pitch);
-  data.angle = angles(sample.angles);
-  data.rc_angle = angles(sample.targets);
-  if (device.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
+  data.ext_fc_roll = controller_pulse(device.remote, parameters.rc_map_fc_roll);
+  data.ext_fc_pitch = controller_pulse(device.remote, parameters.rc_map_fc_pitch);
+  data.angle = wire(sample.angles);
+  data.rc_angle = wire(sample.targets);
+  if (device.imus.has_frame) data.frame_imu_angle = wire(sample.frame);
   data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
   data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
   if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
-  data.cur_imu = device.cur_imu;
+  data.cur_imu = device.imus.selected;
   data.cur_profile = device.parameters.profile();
-}
-
-template <class M, class Use>
-bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& use) {
-  if (static_cast<std::uint8_t>(request.cmd_id) != static_cast<std::uint8_t>(M::command)) {
-    return false;
-  }
-  return is_supported<M>(device.versions()) && use();
 }
 
 msg::RealtimeDataCustomFlags blocks_of(const msg::DataStreamInterval& request) {
@@ -114,33 +120,37 @@ bool is_of_frame(const msg::DataStreamInterval& request) {
 
 }  // namespace
 
-bool knows_frame(Device& device, Instant now) {
-  return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
+bool knows_frame(const Imus& imus, Gimbal& gimbal, Instant now) {
+  return imus.has_frame || gimbal.is_frame_reported(now);
 }
 
-bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
+bool knows_joints(const BoardOptions& options, const Imus& imus) {
+  return has_encoders(options) || imus.has_frame;
+}
 
-void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
+msg::RealtimeData3 realtime_data_3(Device& device, std::size_t port, Instant now) {
+  msg::RealtimeData3 data;
   measure_common(device, port, now, device.gimbal.sample(now), data);
+  return data;
 }
 
-void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data) {
+msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now) {
+  msg::RealtimeData4 data;
   const Sample sample = device.gimbal.sample(now);
   measure_common(device, port, now, sample, data);
-  if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
-  for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
+  if (knows_joints(device.options, device.imus)) data.rotor_angle = wire(sample.joints);
+  data.mag_data = magnetometer(sample);
+  for (std::size_t axis = 0; axis < data.balance_error.size(); ++axis) {
     data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
-    // Assumption: the scale of the raw data depends on the sensor.
-    data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
   if (device.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
-  if (device.has_frame_imu()) {
+  if (device.imus.has_frame) {
     data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
   }
-  const bool is_frame = device.cur_imu == msg::SelectedImu::frame;
+  const bool is_frame = device.imus.selected == msg::SelectedImu::frame;
   data.imu_g_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
   data.imu_h_err =
@@ -150,14 +160,15 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
     data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
   }
   data.calib_mode = calibration_mode(device);
-  data.actual_angle = angles(sample.angles);
-  data.system_state_flags = state_flags(device, now);
+  data.actual_angle = wire(sample.angles);
+  data.system_state_flags = state_flags(device.gimbal, device.modes, device.tuning, now);
+  return data;
 }
 
-std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
+std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
                                                          msg::RealtimeDataCustomFlags blocks) {
   msg::RealtimeDataCustomRequest request{.flags = blocks};
-  limit_to(device.versions(), request);
+  limit_to(versions, request);
   // A message of this size, whatever its values.
   msg::RealtimeDataCustom data;
   std::array<std::uint8_t, max_body_size> body{};
@@ -168,29 +179,31 @@ std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
     code = decode(std::span(empty).first(size), data, {request.flags}).code;
     ++size;
   }
+  if (request.flags.has(msg::RealtimeDataCustomFlag::include_flags)) data.flags = request.flags;
   if (code != Code::ok || !encode(data, body)) return {};
   return request.flags;
 }
 
-void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks, Instant now,
-             msg::RealtimeDataCustom& data) {
+msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
+                                    msg::RealtimeDataCustomFlags blocks, Instant now) {
   using Flag = msg::RealtimeDataCustomFlag;
+  msg::RealtimeDataCustom data;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  // The 16-bit clock wraps every 65.5 s.
-  data.timestamp_ms = msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
-  if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
-  if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
+  if (blocks.has(Flag::imu_angles)) data.imu_angles = wire(sample.angles);
+  if (blocks.has(Flag::target_angles)) data.target_angles = wire(sample.targets);
   if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
   if (blocks.has(Flag::stator_rotor_angle)) {
-    data.stator_rotor_angle = knows_joints(device) ? angles(sample.joints) : Axes<msg::Angle14>{};
+    data.stator_rotor_angle =
+        knows_joints(device.options, device.imus) ? wire(sample.joints) : Axes<msg::Angle14>{};
   }
   if (blocks.has(Flag::gyro_data)) data.gyro_data = rates(turning(sample.gyro));
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine(device.remote.own(device, axis));
+      signals[axis] = fine(device.remote.own(device.parameters, axis));
     }
     signals[3] = fine(device.remote.signal(parameters.rc_map_cmd));
     signals[4] = fine(device.remote.signal(parameters.rc_map_fc_roll));
@@ -202,55 +215,99 @@ void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags bloc
   }
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
-  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample);
+  if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample.acceleration);
   measure_later(device, port, blocks, now, data);
+  return data;
 }
 
-void measure(Device& device, Instant now, msg::GetAngles& data) {
+msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2Flags blocks,
+                                       Instant now) {
+  using Flag = msg::RealtimeDataCustom2Flag;
+  msg::RealtimeDataCustom2 data;
   const Sample sample = device.gimbal.sample(now);
+  const bool has_frame = device.imus.has_frame;
+  data.timestamp_ms = clock_of(device, now);
+  if (blocks.has(Flag::include_flags)) data.flags = blocks;
+  if (blocks.has(Flag::frame_imu_angles)) {
+    data.frame_imu_angles = has_frame ? wire(sample.frame) : Axes<msg::Angle14>{};
+  }
+  if (blocks.has(Flag::frame_gyro)) {
+    data.frame_gyro = has_frame ? rates(turning(sample.frame_speed)) : Axes<msg::GyroRate>{};
+  }
+  if (blocks.has(Flag::frame_acc)) {
+    // Only gravity: the frame does not accelerate.
+    data.frame_acc = has_frame ? accelerations(sample.frame_up) : Axes<msg::Acceleration>{};
+  }
+  if (blocks.has(Flag::debug)) data.debug = std::array<std::int16_t, 4>{};
+  if (blocks.has(Flag::mag_sens_data)) data.mag_sens_data = magnetometer(sample);
+  if (blocks.has(Flag::pin_state)) {
+    // Nothing is assigned to the inputs.
+    constexpr msg::InputStates unavailable(0xAAAA);
+    data.pin_state = msg::PinStates{unavailable, unavailable, {}};
+  }
+  if (blocks.has(Flag::stab_err_ampl)) {
+    auto& errors = data.stab_err_ampl.emplace();
+    for (std::size_t axis = 0; axis < errors.size(); ++axis) {
+      errors[axis] =
+          saturated<msg::Millidegrees>(std::abs(sample.targets[axis] - sample.angles[axis]));
+    }
+  }
+  return data;
+}
+
+msg::GetAngles angles(Gimbal& gimbal, Instant now) {
+  const Sample sample = gimbal.sample(now);
+  msg::GetAngles data;
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
     data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
     data.axes[axis].rc_speed = saturated<msg::ControlSpeed>(sample.target_speeds[axis]);
   }
+  return data;
 }
 
-void measure(Device& device, Instant now, msg::GetAnglesExt& data) {
-  const Sample sample = device.gimbal.sample(now);
+msg::GetAnglesExt angles(Gimbal& gimbal, bool has_joints, Instant now) {
+  const Sample sample = gimbal.sample(now);
+  msg::GetAnglesExt data;
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
     data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
-    if (knows_joints(device)) {
+    if (has_joints) {
       data.axes[axis].stator_rotor_angle = saturated<msg::LongAngle14>(sample.joints[axis]);
     }
   }
+  return data;
 }
 
-void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data) {
-  const Sample sample = device.gimbal.sample(now);
-  data.z1_vector = vector(of_frame ? sample.frame_up : sample.up);
-  data.h1_vector = vector(of_frame ? sample.frame_north : sample.north);
+msg::AhrsHelper directions(Gimbal& gimbal, bool of_frame, Instant now) {
+  const Sample sample = gimbal.sample(now);
+  return {.z1_vector = vector(of_frame ? sample.frame_up : sample.up),
+          .h1_vector = vector(of_frame ? sample.frame_north : sample.north)};
 }
 
-bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now) {
-  const auto yes = [] { return true; };
-  return use_if<msg::RealtimeData3>(device, request, yes) ||
-         use_if<msg::RealtimeData4>(device, request, yes) ||
-         use_if<msg::RealtimeDataCustom>(
-             device, request,
-             [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
-         use_if<msg::Event>(device, request, yes) ||
-         use_if<msg::CanDrvTelemetry>(
-             device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
-         use_if<msg::ExtMotorsState>(device, request,
-                                     [&] {
-                                       return ExternalMotors::are_supported(device) &&
-                                              *request.config.motor < ExternalMotors::count;
-                                     }) ||
-         use_if<msg::AhrsHelper>(device, request, [&] {
-           if (is_of_frame(request)) return knows_frame(device, now);
-           return !request.config.imu_type || *request.config.imu_type == msg::ImuIndex::main;
-         });
+bool can_stream(const BoardOptions& options, const Imus& imus, Gimbal& gimbal,
+                const msg::DataStreamInterval& request, Instant now) {
+  const Availability versions = versions_of(options);
+  const auto& config = request.config;
+  switch (request.cmd_id) {
+    case msg::RealtimeData3::command: return is_supported<msg::RealtimeData3>(versions);
+    case msg::RealtimeData4::command: return is_supported<msg::RealtimeData4>(versions);
+    case msg::RealtimeDataCustom::command:
+      return is_supported<msg::RealtimeDataCustom>(versions) &&
+             known_blocks(versions, blocks_of(request));
+    case msg::RealtimeDataCustom2::command: return is_supported<msg::RealtimeDataCustom2>(versions);
+    case msg::Event::command: return is_supported<msg::Event>(versions);
+    case msg::CanDrvTelemetry::command:
+      return is_supported<msg::CanDrvTelemetry>(versions) && *config.drv_id < can_drivers(options);
+    case msg::ExtMotorsState::command:
+      return is_supported<msg::ExtMotorsState>(versions) &&
+             ExternalMotors::are_supported(options) && *config.motor < ExternalMotors::count;
+    case msg::AhrsHelper::command:
+      if (!is_supported<msg::AhrsHelper>(versions)) return false;
+      if (is_of_frame(request)) return knows_frame(imus, gimbal, now);
+      return !config.imu_type || *config.imu_type == msg::ImuIndex::main;
+    default: return false;
+  }
 }
 
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
@@ -258,36 +315,30 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
   // Checking the room first saves a measurement.
   const std::size_t size = frame_size(device.ports.framing(port), stream_change(request).size);
   if (device.ports.room(port) < size) return false;
-  const auto offer = [&]<class M>(M data, auto&&... what) {
-    measure(device, what..., now, data);
-    limit_to(device.versions(), data);
+  const Availability versions = versions_of(device.options);
+  const auto& config = request.config;
+  const auto offer = [&](auto data) {
+    limit_to(versions, data);
     return device.ports.offer(port, data);
   };
-  return use_if<msg::RealtimeData3>(device, request,
-                                    [&] { return offer(msg::RealtimeData3{}, port); }) ||
-         use_if<msg::RealtimeData4>(device, request,
-                                    [&] { return offer(msg::RealtimeData4{}, port); }) ||
-         use_if<msg::RealtimeDataCustom>(
-             device, request,
-             [&] {
-               const auto blocks = known_blocks(device, blocks_of(request));
-               return blocks && offer(msg::RealtimeDataCustom{}, port, *blocks);
-             }) ||
-         use_if<msg::CanDrvTelemetry>(device, request,
-                                      [&] {
-                                        return offer(msg::CanDrvTelemetry{},
-                                                     std::size_t{*request.config.drv_id},
-                                                     *request.config.telemetry_flags);
-                                      }) ||
-         use_if<msg::ExtMotorsState>(
-             device, request,
-             [&] {
-               return device.ports.offer(
-                   port, device.external_motors.state(device.gimbal, *request.config.motor,
-                                                      *request.config.data_set, now));
-             }) ||
-         use_if<msg::AhrsHelper>(device, request,
-                                 [&] { return offer(msg::AhrsHelper{}, is_of_frame(request)); });
+  switch (request.cmd_id) {
+    case msg::RealtimeData3::command: return offer(realtime_data_3(device, port, now));
+    case msg::RealtimeData4::command: return offer(realtime_data_4(device, port, now));
+    case msg::RealtimeDataCustom::command: {
+      const auto blocks = known_blocks(versions, blocks_of(request));
+      return blocks && offer(custom_data(device, port, *blocks, now));
+    }
+    case msg::RealtimeDataCustom2::command:
+      return offer(custom_data_2(device, *config.custom2_flags, now));
+    case msg::CanDrvTelemetry::command:
+      return offer(telemetry(device, *config.drv_id, *config.telemetry_flags, now));
+    case msg::ExtMotorsState::command:
+      return offer(
+          device.external_motors.state(device.gimbal, *config.motor, *config.data_set, now));
+    case msg::AhrsHelper::command:
+      return offer(directions(device.gimbal, is_of_frame(request), now));
+    default: return false;
+  }
 }
 
 }  // namespace sbgc::emulator

@@ -31,33 +31,32 @@ Instant Streams::Stream::due() const {
   return start + microseconds(samples * interval_us) + microseconds(interval_us);
 }
 
-Streams::Change Streams::change(Device& device, std::size_t port,
-                                const msg::DataStreamInterval& request, Instant now) {
+bool Streams::change(Ports& ports, std::size_t port, const msg::DataStreamInterval& request,
+                     Instant now) {
   const StreamChange change = stream_change(request);
   const std::int64_t interval = interval_of(request, change);
-  if (!can_stream(device, request, now)) return Change::bad_command;
   auto stream = std::find_if(streams_.begin(), streams_.end(), [&](const Stream& other) {
     return other.port == port && other.request.cmd_id == request.cmd_id &&
            other.config == change.config;
   });
   if (change.interval_us == 0) {
     if (stream != streams_.end()) {
-      skip(device, *stream, now);
+      skip(ports, *stream, now);
       streams_.erase(stream);
     }
-    return Change::done;
+    return true;
   }
   if (stream == streams_.end()) {
-    if (streams_.size() == roles::stream_limit) return Change::no_room;
+    if (streams_.size() == roles::stream_limit) return false;
     stream = streams_.emplace(streams_.end());
   } else {
-    skip(device, *stream, now);
+    skip(ports, *stream, now);
   }
   *stream = {port, change.config, request, interval, now, 0, false};
-  return Change::done;
+  return true;
 }
 
-void Streams::emit(Device& device, const msg::Event& event, Instant /*now*/) {
+void Streams::emit(Ports& ports, const msg::Event& event) {
   for (const Stream& stream : streams_) {
     if (!is_of_events(stream.request)) continue;
     // Assumption: 0 means all events and all kinds of them.
@@ -66,7 +65,7 @@ void Streams::emit(Device& device, const msg::Event& event, Instant /*now*/) {
     const msg::EventTypes types = config.event_type ? *config.event_type : msg::EventTypes{};
     const bool wants_id = id == msg::EventId{} || id == event.event_id;
     const bool wants_type = types.raw() == 0 || (types.raw() & event.event_type.raw()) != 0;
-    if (wants_id && wants_type) static_cast<void>(device.ports.offer(stream.port, event));
+    if (wants_id && wants_type) static_cast<void>(ports.offer(stream.port, event));
   }
 }
 
@@ -75,28 +74,28 @@ bool Streams::wants_events() const {
                      [](const Stream& stream) { return is_of_events(stream.request); });
 }
 
-void Streams::skip(Device& device, Stream& stream, Instant now) {
+void Streams::skip(Ports& ports, Stream& stream, Instant now) {
   if (!stream.is_held_up || now < stream.start) return;
   const std::int64_t due = (now - stream.start).us / stream.interval_us;
-  device.ports.counters.skipped += static_cast<std::uint64_t>(due - stream.samples);
+  ports.counters.skipped += static_cast<std::uint64_t>(due - stream.samples);
   stream.samples = due;
 }
 
-void Streams::forget(Device& device, std::size_t port, Instant now) {
-  count_skipped(device, now);
+void Streams::forget(Ports& ports, std::size_t port, Instant now) {
+  count_skipped(ports, now);
   std::erase_if(streams_, [port](const Stream& stream) { return stream.port == port; });
 }
 
-void Streams::has_room(Device& device, std::size_t port, Instant now) {
+void Streams::has_room(Ports& ports, std::size_t port, Instant now) {
   for (Stream& stream : streams_) {
     if (stream.port != port) continue;
-    skip(device, stream, now);
+    skip(ports, stream, now);
     stream.is_held_up = false;
   }
 }
 
-void Streams::count_skipped(Device& device, Instant now) {
-  for (Stream& stream : streams_) skip(device, stream, now);
+void Streams::count_skipped(Ports& ports, Instant now) {
+  for (Stream& stream : streams_) skip(ports, stream, now);
 }
 
 Instant Streams::next() const {
@@ -107,7 +106,7 @@ Instant Streams::next() const {
   return next;
 }
 
-void Streams::advance(Device& device, Instant now) {
+void Streams::advance(Instant now, Device& device) {
   for (Stream& stream : streams_) {
     if (stream.is_held_up || now < stream.due()) continue;
     if (offer_sample(device, stream.port, stream.request, now)) {
@@ -115,13 +114,13 @@ void Streams::advance(Device& device, Instant now) {
     } else {
       // There is no room until bytes are sent, so do not check for each sample.
       stream.is_held_up = true;
-      skip(device, stream, now);
+      skip(device.ports, stream, now);
     }
   }
 }
 
-void Streams::restart(Device& device, Instant now) {
-  count_skipped(device, now);
+void Streams::restart(Instant now, Ports& ports) {
+  count_skipped(ports, now);
   streams_.clear();
 }
 

@@ -13,29 +13,27 @@
 
 namespace sbgc::emulator {
 
+class Ports;
 struct Device;
 
 class Streams {
  public:
-  enum class Change : std::uint8_t { done, no_room, bad_command };
-
-  /// Starts, changes or ends a stream of a port.
-  Change change(Device& device, std::size_t port, const msg::DataStreamInterval& request,
-                Instant now);
-  void forget(Device& device, std::size_t port, Instant now);
+  /// Starts, changes or ends a stream of a port. Returns false if there are too many.
+  bool change(Ports& ports, std::size_t port, const msg::DataStreamInterval& request, Instant now);
+  void forget(Ports& ports, std::size_t port, Instant now);
   /// The output buffer of a port may have room again.
-  void has_room(Device& device, std::size_t port, Instant now);
+  void has_room(Ports& ports, std::size_t port, Instant now);
   /// Counts the samples skipped until `now`.
-  void count_skipped(Device& device, Instant now);
+  void count_skipped(Ports& ports, Instant now);
 
   /// Sends an event to the ports that want it.
-  void emit(Device& device, const msg::Event& event, Instant now);
+  void emit(Ports& ports, const msg::Event& event);
   bool wants_events() const;
 
   /// The time of the next sample that is not held up.
   Instant next() const;
-  void advance(Device& device, Instant now);
-  void restart(Device& device, Instant now);
+  void advance(Instant now, Device& device);
+  void restart(Instant now, Ports& ports);
 
  private:
   struct Stream {
@@ -50,7 +48,7 @@ class Streams {
     Instant due() const;
   };
 
-  static void skip(Device& device, Stream& stream, Instant now);
+  static void skip(Ports& ports, Stream& stream, Instant now);
 
   std::vector<Stream> streams_{};
 };

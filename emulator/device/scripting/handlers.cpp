@@ -5,7 +5,7 @@
 namespace sbgc::emulator {
 
 Reaction handle(RequestContext& context, const msg::RunScript& request, Scripts& scripts,
-                FileSystem& files) {
+                const FileSystem& files) {
   std::optional<std::size_t> debug_port;
   switch (request.mode) {
     case msg::ScriptMode::stop:

@@ -4,7 +4,9 @@
 #include <limits>
 #include <string_view>
 
-#include "device/device.hpp"
+#include <sbgc/messages/scripting.hpp>
+
+#include "device/ports.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -32,8 +34,8 @@ std::uint16_t count_commands(std::string_view text) {
 
 }  // namespace
 
-bool Scripts::are_supported(const Device& device) {
-  return device.options.features.has(msg::BoardFeature::scripting);
+bool Scripts::are_supported(const BoardOptions& options) {
+  return options.features.has(msg::BoardFeature::scripting);
 }
 
 std::optional<msg::BoardErrorCode> Scripts::start(const FileSystem& files, std::uint8_t slot,
@@ -58,18 +60,18 @@ std::optional<std::uint8_t> Scripts::running() const {
 
 Instant Scripts::next() const { return run_ ? run_->due : Instant::never; }
 
-void Scripts::advance(Device& device, Instant now) {
+void Scripts::advance(Instant now, const FileSystem& files, Ports& ports) {
   while (run_ && run_->due <= now) {
     // The board reads the script while it runs, so the file can disappear.
-    const bool is_gone = device.files.size(run_->slot) == 0;
+    const bool is_gone = files.size(run_->slot) == 0;
     if (is_gone || run_->command >= run_->commands) {
-      report(device, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);
+      report(ports, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);
       run_.reset();
       return;
     }
     ++run_->command;
     run_->due = run_->due + command_time;
-    report(device, msg::FileError::no_error);
+    report(ports, msg::FileError::no_error);
   }
 }
 
@@ -77,12 +79,12 @@ void Scripts::drop_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
-void Scripts::report(Device& device, msg::FileError error) const {
+void Scripts::report(Ports& ports, msg::FileError error) const {
   if (run_->port) {
     msg::ScriptDebug state;
     state.cmd_count = run_->command;
     state.err_code = error;
-    device.ports.send(*run_->port, state);
+    ports.send(*run_->port, state);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
@@ -14,7 +15,7 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class Ports;
 
 /// Runs one script at a time. The script language is undocumented. Assumptions: a script is text
 /// whose lines are commands that only take time; the script of a slot is the file with the number
@@ -26,7 +27,7 @@ class Scripts {
       std::tuple_size_v<decltype(msg::BoardInfo3::script_slot_size)>;
 
   /// True if this board supports scripts.
-  static bool are_supported(const Device& device);
+  static bool are_supported(const BoardOptions& options);
   /// Starts a script and ends the running one. `port` receives CMD_SCRIPT_DEBUG for each command
   /// and at the end. Returns the reason if it cannot start.
   std::optional<msg::BoardErrorCode> start(const FileSystem& files, std::uint8_t slot,
@@ -40,7 +41,7 @@ class Scripts {
   void drop_port(std::size_t port);
 
   Instant next() const;
-  void advance(Device& device, Instant now);
+  void advance(Instant now, const FileSystem& files, Ports& ports);
 
  private:
   struct Run {
@@ -51,7 +52,7 @@ class Scripts {
     Instant due{};  ///< end of the command
   };
 
-  void report(Device& device, msg::FileError error) const;
+  void report(Ports& ports, msg::FileError error) const;
 
   std::optional<Run> run_{};
 };

@@ -13,7 +13,8 @@ Reaction confirm_result(RequestContext& context, msg::FileError error) {
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::EepromReadRequest& request, Eeprom& eeprom) {
+Reaction handle(RequestContext& context, const msg::EepromReadRequest& request,
+                const Eeprom& eeprom) {
   msg::EepromRead answer;
   const std::size_t size = request.size.raw();
   if (size > answer.data.capacity())
@@ -33,7 +34,8 @@ Reaction handle(RequestContext& context, const msg::EepromWrite& request, Eeprom
   return context.confirm({.addr = request.addr});
 }
 
-Reaction handle(RequestContext& context, const msg::ReadFileRequest& request, FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::ReadFileRequest& request,
+                const FileSystem& files) {
   msg::ReadFile answer;
   const std::size_t size = request.max_data_size.raw();
   const FileSystem::Part part = files.read(request.file_id, request.page_offset.raw(), size);

@@ -13,9 +13,9 @@ void Restarts::schedule(Instant at, bool to_bootloader) {
   scheduled_ = {at, to_bootloader};
 }
 
-void Restarts::announce(Device& device, Instant now) {
+void Restarts::announce(Ports& ports, Instant now) {
   for (std::size_t port = 0; port < Board::max_ports; ++port) {
-    device.ports.send(port, roles::Reset{});
+    ports.send(port, roles::Reset{});
   }
   schedule(now + milliseconds(roles::reset_delay_ms), false);
 }
@@ -25,16 +25,13 @@ void Restarts::restart_now(Device& device, Instant now, bool to_bootloader, bool
   scheduled_.reset();
   device.ports.restart(power_off);
   for_each_part(device, [&]<class Part>(Part& part) {
-    if constexpr (requires { part.restart(device, now); }) {
-      part.restart(device, now);
+    if constexpr (requires { &Part::restart; }) {
+      device.run(&Part::restart, now);
     } else {
       part = Part{};
     }
   });
   if (power_off) device.i2c.power_off();
-  device.gyro_headings = {};
-  device.cur_imu = msg::SelectedImu::main;
-  device.is_writing_parameters = false;
   device.gimbal.set_motors(false, now);
   device.gimbal.restart(now);
   if (to_bootloader) {
@@ -63,13 +60,15 @@ void Restarts::begin_running(Device& device, Instant now) {
   state_ = State::running;
   changes_ = Instant::never;
   device.ports.restart(false);
+  device.parameters.apply_later();
   device.apply_parameters(now);
   device.calibrate_at_start(now);
-  device.state_variables.start(device, now);
+  device.state_variables.start(device.options, device.memory, device.parameters, now);
   const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
-  const bool stays_off = knows(device.versions(), msg::GeneralFlags2Bit::motors_off_at_startup) &&
-                         flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
-  if (!stays_off) device.set_motors(true, now);
+  const bool stays_off =
+      knows(versions_of(device.options), msg::GeneralFlags2Bit::motors_off_at_startup) &&
+      flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
+  if (!stays_off) device.tasks.set_motors(device.gimbal, true, now);
 }
 
 Instant Restarts::next() const { return scheduled_ ? earlier(scheduled_->at, changes_) : changes_; }

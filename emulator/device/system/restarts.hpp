@@ -8,6 +8,7 @@
 
 namespace sbgc::emulator {
 
+class Ports;
 struct Device;
 
 /// A restart loses everything outside the memory, and the board does not listen for a while.
@@ -21,7 +22,7 @@ class Restarts {
   /// Schedules a restart, unless an earlier one is scheduled.
   void schedule(Instant at, bool to_bootloader);
   /// Schedules a restart on the board's own initiative, after notifying all hosts.
-  void announce(Device& device, Instant now);
+  void announce(Ports& ports, Instant now);
   /// Restarts now. `power_off` also loses pending output and the registers of bus devices.
   void restart_now(Device& device, Instant now, bool to_bootloader, bool power_off);
 

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "device/device.hpp"
+#include "device/features.hpp"
+#include "device/parameters/parameters.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -30,8 +31,8 @@ msg::LongSeconds whole_seconds(double time) { return saturated<msg::LongSeconds>
 
 }  // namespace
 
-bool StateVariables::are_supported(const Device& device) {
-  return device.features_ext().has(msg::BoardFeaturesExtBit::state_vars);
+bool StateVariables::are_supported(const BoardOptions& options) {
+  return features_ext_of(options).has(msg::BoardFeaturesExtBit::state_vars);
 }
 
 void StateVariables::count(Gimbal& gimbal, Instant now) {
@@ -88,28 +89,28 @@ void StateVariables::store(Memory& memory) const {
   ++memory.revision;
 }
 
-void StateVariables::advance(Device& device, Instant now) {
-  if (next_ > now) return;
-  count(device.gimbal, now);
+void StateVariables::advance(Instant now, Gimbal& gimbal, const Parameters& parameters,
+                             Memory& memory) {
+  count(gimbal, now);
   next_ = now + count_period;
-  const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
+  const auto flags = parameters.of<msg::ReadParamsExt2>().general_flags2;
   if (!flags.has(msg::GeneralFlags2Bit::save_system_stat) || now < stored_ + store_period) return;
   stored_ = now;
-  store(device.memory);
+  store(memory);
 }
 
-void StateVariables::start(Device& device, Instant now) {
+void StateVariables::start(const BoardOptions& options, Memory& memory,
+                           const Parameters& parameters, Instant now) {
   *this = {};
-  if (!are_supported(device)) return;
+  if (!are_supported(options)) return;
   msg::ReadStateVars stored;
-  const bool is_stored =
-      !device.memory.state_variables.empty() &&
-      decode(std::span<const std::uint8_t>(device.memory.state_variables), stored);
+  const bool is_stored = !memory.state_variables.empty() &&
+                         decode(std::span<const std::uint8_t>(memory.state_variables), stored);
   if (!is_stored) stored = {};
   set(stored, now);
   if (values_.startup_cnt < 0xFFFF) ++values_.startup_cnt;
-  const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
-  if (flags.has(msg::GeneralFlags2Bit::save_system_stat)) store(device.memory);
+  const auto flags = parameters.of<msg::ReadParamsExt2>().general_flags2;
+  if (flags.has(msg::GeneralFlags2Bit::save_system_stat)) store(memory);
   stored_ = now;
   next_ = now + count_period;
 }

@@ -32,6 +32,9 @@ using AllMessages = TypeList<
     msg::ReadStateVarsRequest,
     msg::SignMessage,
     msg::SignMessageRequest,
+    msg::PassProtectRead,
+    msg::PassProtectReadRequest,
+    msg::PassProtectWrite,
     msg::QueueParamsInfo3,
     msg::QueueParamsInfo3Request,
     msg::SystemState,
@@ -71,6 +74,8 @@ using AllMessages = TypeList<
     msg::RealtimeData4Request,
     msg::RealtimeDataCustom,
     msg::RealtimeDataCustomRequest,
+    msg::RealtimeDataCustom2,
+    msg::RealtimeDataCustom2Request,
     msg::DataStreamInterval,
     msg::CanDrvTelemetry,
     msg::CanDrvState,
@@ -186,6 +191,11 @@ using AllMessages = TypeList<
     msg::CanDeviceScanRequest,
     msg::TransparentSapi,
     msg::TransparentSapiRequest,
+    msg::ModuleFlashStart,
+    msg::ModuleFlashWrite,
+    msg::ModuleFlashFinish,
+    msg::UdrvDeviceScan,
+    msg::SetTranspProxy,
     msg::UartBypass,
     msg::UartBypassRequest,
     msg::SetDeviceAddr,
@@ -229,11 +239,15 @@ using AllMessages = TypeList<
 /// Facts from earlier messages of a conversation that later bodies need for decoding.
 struct Contexts {
   msg::RealtimeDataCustom::Context realtime_data_custom{};
+  msg::RealtimeDataCustom2::Context realtime_data_custom2{};
   msg::CanDrvTelemetry::Context can_drv_telemetry{};
   msg::DebugVars3::Context debug_vars3{};
 
   constexpr const msg::RealtimeDataCustom::Context& of(const msg::RealtimeDataCustom&) const noexcept {
     return realtime_data_custom;
+  }
+  constexpr const msg::RealtimeDataCustom2::Context& of(const msg::RealtimeDataCustom2&) const noexcept {
+    return realtime_data_custom2;
   }
   constexpr const msg::CanDrvTelemetry::Context& of(const msg::CanDrvTelemetry&) const noexcept {
     return can_drv_telemetry;
@@ -246,7 +260,11 @@ struct Contexts {
   }
   constexpr void learn(const msg::DataStreamInterval& message) noexcept {
     detail::learn(message.config.flags, realtime_data_custom.flags);
+    detail::learn(message.config.custom2_flags, realtime_data_custom2.flags);
     detail::learn(message.config.telemetry_flags, can_drv_telemetry.flags);
+  }
+  constexpr void learn(const msg::RealtimeDataCustom2Request& message) noexcept {
+    detail::learn(message.flags, realtime_data_custom2.flags);
   }
   constexpr void learn(const msg::DebugVarsInfo3& message) noexcept {
     debug_vars3.types.clear();
@@ -264,6 +282,7 @@ struct Contexts {
   static constexpr bool learns_from =
       std::is_same_v<M, msg::RealtimeDataCustomRequest> ||
       std::is_same_v<M, msg::DataStreamInterval> ||
+      std::is_same_v<M, msg::RealtimeDataCustom2Request> ||
       std::is_same_v<M, msg::DebugVarsInfo3>;
 };
 
@@ -393,6 +412,10 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::AdjVarsInfo>{}), Code::ok;
       case 134:  // CMD_SET_ADJ_VARS_VAL_F
         return use(Type<msg::SetAdjVarsValF>{}), Code::ok;
+      case 136:  // CMD_PASS_PROTECT_READ
+        return use(Type<msg::PassProtectRead>{}), Code::ok;
+      case 139:  // CMD_REALTIME_DATA_CUSTOM2
+        return use(Type<msg::RealtimeDataCustom2>{}), Code::ok;
       case 141:  // CMD_CONTROL_QUAT_STATUS
         return use(Type<msg::ControlQuatStatus>{}), Code::ok;
       case 150:  // CMD_EXT_SENS_CMD
@@ -553,12 +576,18 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::ModuleListRequest>{}), Code::ok;
       case 77:  // CMD_MOTORS_ON
         return use(Type<msg::MotorsOn>{}), Code::ok;
+      case 78:  // CMD_MODULE_FLASH_START
+        return use(Type<msg::ModuleFlashStart>{}), Code::ok;
       case 79:  // CMD_CALIB_OFFSET
         return use(Type<msg::CalibOffset>{}), Code::ok;
       case 80:  // CMD_CALIB_POLES
         return use(Type<msg::CalibPoles>{}), Code::ok;
+      case 81:  // CMD_MODULE_FLASH_WRITE
+        return use(Type<msg::ModuleFlashWrite>{}), Code::ok;
       case 82:  // CMD_READ_PARAMS
         return use(Type<msg::ReadParams>{}), Code::ok;
+      case 83:  // CMD_MODULE_FLASH_FINISH
+        return use(Type<msg::ModuleFlashFinish>{}), Code::ok;
       case 84:  // CMD_TRIGGER_PIN
         return use(Type<msg::TriggerPin>{}), Code::ok;
       case 85:  // CMD_DATA_STREAM_INTERVAL
@@ -670,6 +699,12 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::SetAdjVarsValF>{}), Code::ok;
       case 135:  // CMD_GET_ADJ_VARS_VAL_F
         return use(Type<msg::GetAdjVarsValF>{}), Code::ok;
+      case 136:  // CMD_PASS_PROTECT_READ
+        return use(Type<msg::PassProtectReadRequest>{}), Code::ok;
+      case 137:  // CMD_PASS_PROTECT_WRITE
+        return use(Type<msg::PassProtectWrite>{}), Code::ok;
+      case 139:  // CMD_REALTIME_DATA_CUSTOM2
+        return use(Type<msg::RealtimeDataCustom2Request>{}), Code::ok;
       case 140:  // CMD_CONTROL_QUAT
         if (size == 2) return use(Type<msg::ControlQuatDisabled>{}), Code::ok;
         if (size == 10) return use(Type<msg::ControlQuatAttitudePacked>{}), Code::ok;
@@ -682,6 +717,10 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::ControlQuatStatusRequest>{}), Code::ok;
       case 142:  // CMD_CONTROL_QUAT_CONFIG
         return use(Type<msg::ControlQuatConfig>{}), Code::ok;
+      case 143:  // CMD_SET_TRANSP_PROXY
+        return use(Type<msg::SetTranspProxy>{}), Code::ok;
+      case 144:  // CMD_UDRV_DEVICE_SCAN
+        return use(Type<msg::UdrvDeviceScan>{}), Code::ok;
       case 150:  // CMD_EXT_SENS_CMD
         return use(Type<msg::ExtSensCmdRequest>{}), Code::ok;
       case 151:  // CMD_TRANSPARENT_SAPI

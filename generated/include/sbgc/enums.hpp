@@ -139,12 +139,18 @@ enum class CommandToBoard : std::uint8_t {
   module_list = 76,
   /// CMD_MOTORS_ON: Turn the motors on.
   motors_on = 77,
+  /// CMD_MODULE_FLASH_START: Begin to load new firmware into a module.
+  module_flash_start = 78,
   /// CMD_CALIB_OFFSET: Calibrate the follow mode offset.
   calib_offset = 79,
   /// CMD_CALIB_POLES: Detect the poles and the direction of the motors.
   calib_poles = 80,
+  /// CMD_MODULE_FLASH_WRITE: Load a part of new firmware into a module.
+  module_flash_write = 81,
   /// CMD_READ_PARAMS: Older id of CMD_READ_PARAMS_3.
   read_params = 82,
+  /// CMD_MODULE_FLASH_FINISH: End the loading of firmware into a module.
+  module_flash_finish = 83,
   /// CMD_TRIGGER_PIN: Switch an output pin.
   trigger_pin = 84,
   /// CMD_DATA_STREAM_INTERVAL: Start, change or end a data stream: messages that the board sends at
@@ -251,12 +257,22 @@ enum class CommandToBoard : std::uint8_t {
   set_adj_vars_val_f = 134,
   /// CMD_GET_ADJ_VARS_VAL_F: Request the values of adjustable variables in floating point.
   get_adj_vars_val_f = 135,
+  /// CMD_PASS_PROTECT_READ: What a password protects.
+  pass_protect_read = 136,
+  /// CMD_PASS_PROTECT_WRITE: Choose what a password protects.
+  pass_protect_write = 137,
+  /// CMD_REALTIME_DATA_CUSTOM2: More live data of the requested blocks.
+  realtime_data_custom2 = 139,
   /// CMD_CONTROL_QUAT: Move the camera, with attitude and speed in space.
   control_quat = 140,
   /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
   control_quat_status = 141,
   /// CMD_CONTROL_QUAT_CONFIG: Configure the control with quaternions.
   control_quat_config = 142,
+  /// CMD_SET_TRANSP_PROXY: Connect two serial ports of the board.
+  set_transp_proxy = 143,
+  /// CMD_UDRV_DEVICE_SCAN: Devices on the bus of uDrv modules.
+  udrv_device_scan = 144,
   /// CMD_EXT_SENS_CMD: A message of an external sensor's own protocol.
   ext_sens_cmd = 150,
   /// CMD_TRANSPARENT_SAPI: Data from a serial port of a device on the CAN bus.
@@ -399,6 +415,10 @@ enum class CommandFromBoard : std::uint8_t {
   adj_vars_info = 132,
   /// CMD_SET_ADJ_VARS_VAL_F: Values of adjustable variables in floating point.
   set_adj_vars_val_f = 134,
+  /// CMD_PASS_PROTECT_READ: What a password protects.
+  pass_protect_read = 136,
+  /// CMD_REALTIME_DATA_CUSTOM2: More live data of the requested blocks.
+  realtime_data_custom2 = 139,
   /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
   control_quat_status = 141,
   /// CMD_EXT_SENS_CMD: A message of an external sensor's own protocol.
@@ -609,27 +629,27 @@ enum class VariableId : std::uint8_t {
   shake_freq_shift_pan = 89,
   /// SHAKE_MASTER_GAIN: Gain of the shake generator in all directions. Since firmware 2.73.
   shake_master_gain = 90,
-  /// OUTER_P_ROLL: Proportional gain of the outer loop of roll. Since firmware 2.73b7.
+  /// OUTER_P_ROLL: Proportional gain of the outer loop of roll. Since firmware 2.73.7.
   outer_p_roll = 91,
-  /// OUTER_P_PITCH: Proportional gain of the outer loop of pitch. Since firmware 2.73b7.
+  /// OUTER_P_PITCH: Proportional gain of the outer loop of pitch. Since firmware 2.73.7.
   outer_p_pitch = 92,
-  /// OUTER_P_YAW: Proportional gain of the outer loop of yaw. Since firmware 2.73b7.
+  /// OUTER_P_YAW: Proportional gain of the outer loop of yaw. Since firmware 2.73.7.
   outer_p_yaw = 93,
-  /// D_LPF_FREQ_ROLL: Low-pass filter of the derivative term of roll. Since firmware 2.73b7.
+  /// D_LPF_FREQ_ROLL: Low-pass filter of the derivative term of roll. Since firmware 2.73.7.
   d_lpf_freq_roll = 94,
-  /// D_LPF_FREQ_PITCH: Low-pass filter of the derivative term of pitch. Since firmware 2.73b7.
+  /// D_LPF_FREQ_PITCH: Low-pass filter of the derivative term of pitch. Since firmware 2.73.7.
   d_lpf_freq_pitch = 95,
-  /// D_LPF_FREQ_YAW: Low-pass filter of the derivative term of yaw. Since firmware 2.73b7.
+  /// D_LPF_FREQ_YAW: Low-pass filter of the derivative term of yaw. Since firmware 2.73.7.
   d_lpf_freq_yaw = 96,
-  /// IMU_ANGLE_CORR_ROLL: Correction of the roll angle of the IMU. Since firmware 2.73b8.
+  /// IMU_ANGLE_CORR_ROLL: Correction of the roll angle of the IMU. Since firmware 2.73.8.
   imu_angle_corr_roll = 97,
-  /// IMU_ANGLE_CORR_PITCH: Correction of the pitch angle of the IMU. Since firmware 2.73b8.
+  /// IMU_ANGLE_CORR_PITCH: Correction of the pitch angle of the IMU. Since firmware 2.73.8.
   imu_angle_corr_pitch = 98,
-  /// SW_LIM_WIDTH_ROLL: Width of the soft limits of the roll joint. Since firmware 2.73b8.
+  /// SW_LIM_WIDTH_ROLL: Width of the soft limits of the roll joint. Since firmware 2.73.8.
   sw_lim_width_roll = 99,
-  /// SW_LIM_WIDTH_PITCH: Width of the soft limits of the pitch joint. Since firmware 2.73b8.
+  /// SW_LIM_WIDTH_PITCH: Width of the soft limits of the pitch joint. Since firmware 2.73.8.
   sw_lim_width_pitch = 100,
-  /// SW_LIM_WIDTH_YAW: Width of the soft limits of the yaw joint. Since firmware 2.73b8.
+  /// SW_LIM_WIDTH_YAW: Width of the soft limits of the yaw joint. Since firmware 2.73.8.
   sw_lim_width_yaw = 101,
 };
 
@@ -1345,6 +1365,17 @@ enum class CanImuSensor : std::uint8_t {
   vectornav_vn100_200_spi = 65,
 };
 
+/// State of an input.
+/// Source: Vendor's code of 2026.
+enum class InputState : std::uint8_t {
+  /// LOW: Low.
+  low = 0,
+  /// HIGH: High.
+  high = 1,
+  /// UNAVAILABLE: Unavailable or not assigned.
+  unavailable = 2,
+};
+
 /// Reason for an emergency stop.
 /// Source: Variables L1131; Later firmware.
 enum class SystemSubError : std::uint8_t {
@@ -1707,7 +1738,7 @@ enum class EventId : std::uint8_t {
   camera = 4,
   /// SCRIPT: A script started or ended. Since firmware 2.68b8.
   script = 5,
-  /// RETRACTED_POSITION: The retracted position was reached or left. Since firmware 2.73b1.
+  /// RETRACTED_POSITION: The retracted position was reached or left. Since firmware 2.73.1.
   retracted_position = 6,
 };
 
@@ -2010,6 +2041,14 @@ enum class ModuleId : std::uint8_t {
   can_hub1 = 12,
   /// CAN_HUB2: CAN hub 2.
   can_hub2 = 13,
+  /// UDRV1: uDrv module 1.
+  udrv1 = 14,
+  /// UDRV2: uDrv module 2.
+  udrv2 = 15,
+  /// UDRV3: uDrv module 3.
+  udrv3 = 16,
+  /// UDRV4: uDrv module 4.
+  udrv4 = 17,
 };
 
 /// Id of a device on the CAN bus.
@@ -2307,6 +2346,40 @@ enum class ResetOption : std::uint8_t {
   restore_state = 0x02,
 };
 using ResetOptions = Flags<ResetOption>;
+
+/// What a password protects.
+/// Source: Vendor's code of 2026.
+enum class PassProtectFlag : std::uint32_t {
+  /// ENCRYPT_PARAMS: Parameters are encrypted.
+  encrypt_params = 0x00000002,
+  /// SILENT: By its name, protected ports do not respond without the password.
+  silent = 0x00000004,
+  /// CHANNEL_1_ENABLED: Port 1 is protected, by the name.
+  channel_1_enabled = 0x00000010,
+  /// CHANNEL_2_ENABLED: Port 2 is protected, by the name.
+  channel_2_enabled = 0x00000020,
+  /// CHANNEL_3_ENABLED: Port 3 is protected, by the name.
+  channel_3_enabled = 0x00000040,
+  /// CHANNEL_4_ENABLED: Port 4 is protected, by the name.
+  channel_4_enabled = 0x00000080,
+  /// CHANNEL_5_ENABLED: Port 5 is protected, by the name.
+  channel_5_enabled = 0x00000100,
+  /// CHANNEL_6_ENABLED: Port 6 is protected, by the name.
+  channel_6_enabled = 0x00000200,
+  /// CHANNEL_1_ALLOW_CONTROL: Port 1 accepts control without the password, by the name.
+  channel_1_allow_control = 0x00000400,
+  /// CHANNEL_2_ALLOW_CONTROL: Port 2 accepts control without the password, by the name.
+  channel_2_allow_control = 0x00000800,
+  /// CHANNEL_3_ALLOW_CONTROL: Port 3 accepts control without the password, by the name.
+  channel_3_allow_control = 0x00001000,
+  /// CHANNEL_4_ALLOW_CONTROL: Port 4 accepts control without the password, by the name.
+  channel_4_allow_control = 0x00002000,
+  /// CHANNEL_5_ALLOW_CONTROL: Port 5 accepts control without the password, by the name.
+  channel_5_allow_control = 0x00004000,
+  /// CHANNEL_6_ALLOW_CONTROL: Port 6 accepts control without the password, by the name.
+  channel_6_allow_control = 0x00008000,
+};
+using PassProtectFlags = Flags<PassProtectFlag>;
 
 /// Enabled filters of an axis; 0 disables all.
 /// Source: Variables L1084.
@@ -2754,14 +2827,42 @@ enum class RealtimeDataCustomFlag : std::uint32_t {
   imu_to_frame_quat = 0x00800000,
   /// ADC_CH_RAW: Raw values of the analog inputs. Since firmware 2.73.
   adc_ch_raw = 0x01000000,
-  /// SW_LIMITS_DIST: Distances to the software limits. Since firmware 2.73b8.
+  /// SW_LIMITS_DIST: Distances to the software limits. Since firmware 2.73.8.
   sw_limits_dist = 0x02000000,
-  /// FOLLOW_DIST: Distance in follow mode. Since firmware 2.73b8.
+  /// FOLLOW_DIST: Distance in follow mode. Since firmware 2.73.8.
   follow_dist = 0x04000000,
-  /// Limits of an external target. Since firmware 2.73b8.
+  /// Limits of an external target. Since firmware 2.73.8.
   ext_target_limit = 0x08000000,
+  /// FRAME_CAM_ANGLE_20: Joint angles in high resolution.
+  frame_cam_angle_20 = 0x10000000,
+  /// MAIN_IMU_STATE: State of the main IMU.
+  main_imu_state = 0x20000000,
+  /// INCLUDE_FLAGS: FLAGS in each sample.
+  include_flags = 0x80000000,
 };
 using RealtimeDataCustomFlags = Flags<RealtimeDataCustomFlag>;
+
+/// Data blocks of CMD_REALTIME_DATA_CUSTOM2.
+/// Source: Vendor's code of 2026.
+enum class RealtimeDataCustom2Flag : std::uint32_t {
+  /// FRAME_IMU_ANGLES: Angles of the frame IMU.
+  frame_imu_angles = 0x00000001,
+  /// FRAME_GYRO: Gyroscope of the frame IMU.
+  frame_gyro = 0x00000002,
+  /// FRAME_ACC: Accelerometer of the frame IMU.
+  frame_acc = 0x00000004,
+  /// DEBUG: Values for debugging.
+  debug = 0x00000008,
+  /// MAG_SENS_DATA: Magnetometer.
+  mag_sens_data = 0x00000010,
+  /// PIN_STATE: State of the inputs.
+  pin_state = 0x00000020,
+  /// STAB_ERR_AMPL: Amplitude of the stabilization error. Since firmware 2.74.4.
+  stab_err_ampl = 0x00000040,
+  /// INCLUDE_FLAGS: FLAGS in each sample.
+  include_flags = 0x80000000,
+};
+using RealtimeDataCustom2Flags = Flags<RealtimeDataCustom2Flag>;
 
 /// State of the system.
 /// Source: Later firmware.
@@ -2788,7 +2889,7 @@ enum class StateFlag : std::uint32_t {
   follow_mode_pitch = 0x00000800,
   /// FOLLOW_MODE_YAW: Yaw is in follow mode.
   follow_mode_yaw = 0x00001000,
-  /// TRIPOD_MODE_ENABLED: The tripod mode is enabled. Since firmware 2.73b9.
+  /// TRIPOD_MODE_ENABLED: The tripod mode is enabled. Since firmware 2.73.9.
   tripod_mode_enabled = 0x00002000,
   /// RETRACTED_POSITION: The camera is in its retracted position. Since firmware 2.74.
   retracted_position = 0x00004000,
@@ -3525,7 +3626,7 @@ class BoardVersion {
   raw_type raw_{};
 };
 
-/// Firmware version as a decimal number: 2439 is 2.43b9.
+/// Firmware version as a decimal number: 2439 is 2.43b9, 2745 is 2.74.5.
 /// Source: Variables L1007.
 class FirmwareVersion {
  public:
@@ -3555,7 +3656,7 @@ class FirmwareVersion {
     return set_digits(minor(), value, 10, 100);
   }
 
-  /// Beta version; 0 is a release.
+  /// Beta version, from 2.73 on a release; 0 is the first release.
   constexpr raw_type beta() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
   }
@@ -4283,6 +4384,103 @@ class EncoderConfigExt {
   raw_type raw_{};
 };
 
+/// State of eight inputs.
+/// Source: Vendor's code of 2026.
+class InputStates {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr InputStates() = default;
+  constexpr explicit InputStates(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Input 1.
+  constexpr InputState input_1() const noexcept {
+    return static_cast<InputState>(raw_ & 0x03);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_1(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x03, 0);
+  }
+
+  /// Input 2.
+  constexpr InputState input_2() const noexcept {
+    return static_cast<InputState>((raw_ & 0x0C) >> 2);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_2(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x0C, 2);
+  }
+
+  /// Input 3.
+  constexpr InputState input_3() const noexcept {
+    return static_cast<InputState>((raw_ & 0x30) >> 4);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_3(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x30, 4);
+  }
+
+  /// Input 4.
+  constexpr InputState input_4() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC0) >> 6);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_4(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC0, 6);
+  }
+
+  /// Input 5.
+  constexpr InputState input_5() const noexcept {
+    return static_cast<InputState>((raw_ & 0x300) >> 8);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_5(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x300, 8);
+  }
+
+  /// Input 6.
+  constexpr InputState input_6() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC00) >> 10);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_6(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC00, 10);
+  }
+
+  /// Input 7.
+  constexpr InputState input_7() const noexcept {
+    return static_cast<InputState>((raw_ & 0x3000) >> 12);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_7(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x3000, 12);
+  }
+
+  /// Input 8.
+  constexpr InputState input_8() const noexcept {
+    return static_cast<InputState>((raw_ & 0xC000) >> 14);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_input_8(InputState value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC000, 14);
+  }
+
+  friend constexpr bool operator==(const InputStates&, const InputStates&) = default;
+  friend constexpr auto operator<=>(const InputStates&, const InputStates&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
 /// Control mode and options, for one axis or for all.
 /// Source: Variables L1148.
 class ControlMode {
@@ -4999,6 +5197,8 @@ inline constexpr bool is_flag<msg::ConnectionFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::ResetOption> = true;
 template <>
+inline constexpr bool is_flag<msg::PassProtectFlag> = true;
+template <>
 inline constexpr bool is_flag<msg::FilterSwitch> = true;
 template <>
 inline constexpr bool is_flag<msg::EncoderFlag> = true;
@@ -5032,6 +5232,8 @@ template <>
 inline constexpr bool is_flag<msg::OtherFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::RealtimeDataCustomFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::RealtimeDataCustom2Flag> = true;
 template <>
 inline constexpr bool is_flag<msg::StateFlag> = true;
 template <>

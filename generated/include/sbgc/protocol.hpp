@@ -140,7 +140,7 @@ enum class Form : std::uint8_t {
 
 /// The newest firmware whose protocol is known as a whole, encoded as FIRMWARE_VER; 0 if unknown.
 /// Some messages and values of later firmware are also known.
-inline constexpr std::uint16_t newest_firmware = 2740;
+inline constexpr std::uint16_t newest_firmware = 2745;
 
 /// The pause after a command in milliseconds, so that the board's input buffer does not overflow:
 /// after a small request with a small response, and after the largest ones.

@@ -119,12 +119,16 @@ constexpr std::size_t largest_request(
       return 0;
     case 77:  // CMD_MOTORS_ON
       return 0;
+    case 78:  // CMD_MODULE_FLASH_START
+      return 5;
     case 79:  // CMD_CALIB_OFFSET
       return 0;
     case 80:  // CMD_CALIB_POLES
       return 0;
     case 82:  // CMD_READ_PARAMS
       return 1;
+    case 83:  // CMD_MODULE_FLASH_FINISH
+      return 5;
     case 84:  // CMD_TRIGGER_PIN
       return 2;
     case 85:  // CMD_DATA_STREAM_INTERVAL
@@ -177,6 +181,10 @@ constexpr std::size_t largest_request(
     case 132:  // CMD_ADJ_VARS_INFO
       if (is_supported<msg::AdjVarsInfoRequest>(versions)) return 1;
       return 0;
+    case 136:  // CMD_PASS_PROTECT_READ
+      return 0;
+    case 139:  // CMD_REALTIME_DATA_CUSTOM2
+      return 10;
     case 140:  // CMD_CONTROL_QUAT
       if (is_supported<msg::ControlQuatSpeedAttitude>(versions)) return 30;
       if (is_supported<msg::ControlQuatSpeedAttitudePacked>(versions)) return 22;
@@ -188,6 +196,10 @@ constexpr std::size_t largest_request(
       return 4;
     case 142:  // CMD_CONTROL_QUAT_CONFIG
       return 24;
+    case 143:  // CMD_SET_TRANSP_PROXY
+      return 2;
+    case 144:  // CMD_UDRV_DEVICE_SCAN
+      return 0;
     case 249:  // CMD_SET_DEBUG_PORT
       return 16;
     case 253:  // CMD_DEBUG_VARS_INFO_3

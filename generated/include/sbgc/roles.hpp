@@ -26,6 +26,7 @@ struct BoardInfo3Request;
 struct RealtimeData3;
 struct RealtimeData4;
 struct RealtimeDataCustom;
+struct RealtimeDataCustom2;
 struct AhrsHelper;
 struct Event;
 struct CanDrvTelemetry;
@@ -67,7 +68,7 @@ constexpr auto& eeprom_size(M& details) noexcept {
 /// Starts, changes and ends a data stream.
 using StreamRequest = msg::DataStreamInterval;
 /// The messages that streams consist of.
-using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper, msg::Event, msg::CanDrvTelemetry, msg::ExtMotorsState>;
+using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::RealtimeDataCustom2, msg::AhrsHelper, msg::Event, msg::CanDrvTelemetry, msg::ExtMotorsState>;
 
 /// The command whose messages the stream consists of.
 template <class Request>

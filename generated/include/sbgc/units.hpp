@@ -687,6 +687,15 @@ class Radians
   using Quantity::Quantity;
 };
 
+/// Size of an angle in thousandths of a degree.
+/// Unit: deg, one count is 1/1000.
+class Millidegrees
+    : public detail::Quantity<Millidegrees, std::uint16_t, unit::deg, 1, 1000>,
+      public unit::deg::Accessors<Millidegrees> {
+ public:
+  using Quantity::Quantity;
+};
+
 /// Angular speed in thousandths of a degree per second, with a wide range.
 /// Unit: deg/s, one count is 1/1000.
 class LongFineSpeed
@@ -809,6 +818,15 @@ class TenthHertz
 class TenthDecibels
     : public detail::Quantity<TenthDecibels, std::uint8_t, unit::dB, 1, 10>,
       public unit::dB::Accessors<TenthDecibels> {
+ public:
+  using Quantity::Quantity;
+};
+
+/// Size in 32-bit words.
+/// Unit: byte, one count is 4.
+class WordCount
+    : public detail::Quantity<WordCount, std::uint32_t, unit::byte, 4, 1>,
+      public unit::byte::Accessors<WordCount> {
  public:
   using Quantity::Quantity;
 };

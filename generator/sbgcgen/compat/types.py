@@ -156,6 +156,8 @@ def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:
     pair.compare(WIRE, "type", "scalar.name")
     compare_parts(pair.what, old, new, changes)
     pair.compare(COMPATIBLE, "display")
+    pair.compare(COMPATIBLE, "later display", "later_display")
+    pair.compare(COMPATIBLE, "first value of the later display", "later_from")
     pair.compare(COMPATIBLE, "summary")
 
 

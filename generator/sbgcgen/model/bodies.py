@@ -243,6 +243,12 @@ class Field:
         return self.when is not None or self.appended
 
     @cached_property
+    def repeats_context(self) -> bool:
+        """True if the body repeats a fact of its context here."""
+        when = self.when
+        return when is not None and when.from_context and self.type == when.enum
+
+    @cached_property
     def has_hidden_counter(self) -> bool:
         """True if the size of the list implies its counter, which is no member then."""
         return bool(self.counter) and self.counting != "bits" and self.counter_part is None

@@ -28,20 +28,22 @@ def text_of(packed: Packed, raw: int) -> str:
         is_zero = not any(values[name] for name, _ in _PART.findall(match[1]))
         return "" if is_zero else match[1]
 
-    return _GROUP.sub(group, packed.display).format(**values)
+    return _GROUP.sub(group, packed.display_of(raw)).format(**values)
 
 
 def raw_of(packed: Packed, text: str) -> int | None:
     """The integer with this display text; None if there is none."""
-    match = re.fullmatch(_pattern(packed.display), text)
-    if match is None:
-        return None
-    raw = 0
-    for part in packed.parts:
-        number = int(match.groupdict().get(part.name) or 0)
-        raw += number * part.divide << part.shift
-    fits = raw < 1 << 8 * packed.scalar.size
-    return raw if fits and text_of(packed, raw) == text else None
+    for display in (packed.display, packed.later_display):
+        match = re.fullmatch(_pattern(display), text)
+        if match is None:
+            continue
+        raw = 0
+        for part in packed.parts:
+            number = int(match.groupdict().get(part.name) or 0)
+            raw += number * part.divide << part.shift
+        if raw < 1 << 8 * packed.scalar.size and text_of(packed, raw) == text:
+            return raw
+    return None
 
 
 def _pattern(display: str) -> str:

@@ -279,6 +279,12 @@ class Packed:
     kind: str = "packed"
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     main: Part | None = None
+    later_from: int = 0  # the raw values from here on have the display text `later_display`
+    later_display: str = ""
+
+    def display_of(self, raw: int) -> str:
+        """The display text for a value."""
+        return self.later_display if self.later_display and raw >= self.later_from else self.display
 
 
 @dataclass(frozen=True)

@@ -195,6 +195,8 @@ class _Composer:
                 return self._given(member, choice.example[name], f"{name}[]")
             if self._is_typical(member, name):
                 return member.typical
+        if member.repeats_context and member.when:
+            return choice.context[member.when.source]
         if name in choice.forced:
             return choice.forced[name]
         if member.is_counter:

@@ -40,8 +40,31 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     """Decode a body.
 
     `context` has the facts from earlier messages: raw values, and lists of type names. The surplus of
-    a request becomes its tail.
+    a request becomes its tail. If the body may repeat its context, the first of both that fits the
+    body exactly counts; otherwise the context that is asked to be repeated.
     """
+    context = context or {}
+    repeats = next((f for f in message.fields if f.repeats_context), None)
+    if repeats is None or repeats.when is None:
+        return _decode(message, body, context)
+    when, at, size = repeats.when, message.body.fixed_size, repeats.size or 0
+    given = int(context.get(when.source, 0))
+    own = int.from_bytes(body[at : at + size], "little") if len(body) >= at + size else 0
+    tries = [given & ~when.mask, *([own] if when.holds(own) else [])]
+    if when.holds(given):
+        tries.reverse()
+    for flags in tries:
+        try:
+            values = _decode(message, body, {**context, when.source: flags})
+        except CodecError:
+            continue
+        if "tail" not in values:
+            return values
+    return _decode(message, body, {**context, when.source: tries[0]})
+
+
+def _decode(message: Message, body: bytes, context: Fields) -> Fields:
+    """Decode a body with a context that is certain."""
     fixed = message.body.fixed_part
     size = message.body.fixed_size
     has_surplus = message.takes_surplus and len(body) > message.max_size
@@ -50,7 +73,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     if len(body) < size or (exact and len(body) != size):
         raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))
     reader = _Reader(body)
-    values = _read_fields(message.body, reader, context or {})
+    values = _read_fields(message.body, reader, context)
     if has_tail:
         if reader.left() > message.tail_capacity:
             everything = len(fixed) == len(message.fields)

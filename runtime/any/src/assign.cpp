@@ -2,6 +2,7 @@
 #include <string>
 
 #include <sbgc/any.hpp>
+#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/text.hpp>
 
 #include "field_setter.hpp"
@@ -50,32 +51,44 @@ bool is_in(std::string_view path, std::string_view field) {
 
 }  // namespace
 
-std::string AnyMessage::assign(std::string_view path, std::string_view text) {
+std::string AnyMessage::assign(std::string_view path, std::string_view text, bool validates) {
   const std::string name(path);
   const FieldType* const type = type_at(type_->fields(), path);
   if (type == nullptr) return std::string(type_->info->name) + " has no field '" + name + "'";
   AnyMessage changed = *this;
   std::string problem = changed.assign(*type, name, text);
   if (!problem.empty()) return name + ": " + problem;
-  changed.validate(newest, [&](const Violation& violation) {
+  auto note = [&](const Violation& violation) {
     const std::string place = sbgc::to_string(violation.path);
     if (!problem.empty() || !(is_in(place, name) || is_in(name, place))) return;
     problem = sbgc::to_string(violation);
-  });
+  };
+  if (validates) changed.validate(newest, note);
   if (problem.empty()) *this = std::move(changed);
   return problem;
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
                                std::string_view text) {
-  if (type.shape == FieldShape::group) return "it has fields of its own";
+  if (type.shape == FieldShape::group) {
+    std::vector<std::string> names;
+    for (const FieldType& member : type.members) names.emplace_back(member.name);
+    return "it has fields of its own: " + detail::alternatives(names, false);
+  }
   if (type.is_counter) return "it follows from the number of elements";
   if (type.has_elements()) {
     const bool is_list = type.shape == FieldShape::list;
+    if (type.members.front().has_elements() || type.members.front().shape == FieldShape::group) {
+      return is_list ? "name one of its elements and fields"
+                     : "name one of its fields, for each axis";
+    }
     std::vector<std::string_view> parts = parse_elements(text);
     const std::size_t count = is_list ? type.count : type.axes.size();
     if (!is_list && parts.size() == 1) parts.resize(count, parts.front());
     const bool fits = type.has_count ? parts.size() == count : parts.size() <= count;
+    if (!fits && !is_list) {
+      return "write one value, or " + std::to_string(count) + " with commas between them";
+    }
     if (!fits) {
       return std::string("it has ") + (type.has_count ? "" : "at most ") + std::to_string(count) +
              " elements, not " + std::to_string(parts.size());

@@ -35,9 +35,9 @@ void look_at(Host& host, double pitch, double yaw) {
 
 TEST(CustomData, HasTheSizeOfEachBlock) {
   // Sizes by bit, from 9 on.
-  const int sizes[]{8, 26, 9, 12, 40, 20, 46, 6, 12, 12, 7, 13, 8, 8, 8, 8, 12, 6, 24};
+  const int sizes[]{8, 26, 9, 12, 40, 20, 46, 6, 12, 12, 7, 13, 8, 8, 8, 8, 12, 6, 24, 12, 11};
   Host host(newest_board());
-  for (unsigned bit = 9; bit < 28; ++bit) {
+  for (unsigned bit = 9; bit < 30; ++bit) {
     const msg::RealtimeDataCustomFlags flags(1U << bit);
     const Packets packets = host.ask(msg::RealtimeDataCustomRequest{.flags = flags});
     ASSERT_EQ(packets.size(), 1U) << bit;
@@ -93,6 +93,35 @@ TEST(CustomData, DistancesToLimitsThatThereAre) {
   const auto yaw = (*blocks_of(host, Block::sw_limits_dist).sw_limits_dist).yaw;
   EXPECT_NEAR(yaw.dist[0].degrees(), 120, 1);
   EXPECT_NEAR(yaw.dist[1].degrees(), 60, 1);
+}
+
+TEST(CustomData, RepeatsTheFlagsOnRequest) {
+  Host host(newest_board());
+  const auto flags = Block::imu_angles | Block::main_imu_state | Block::include_flags;
+  const Packets packets = host.ask(msg::RealtimeDataCustomRequest{.flags = flags});
+  ASSERT_EQ(packets.size(), 1U);
+  // Decoding needs no request, nor is it misled by another one.
+  for (const msg::RealtimeDataCustomFlags known : {{}, flags, Block::imu_angles | Block::rc_data}) {
+    msg::RealtimeDataCustom data;
+    ASSERT_TRUE(decode(std::span(packets[0].body), data, {known}));
+    EXPECT_EQ(data.flags, flags);
+    EXPECT_TRUE(data.main_imu_state);
+    EXPECT_TRUE(data.tail.empty());
+  }
+}
+
+TEST(CustomData, OfTheFrame) {
+  Host host(newest_board());
+  const msg::RealtimeDataCustom2Flags flags(0x8000007F);
+  const Packets packets = host.ask(msg::RealtimeDataCustom2Request{.flags = flags});
+  ASSERT_EQ(packets.size(), 1U);
+  msg::RealtimeDataCustom2 data;
+  ASSERT_TRUE(decode(std::span(packets[0].body), data));
+  EXPECT_EQ(data.flags, flags);
+  EXPECT_TRUE(data.frame_imu_angles);
+  EXPECT_EQ(data.pin_state->pin_state.input_8(), msg::InputState::unavailable);
+  EXPECT_TRUE(data.stab_err_ampl);
+  EXPECT_TRUE(data.tail.empty());
 }
 
 TEST(CustomData, WhatDoesNotFitIsRefused) {

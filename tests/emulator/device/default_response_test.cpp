@@ -29,7 +29,8 @@ void expect_answer_of_model(const Request& request) {
   Device device(newest_board, {}, {});
   const auto port = device.ports.open(false).value();
   const ResponsePolicy policy = response_policy(request);
-  RequestContext context(device, port, policy.responses.command, policy.responses.confirmed, {});
+  RequestContext context(device.ports, device.options, port, policy.responses.command,
+                         policy.responses.confirmed, {});
   EXPECT_EQ(default_response(context, request), Reaction::executed);
 
   unsigned answers = 0, confirmations = 0;

@@ -33,19 +33,18 @@ BoardOptions with_firmware(std::uint8_t board, std::uint16_t firmware) {
   return options;
 }
 
-/// Returns 2687 for "2.68b7", 2740 for "2.74", 36 for "3.6".
+/// Returns 2687 for "2.68b7", 2740 for "2.74", 2745 for "2.74.5", 36 for "3.6".
 unsigned number_of(const std::string& version) {
   unsigned number = 0;
   unsigned digits = 0;  // since the point
-  bool is_behind_point = false, is_beta = false;
+  bool is_behind_point = false;
   for (const char c : version) {
     if (c == '.') is_behind_point = true;
-    if (c == 'b') is_beta = true;
     if (c < '0' || c > '9') continue;
     number = number * 10 + static_cast<unsigned>(c - '0');
     digits += is_behind_point ? 1 : 0;
   }
-  return digits > 1 && !is_beta ? number * 10 : number;
+  return digits == 2 ? number * 10 : number;
 }
 
 /// True if a board has what the exported model says about versions; null: every board.

@@ -237,7 +237,7 @@ def test_firmware_that_is_not_modelled_is_not_played() -> None:
     result = run("emulate", "--stdio", "--firmware", "2.75")
     assert result.status == 2, result
     assert result.out == b""
-    assert "firmware 2.75 is not emulated, only up to 2.74" in result.error
+    assert "firmware 2.75 is not emulated, only up to 2.74.5" in result.error
 
 
 @pytest.mark.parametrize(

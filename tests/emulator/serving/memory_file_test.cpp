@@ -61,6 +61,7 @@ SavedMemory random_memory(unsigned seed) {
     for (auto& set : saved.memory.profile_sets) {
       for (auto& byte : set) byte = static_cast<std::uint8_t>(random());
     }
+    saved.memory.pass_protect = static_cast<std::uint32_t>(random());
     saved.memory.state_variables.assign(192, static_cast<std::uint8_t>(random()));
   }
   return saved;

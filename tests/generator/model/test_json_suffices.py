@@ -155,6 +155,7 @@ def test_fields_of_a_tagged_union_have_their_own_offsets() -> None:
         "imu_type": 3,
         "event_id": 3,
         "event_type": 4,
+        "custom2_flags": 3,
         "telemetry_flags": 3,
         "drv_id": 7,
         "motor": 3,

@@ -9,7 +9,7 @@ import pytest
 from sbgcgen.build import load_protocol
 from sbgcgen.model import Packed
 from sbgcgen.model.packed_text import raw_of, text_of
-from support import HERE
+from support import HERE, project_layout
 
 
 @lru_cache(maxsize=None)
@@ -39,6 +39,15 @@ def packed(name: str) -> Packed:
 )
 def test_firmware_version(text: str, value: int | None) -> None:
     assert raw_of(packed("FirmwareVersion"), text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("2.72b9", 2729), ("2.73", 2730), ("2.73.6", 2736), ("2.73b6", None), ("2.72.9", None)],
+)
+def test_later_versions_are_written_differently(text: str, value: int | None) -> None:
+    (version,) = (p for p in project_layout().packed if p.name == "FirmwareVersion")
+    assert raw_of(version, text) == value
 
 
 @pytest.mark.parametrize(

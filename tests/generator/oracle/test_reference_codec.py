@@ -413,7 +413,7 @@ def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
         yield f"{leaf.path}: nothing at all"
     if leaf.type in ("text", "string"):
         yield from missing_lengths(leaf, {len(text_to_bytes(value)) for value in values})
-    if isinstance(field.type, (Blob, Struct)):
+    if isinstance(field.type, (Blob, Struct)) or field.repeats_context:
         return
     if isinstance(field.type, Announced):
         pairs = {pair for number in numbers_of(values) for pair in number.items()}
@@ -436,7 +436,7 @@ def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
 def missing_lengths(leaf: Leaf, lengths: set[int]) -> Iterator[str]:
     """Yields descriptions of the lengths of a text that no vector has."""
     assert isinstance(leaf.field.type, Blob)
-    full = leaf.field.type.size if leaf.type == "text" else 200
+    full = leaf.field.type.size if leaf.type == "text" else min(leaf.field.type.size or 200, 200)
     if not {0, 1} <= lengths or max(lengths) < (full or 0):
         yield f"{leaf.path}: a text that is empty, or of one byte, or full"
 

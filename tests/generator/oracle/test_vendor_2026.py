@@ -18,10 +18,6 @@ FRAMES: list[dict[str, Any]] = json.loads(
 )
 # Meanings of the frames that the model does not decode yet.
 OPEN = {
-    "Module flash write, packet 200, 8 bytes",
-    "Password protection settings",
-    "CUSTOM2 request: FRAME_IMU_ANGLES, PIN_STATE, STAB_ERR_AMPL, INCLUDE_FLAGS",
-    "CUSTOM sample with echoed flags, FRAME_CAM_ANGLE_20 and MAIN_IMU_STATE",
     "CONTROL_QUAT_STATUS answer with a 16-bit DATA_SET echo",
 }
 

@@ -40,6 +40,19 @@ def model_of_documents() -> Json:
             if thing["source"] != LATER and not parse_lines(thing["source"]):
                 model[kind].remove(thing)
                 others.add(thing.get("command"))
+    newer = loaded(PROJECT / "tests" / "data" / "later_exceptions.yaml")["newer"]
+    flags = set()
+    for enum in model["enums"]:
+        for value in list(enum["values"]):
+            if any(fnmatchcase(f"{enum['name']}.{value['name']}", pattern) for pattern in newer):
+                enum["values"].remove(value)
+                flags.add(value["name"])
+    for message in model["messages"]:
+        message["layout"] = [
+            leaf
+            for leaf in message["layout"]
+            if flags.isdisjoint((leaf.get("when") or {}).get("has", ()))
+        ]
     others -= {message["command"] for message in model["messages"]}
     model["commands"] = [command for command in model["commands"] if command["name"] not in others]
     return model
@@ -631,8 +644,8 @@ class Comparison:
             yield Check("part", line, f"{name}.{part['name']}", said, cases.get(part["name"]))
 
     def enums_of(self, leaf: Json) -> list[tuple[Json, int]]:
-        """Returns the enums of a leaf, each with the shift of its values."""
-        found = [(self.enums[leaf["enum"]], 0)] if leaf["enum"] else []
+        """Returns the enums of a leaf that come from these sources, each with the shift of its values."""
+        found = [(self.enums[leaf["enum"]], 0)] if leaf["enum"] in self.enums else []
         packed = self.packed.get(leaf.get("packed", ""))
         if packed:
             if packed["names"]:

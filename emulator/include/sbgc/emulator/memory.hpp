@@ -38,6 +38,7 @@ struct Memory {
   std::array<std::vector<std::uint8_t>, profile_set_slots> profile_sets{};
   std::uint8_t profile_set = 1;                 ///< the selected slot, counted from 1
   std::vector<std::uint8_t> state_variables{};  ///< body of CMD_READ_STATE_VARS; empty: none
+  std::uint32_t pass_protect = 0;               ///< flags of CMD_PASS_PROTECT_WRITE
   std::uint32_t revision = 0;                   ///< grows with each change; not saved
   /// True if there may be unsaved changes; rewriting the same bytes then counts as a change. Only
   /// used with BoardOptions::waits_for_saving; not saved.

@@ -23,6 +23,8 @@ struct BootMode3Ext;
 struct ReadStateVarsRequest;
 struct WriteStateVars;
 struct SignMessageRequest;
+struct PassProtectReadRequest;
+struct PassProtectWrite;
 struct QueueParamsInfo3Request;
 struct SystemStateRequest;
 struct MavlinkInfoRequest;
@@ -48,6 +50,7 @@ struct RealtimeData;
 struct RealtimeData3Request;
 struct RealtimeData4Request;
 struct RealtimeDataCustomRequest;
+struct RealtimeDataCustom2Request;
 struct DataStreamInterval;
 struct CanDrvStateRequest;
 struct RealtimeDataCanDrvRequest;
@@ -132,6 +135,11 @@ struct ReadRcInputsRequest;
 struct ModuleListRequest;
 struct CanDeviceScanRequest;
 struct TransparentSapiRequest;
+struct ModuleFlashStart;
+struct ModuleFlashWrite;
+struct ModuleFlashFinish;
+struct UdrvDeviceScan;
+struct SetTranspProxy;
 struct UartBypassRequest;
 struct SetDeviceAddrRequest;
 struct SerialProxyRequest;
@@ -254,6 +262,24 @@ class Calls {
   /// Effect: reads.
   template <class M = msg::SignMessageRequest>
   CallResult<M> sign_message(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request what a password protects.
+  /// Effect: reads.
+  /// Since firmware 2.73.6.
+  template <class M = msg::PassProtectReadRequest>
+  CallResult<M> pass_protect_read(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Choose what a password protects.
+  /// Effect: stores.
+  /// Since firmware 2.73.6.
+  template <class M = msg::PassProtectWrite>
+  CallResult<M> pass_protect_write(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -478,6 +504,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Request live data of the blocks in FLAGS.
+  /// Effect: reads.
+  /// Since firmware 2.74.2.
+  template <class M = msg::RealtimeDataCustom2Request>
+  CallResult<M> realtime_data_custom2(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Start, change or end a data stream: messages that the board sends at a fixed rate.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
@@ -671,7 +706,7 @@ class Calls {
 
   /// Execute a menu action and say when to confirm it.
   /// Effect: sets, stores, moves, restarts.
-  /// Since firmware 2.73b8.
+  /// Since firmware 2.73.8.
   template <class M = msg::ExecuteMenuExt>
   CallResult<M> execute_menu_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1110,7 +1145,7 @@ class Calls {
 
   /// Send PWM signals to servos of the board and of its CAN motor drivers.
   /// Effect: moves.
-  /// Since firmware 2.73b2.
+  /// Since firmware 2.73.2.
   template <class M = msg::ServoOutExt>
   CallResult<M> servo_out_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1200,6 +1235,47 @@ class Calls {
   /// Since firmware 2.72, board 3.6.
   template <class M = msg::TransparentSapiRequest>
   CallResult<M> transparent_sapi(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Begin to load new firmware into a module.
+  /// Effect: erases.
+  template <class M = msg::ModuleFlashStart>
+  CallResult<M> module_flash_start(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Load a part of new firmware into a module.
+  /// Effect: stores.
+  template <class M = msg::ModuleFlashWrite>
+  CallResult<M> module_flash_write(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// End the loading of firmware into a module.
+  /// Effect: stores.
+  template <class M = msg::ModuleFlashFinish>
+  CallResult<M> module_flash_finish(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Search for uDrv modules and give them ids.
+  /// Effect: stores.
+  template <class M = msg::UdrvDeviceScan>
+  CallResult<M> udrv_device_scan(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Connect two serial ports of the board.
+  /// Effect: sets.
+  /// Since firmware 2.74.5.
+  template <class M = msg::SetTranspProxy>
+  CallResult<M> set_transp_proxy(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -1303,7 +1379,7 @@ class Calls {
   /// Set adjustable variables in floating point; the next restart discards them unless
   /// CMD_SAVE_PARAMS_3 follows.
   /// Effect: sets, moves.
-  /// Since firmware 2.73b4.
+  /// Since firmware 2.73.4.
   template <class M = msg::SetAdjVarsValF>
   CallResult<M> set_adj_vars_val_f(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1312,7 +1388,7 @@ class Calls {
 
   /// Request the values of adjustable variables in floating point.
   /// Effect: reads.
-  /// Since firmware 2.73b4.
+  /// Since firmware 2.73.4.
   template <class M = msg::GetAdjVarsValF>
   CallResult<M> get_adj_vars_val_f(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

@@ -344,7 +344,7 @@ struct AdjVarsInfoRequestAll {
 /// Values of adjustable variables in floating point.
 ///
 /// CMD_SET_ADJ_VARS_VAL_F (134), in both directions; 1 to 201 bytes, and later firmware may append
-/// more. Effect: sets, moves. Since firmware 2.73b4. Source: Later firmware.
+/// more. Effect: sets, moves. Since firmware 2.73.4. Source: Later firmware.
 struct SetAdjVarsValF {
   static constexpr CommandToBoard command = CommandToBoard::set_adj_vars_val_f;
   static constexpr Direction direction = Direction::both;
@@ -370,7 +370,7 @@ struct SetAdjVarsValF {
 
 /// Request the values of adjustable variables in floating point.
 ///
-/// CMD_GET_ADJ_VARS_VAL_F (135), to the board; 1 to 41 bytes. Effect: reads. Since firmware 2.73b4.
+/// CMD_GET_ADJ_VARS_VAL_F (135), to the board; 1 to 41 bytes. Effect: reads. Since firmware 2.73.4.
 /// Source: Later firmware.
 struct GetAdjVarsValF {
   static constexpr CommandToBoard command = CommandToBoard::get_adj_vars_val_f;

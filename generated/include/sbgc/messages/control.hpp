@@ -829,7 +829,7 @@ struct ExecuteMenu {
 /// Execute a menu action and say when to confirm it.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes. Effect: sets, stores, moves,
-/// restarts. Since firmware 2.73b8. Source: Outgoing commands L732-L734; Variables L1166-L1167.
+/// restarts. Since firmware 2.73.8. Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenuExt {
   static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;

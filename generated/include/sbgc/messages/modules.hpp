@@ -180,6 +180,129 @@ struct TransparentSapiRequest {
   }
 };
 
+/// Begin to load new firmware into a module. CMD_MODULE_FLASH_WRITE and CMD_MODULE_FLASH_FINISH
+/// follow. Errors of the three commands carry the module and the packet, two u16, in ERROR_DATA.
+///
+/// CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: erases. Source: Vendor's code of
+/// 2026.
+struct ModuleFlashStart {
+  static constexpr CommandToBoard command = CommandToBoard::module_flash_start;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 5;
+  static constexpr std::size_t max_size = 5;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// The module.
+  ModuleId device_id{};
+  /// Size of the file. Range: 4 to 1.71799e+10 byte.
+  WordCount firmware_size{};
+
+  bool operator==(const ModuleFlashStart&) const = default;
+  using FixedMembers = Members<&ModuleFlashStart::device_id, &ModuleFlashStart::firmware_size>;
+};
+
+/// Load a part of new firmware into a module. A host waits for the confirmation before the next
+/// part, and never repeats a part.
+///
+/// CMD_MODULE_FLASH_WRITE (81), to the board; 14 to 138 bytes. Effect: stores. Source: Vendor's
+/// code of 2026.
+struct ModuleFlashWrite {
+  static constexpr CommandToBoard command = CommandToBoard::module_flash_write;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 14;
+  static constexpr std::size_t max_size = 138;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// The module.
+  ModuleId device_id{};
+  /// Number of the part from 0, modulo 256.
+  std::uint8_t packet_id{};
+  /// Offset of the part in the file. A multiple of 4.
+  std::uint32_t address{};
+  /// CRC-32/ISO-HDLC of DATA, as in a zip file.
+  std::uint32_t data_crc32{};
+  /// The part. At least 4. At most 128. A multiple of 4.
+  BoundedBytes<245> data{};
+
+  bool operator==(const ModuleFlashWrite&) const = default;
+  using FixedMembers = Members<&ModuleFlashWrite::device_id, &ModuleFlashWrite::packet_id,
+      &ModuleFlashWrite::address, &ModuleFlashWrite::data_crc32>;
+  SBGC_ALWAYS_INLINE
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data", 4);
+  }
+};
+
+/// End the loading of firmware into a module.
+///
+/// CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Source: Vendor's code of
+/// 2026.
+struct ModuleFlashFinish {
+  static constexpr CommandToBoard command = CommandToBoard::module_flash_finish;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 5;
+  static constexpr std::size_t max_size = 5;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// The module.
+  ModuleId device_id{};
+  /// CRC-32/ISO-HDLC of the whole file.
+  std::uint32_t file_crc32{};
+
+  bool operator==(const ModuleFlashFinish&) const = default;
+  using FixedMembers = Members<&ModuleFlashFinish::device_id, &ModuleFlashFinish::file_crc32>;
+};
+
+/// Search for uDrv modules and give them ids. The board detects the connection of the IMU and
+/// stores the ids that it assigns.
+///
+/// CMD_UDRV_DEVICE_SCAN (144), to the board; 0 bytes. Effect: stores. Source: Vendor's code of
+/// 2026.
+struct UdrvDeviceScan {
+  static constexpr CommandToBoard command = CommandToBoard::udrv_device_scan;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{};
+  using Response = CanDeviceScan;
+
+  bool operator==(const UdrvDeviceScan&) const = default;
+};
+
+/// Connect two serial ports of the board. Afterwards each port passes its bytes to the other one
+/// and no longer speaks this protocol. No source says how to end that. There is no response; an
+/// error is possible. Both ports must be enabled for this protocol.
+///
+/// CMD_SET_TRANSP_PROXY (143), to the board; 2 bytes. Effect: sets. Since firmware 2.74.5. Source:
+/// Vendor's code of 2026.
+struct SetTranspProxy {
+  static constexpr CommandToBoard command = CommandToBoard::set_transp_proxy;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 2;
+  static constexpr Availability since{.firmware = 2745};
+  using Response = void;
+
+  /// For port1 and port2: the port of this request.
+  static constexpr std::uint8_t this_port{0};
+
+  /// A port; the first is 1.
+  std::uint8_t port1{};
+  /// Another port.
+  std::uint8_t port2{};
+
+  bool operator==(const SetTranspProxy&) const = default;
+  using FixedMembers = Members<&SetTranspProxy::port1, &SetTranspProxy::port2>;
+};
+
 /// Undocumented body from the board.
 ///
 /// CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.

@@ -24,12 +24,12 @@ struct ReadProfileNames;
 
 /// Controller and motor of each axis.
 struct AxisPid {
-  /// Proportional gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) -
+  /// Proportional gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) -
   /// 5.
   std::uint8_t p{};
-  /// Integral gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
+  /// Integral gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
   Hundredths i{};
-  /// Derivative gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
+  /// Derivative gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
   std::uint8_t d{};
   /// Power of the motor.
   std::uint8_t power{};
@@ -488,7 +488,7 @@ struct ReadParamsExt2 {
   Axes<LongHundredths> motor_mag_link_fine{};
   /// Acceleration limit of each axis. Range: 0 to 1000 deg/s^2. Since firmware 2.59.
   Axes<AngularAcceleration> acc_limiter3{};
-  /// Factor for P, I and D of each axis. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw *
+  /// Factor for P, I and D of each axis. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw *
   /// ln(52) / 255) - 5.
   Axes<PidGain> pid_gain{};
   /// Low-pass filter of the frame IMU. Unit: Hz.

@@ -114,7 +114,7 @@ struct ServoOut {
 /// Send PWM signals to servos of the board and of its CAN motor drivers. Outputs that are not
 /// selected keep their signals. Most servos take 500 to 2500 us, with 1500 us as their center.
 ///
-/// CMD_SERVO_OUT_EXT (133), to the board; 4 to 68 bytes. Effect: moves. Since firmware 2.73b2.
+/// CMD_SERVO_OUT_EXT (133), to the board; 4 to 68 bytes. Effect: moves. Since firmware 2.73.2.
 /// Source: Later firmware.
 struct ServoOutExt {
   static constexpr CommandToBoard command = CommandToBoard::servo_out_ext;

@@ -21,6 +21,7 @@ static_assert(codec_version == 2, "generated code and runtime do not match");
 struct RealtimeData3;
 struct RealtimeData4;
 struct RealtimeDataCustom;
+struct RealtimeDataCustom2;
 
 /// Sensors of each axis.
 struct AxisSensors {
@@ -116,14 +117,47 @@ struct SystemStatus {
 
 /// Distances of each axis to its software limits.
 struct SoftLimitDistances {
-  /// For dist: unknown.
+  /// For dist: not set or unknown.
   static constexpr std::int16_t unknown_distance{32767};
 
-  /// Distances to the limits; the first is probably that to the lower one. Unit: deg.
+  /// Distances to the lower and the upper limit: positive inside, negative outside of it. Unit:
+  /// deg.
   std::array<Angle14, 2> dist{};
 
   bool operator==(const SoftLimitDistances&) const = default;
   using FixedMembers = Members<&SoftLimitDistances::dist>;
+};
+
+/// State of the main IMU.
+struct MainImuState {
+  /// Angle between the estimated and the reference gravity vector. Unit: deg. Unconfirmed.
+  AngleError g_ref_error{};
+  /// Angle between the estimated and the reference heading vector. Unit: deg. Unconfirmed.
+  AngleError h_ref_error{};
+  /// Flags that no source explains.
+  std::uint8_t flags{};
+  /// Errors of an external sensor.
+  std::uint8_t ext_sensor_error{};
+  /// Reserved; kept as it is.
+  Bytes<7> reserved{};
+
+  bool operator==(const MainImuState&) const = default;
+  using FixedMembers = Members<&MainImuState::g_ref_error, &MainImuState::h_ref_error,
+      &MainImuState::flags, &MainImuState::ext_sensor_error, &MainImuState::reserved>;
+};
+
+/// State of the inputs.
+struct PinStates {
+  /// State of additional buttons.
+  InputStates extra_buttons_state{};
+  /// State of the pins.
+  InputStates pin_state{};
+  /// Reserved; kept as it is.
+  Bytes<4> reserved{};
+
+  bool operator==(const PinStates&) const = default;
+  using FixedMembers = Members<&PinStates::extra_buttons_state, &PinStates::pin_state,
+      &PinStates::reserved>;
 };
 
 /// Options of the message; unused bytes are 0.
@@ -132,6 +166,8 @@ struct StreamConfig {
 
   /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM.
   Optional<RealtimeDataCustomFlags> flags{};
+  /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM2.
+  Optional<RealtimeDataCustom2Flags> custom2_flags{};
   /// IMU whose attitude to send. Present if cmd_id is CMD_AHRS_HELPER. Unconfirmed.
   Optional<ImuIndex> imu_type{};
   /// Event to report. Present if cmd_id is CMD_EVENT.
@@ -395,17 +431,24 @@ struct RealtimeDataCustom {
 
   /// Facts from earlier messages that the body needs for decoding.
   struct Context {
-    /// FLAGS of the request. The response does not repeat them, but they determine its blocks.
+    /// FLAGS of the request, which determine the blocks. Only with INCLUDE_FLAGS does the response
+    /// repeat them.
     RealtimeDataCustomFlags flags{};
 
     /// Calls `visitor(fact)` for each of them.
     static constexpr void visit(auto& context, auto&& visitor) {
       visitor(context.flags);
     }
+
+    /// What a body may repeat, and the flag with which it does.
+    static constexpr auto repeated = &Context::flags;
+    static constexpr auto repeats = RealtimeDataCustomFlag::include_flags;
   };
 
   /// Time of the sample. Unit: ms.
   MillisecondClock timestamp_ms{};
+  /// FLAGS of the request. Present if flags has INCLUDE_FLAGS.
+  Optional<RealtimeDataCustomFlags> flags{};
   /// Angles of the main IMU (Euler). Unit: deg. Present if flags has IMU_ANGLES.
   Optional<Axes<Angle14>> imu_angles{};
   /// Target angles (Euler). Unit: deg. Present if flags has TARGET_ANGLES.
@@ -463,14 +506,19 @@ struct RealtimeDataCustom {
   Optional<std::array<std::uint16_t, 4>> adc_ch_raw{};
   /// Distances of each axis to its software limits. Present if flags has SW_LIMITS_DIST.
   Optional<Axes<SoftLimitDistances>> sw_limits_dist{};
-  /// Distance in follow mode. Unit: deg. Present if flags has FOLLOW_DIST.
+  /// Distance to the neutral point of the follow mode, or 0 without it. Unit: deg. Present if flags
+  /// has FOLLOW_DIST.
   Optional<Axes<Angle14>> follow_dist{};
-  /// Lower limits of an external target. Unit: deg. Present if flags has EXT_TARGET_LIMIT.
-  /// Unconfirmed.
+  /// Lower limits of an external target; equal ones are none. Unit: deg. Present if flags has
+  /// EXT_TARGET_LIMIT. Unconfirmed.
   Optional<Axes<LongAngle14>> ext_target_limit_min{};
   /// Upper limits of an external target. Unit: deg. Present if flags has EXT_TARGET_LIMIT.
   /// Unconfirmed.
   Optional<Axes<LongAngle14>> ext_target_limit_max{};
+  /// Joint angles, in high resolution. Unit: deg. Present if flags has FRAME_CAM_ANGLE_20.
+  Optional<Axes<Angle20>> frame_cam_angle_20{};
+  /// State of the main IMU. Present if flags has MAIN_IMU_STATE.
+  Optional<MainImuState> main_imu_state{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<253> tail{};
 
@@ -478,6 +526,8 @@ struct RealtimeDataCustom {
   using FixedMembers = Members<&RealtimeDataCustom::timestamp_ms>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
+    cursor.when_context(context.flags.has(RealtimeDataCustomFlag::include_flags), self.flags,
+        "flags");
     cursor.when_context(context.flags.has(RealtimeDataCustomFlag::imu_angles), self.imu_angles,
         "imu_angles");
     cursor.when_context(context.flags.has(RealtimeDataCustomFlag::target_angles),
@@ -538,6 +588,10 @@ struct RealtimeDataCustom {
         self.ext_target_limit_min, "ext_target_limit_min");
     cursor.when_context(context.flags.has(RealtimeDataCustomFlag::ext_target_limit),
         self.ext_target_limit_max, "ext_target_limit_max");
+    cursor.when_context(context.flags.has(RealtimeDataCustomFlag::frame_cam_angle_20),
+        self.frame_cam_angle_20, "frame_cam_angle_20");
+    cursor.when_context(context.flags.has(RealtimeDataCustomFlag::main_imu_state),
+        self.main_imu_state, "main_imu_state");
   }
 };
 
@@ -563,6 +617,100 @@ struct RealtimeDataCustomRequest {
   bool operator==(const RealtimeDataCustomRequest&) const = default;
   using FixedMembers = Members<&RealtimeDataCustomRequest::flags,
       &RealtimeDataCustomRequest::reserved>;
+};
+
+/// More live data of the requested blocks.
+///
+/// CMD_REALTIME_DATA_CUSTOM2 (139), from the board; 2 to 52 bytes, and later firmware may append
+/// more. Since firmware 2.74.2. Source: Vendor's code of 2026.
+struct RealtimeDataCustom2 {
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_custom2;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 52;
+  static constexpr Availability since{.firmware = 2742};
+
+  /// Facts from earlier messages that the body needs for decoding.
+  struct Context {
+    /// FLAGS of the request, which determine the blocks. Only with INCLUDE_FLAGS does the response
+    /// repeat them.
+    RealtimeDataCustom2Flags flags{};
+
+    /// Calls `visitor(fact)` for each of them.
+    static constexpr void visit(auto& context, auto&& visitor) {
+      visitor(context.flags);
+    }
+
+    /// What a body may repeat, and the flag with which it does.
+    static constexpr auto repeated = &Context::flags;
+    static constexpr auto repeats = RealtimeDataCustom2Flag::include_flags;
+  };
+
+  /// Time of the sample. Unit: ms.
+  MillisecondClock timestamp_ms{};
+  /// FLAGS of the request. Present if flags has INCLUDE_FLAGS.
+  Optional<RealtimeDataCustom2Flags> flags{};
+  /// Angles of the frame IMU (Euler). Unit: deg. Present if flags has FRAME_IMU_ANGLES.
+  Optional<Axes<Angle14>> frame_imu_angles{};
+  /// Gyroscope of the frame IMU. Unit: deg/s. Present if flags has FRAME_GYRO.
+  Optional<Axes<GyroRate>> frame_gyro{};
+  /// Accelerometer of the frame IMU. Unit: g. Present if flags has FRAME_ACC.
+  Optional<Axes<Acceleration>> frame_acc{};
+  /// Values for debugging. Present if flags has DEBUG.
+  Optional<std::array<std::int16_t, 4>> debug{};
+  /// Raw magnetometer data. Present if flags has MAG_SENS_DATA.
+  Optional<Axes<std::int16_t>> mag_sens_data{};
+  /// State of the inputs. Present if flags has PIN_STATE.
+  Optional<PinStates> pin_state{};
+  /// Amplitude of the stabilization error. Unit: deg. Present if flags has STAB_ERR_AMPL.
+  Optional<Axes<Millidegrees>> stab_err_ampl{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<253> tail{};
+
+  bool operator==(const RealtimeDataCustom2&) const = default;
+  using FixedMembers = Members<&RealtimeDataCustom2::timestamp_ms>;
+  SBGC_ALWAYS_INLINE
+  static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::include_flags), self.flags,
+        "flags");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::frame_imu_angles),
+        self.frame_imu_angles, "frame_imu_angles");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::frame_gyro), self.frame_gyro,
+        "frame_gyro");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::frame_acc), self.frame_acc,
+        "frame_acc");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::debug), self.debug, "debug");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::mag_sens_data),
+        self.mag_sens_data, "mag_sens_data");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::pin_state), self.pin_state,
+        "pin_state");
+    cursor.when_context(context.flags.has(RealtimeDataCustom2Flag::stab_err_ampl),
+        self.stab_err_ampl, "stab_err_ampl");
+  }
+};
+
+/// Request live data of the blocks in FLAGS.
+///
+/// CMD_REALTIME_DATA_CUSTOM2 (139), to the board; 10 bytes. Effect: reads. Since firmware 2.74.2.
+/// Source: Vendor's code of 2026.
+struct RealtimeDataCustom2Request {
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_custom2;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 10;
+  static constexpr std::size_t max_size = 10;
+  static constexpr Availability since{.firmware = 2742};
+  using Response = RealtimeDataCustom2;
+
+  /// Blocks to send.
+  RealtimeDataCustom2Flags flags{};
+  /// Reserved; kept as it is.
+  Bytes<6> reserved{};
+
+  bool operator==(const RealtimeDataCustom2Request&) const = default;
+  using FixedMembers = Members<&RealtimeDataCustom2Request::flags,
+      &RealtimeDataCustom2Request::reserved>;
 };
 
 /// Start, change or end a data stream: messages that the board sends at a fixed rate. CMD_ID and
@@ -607,6 +755,8 @@ struct DataStreamInterval {
     cursor.enter(3, 8);
     cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
         "config.flags");
+    cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom2, self.config.custom2_flags,
+        "config.custom2_flags");
     cursor.when(self.cmd_id == CommandFromBoard::ahrs_helper, self.config.imu_type,
         "config.imu_type");
     cursor.when(self.cmd_id == CommandFromBoard::event, self.config.event_id, "config.event_id");

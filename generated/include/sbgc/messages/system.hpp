@@ -19,6 +19,7 @@ static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct BoardInfo;
 struct BoardInfo3;
+struct PassProtectRead;
 struct ReadStateVars;
 struct Reset;
 struct SignMessage;
@@ -493,6 +494,73 @@ struct SignMessageRequest {
 
   bool operator==(const SignMessageRequest&) const = default;
   using FixedMembers = Members<&SignMessageRequest::sign_type, &SignMessageRequest::message>;
+};
+
+/// What a password protects.
+///
+/// CMD_PASS_PROTECT_READ (136), from the board; 8 bytes, and later firmware may append more. Since
+/// firmware 2.73.6. Source: Vendor's code of 2026.
+struct PassProtectRead {
+  static constexpr CommandFromBoard command = CommandFromBoard::pass_protect_read;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 8;
+  static constexpr std::size_t max_size = 8;
+  static constexpr Availability since{.firmware = 2736};
+
+  /// What is protected.
+  PassProtectFlags flags{};
+  /// Reserved; kept as it is.
+  Bytes<4> reserved{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<247> tail{};
+
+  bool operator==(const PassProtectRead&) const = default;
+  using FixedMembers = Members<&PassProtectRead::flags, &PassProtectRead::reserved>;
+};
+
+/// Request what a password protects.
+///
+/// CMD_PASS_PROTECT_READ (136), to the board; 0 bytes. Effect: reads. Since firmware 2.73.6.
+/// Source: Vendor's code of 2026.
+struct PassProtectReadRequest {
+  static constexpr CommandToBoard command = CommandToBoard::pass_protect_read;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{.firmware = 2736};
+  using Response = PassProtectRead;
+
+  bool operator==(const PassProtectReadRequest&) const = default;
+};
+
+/// Choose what a password protects.
+///
+/// CMD_PASS_PROTECT_WRITE (137), to the board; 9 to 41 bytes. Effect: stores. Since firmware
+/// 2.73.6. Source: Vendor's code of 2026.
+struct PassProtectWrite {
+  static constexpr CommandToBoard command = CommandToBoard::pass_protect_write;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 9;
+  static constexpr std::size_t max_size = 41;
+  static constexpr Availability since{.firmware = 2736};
+  using Response = void;
+
+  /// What is protected.
+  PassProtectFlags flags{};
+  /// Reserved; kept as it is.
+  Bytes<4> reserved{};
+  /// The new password; empty keeps the present one.
+  BoundedText<32> new_password{};
+
+  bool operator==(const PassProtectWrite&) const = default;
+  using FixedMembers = Members<&PassProtectWrite::flags, &PassProtectWrite::reserved>;
+  SBGC_ALWAYS_INLINE
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.value(self.new_password, "new_password");
+  }
 };
 
 /// Undocumented body from the board.

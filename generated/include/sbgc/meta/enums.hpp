@@ -67,9 +67,12 @@ struct EnumMeta<msg::CommandToBoard> {
       {"CMD_GYRO_CORRECTION", 75, "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong."},
       {"CMD_MODULE_LIST", 76, "Modules connected to the board."},
       {"CMD_MOTORS_ON", 77, "Turn the motors on."},
+      {"CMD_MODULE_FLASH_START", 78, "Begin to load new firmware into a module."},
       {"CMD_CALIB_OFFSET", 79, "Calibrate the follow mode offset."},
       {"CMD_CALIB_POLES", 80, "Detect the poles and the direction of the motors."},
+      {"CMD_MODULE_FLASH_WRITE", 81, "Load a part of new firmware into a module."},
       {"CMD_READ_PARAMS", 82, "Older id of CMD_READ_PARAMS_3."},
+      {"CMD_MODULE_FLASH_FINISH", 83, "End the loading of firmware into a module."},
       {"CMD_TRIGGER_PIN", 84, "Switch an output pin."},
       {"CMD_DATA_STREAM_INTERVAL", 85, "Start, change or end a data stream: messages that the board sends at a fixed rate."},
       {"CMD_BOARD_INFO", 86, "Board version and features."},
@@ -120,9 +123,14 @@ struct EnumMeta<msg::CommandToBoard> {
       {"CMD_SERVO_OUT_EXT", 133, "Send PWM signals to servos of the board and of its CAN motor drivers."},
       {"CMD_SET_ADJ_VARS_VAL_F", 134, "Values of adjustable variables in floating point."},
       {"CMD_GET_ADJ_VARS_VAL_F", 135, "Request the values of adjustable variables in floating point."},
+      {"CMD_PASS_PROTECT_READ", 136, "What a password protects."},
+      {"CMD_PASS_PROTECT_WRITE", 137, "Choose what a password protects."},
+      {"CMD_REALTIME_DATA_CUSTOM2", 139, "More live data of the requested blocks."},
       {"CMD_CONTROL_QUAT", 140, "Move the camera, with attitude and speed in space."},
       {"CMD_CONTROL_QUAT_STATUS", 141, "State of the control with quaternions."},
       {"CMD_CONTROL_QUAT_CONFIG", 142, "Configure the control with quaternions."},
+      {"CMD_SET_TRANSP_PROXY", 143, "Connect two serial ports of the board."},
+      {"CMD_UDRV_DEVICE_SCAN", 144, "Devices on the bus of uDrv modules."},
       {"CMD_EXT_SENS_CMD", 150, "A message of an external sensor's own protocol."},
       {"CMD_TRANSPARENT_SAPI", 151, "Data from a serial port of a device on the CAN bus."},
       {"CMD_SET_DEBUG_PORT", 249, "Copy of a message on another port of the board."},
@@ -195,6 +203,8 @@ struct EnumMeta<msg::CommandFromBoard> {
       {"CMD_EXT_MOTORS_STATE", 131, "State of an external motor."},
       {"CMD_ADJ_VARS_INFO", 132, "Names, ranges and values of adjustable variables."},
       {"CMD_SET_ADJ_VARS_VAL_F", 134, "Values of adjustable variables in floating point."},
+      {"CMD_PASS_PROTECT_READ", 136, "What a password protects."},
+      {"CMD_REALTIME_DATA_CUSTOM2", 139, "More live data of the requested blocks."},
       {"CMD_CONTROL_QUAT_STATUS", 141, "State of the control with quaternions."},
       {"CMD_EXT_SENS_CMD", 150, "A message of an external sensor's own protocol."},
       {"CMD_TRANSPARENT_SAPI", 151, "Data from a serial port of a device on the CAN bus."},
@@ -806,6 +816,16 @@ struct EnumMeta<msg::CanImuSensor> {
 };
 
 template <>
+struct EnumMeta<msg::InputState> {
+  static constexpr ValueInfo values[] = {
+      {"LOW", 0, "Low."},
+      {"HIGH", 1, "High."},
+      {"UNAVAILABLE", 2, "Unavailable or not assigned."},
+  };
+  static constexpr EnumInfo info{"InputState", values, false};
+};
+
+template <>
 struct EnumMeta<msg::SystemSubError> {
   static constexpr ValueInfo values[] = {
       {"NONE", 0, "No emergency stop."},
@@ -1269,6 +1289,10 @@ struct EnumMeta<msg::ModuleId> {
       {"CAN_HUB_GNSS", 11, "CAN hub with a GNSS receiver."},
       {"CAN_HUB1", 12, "CAN hub 1."},
       {"CAN_HUB2", 13, "CAN hub 2."},
+      {"UDRV1", 14, "uDrv module 1."},
+      {"UDRV2", 15, "uDrv module 2."},
+      {"UDRV3", 16, "uDrv module 3."},
+      {"UDRV4", 17, "uDrv module 4."},
   };
   static constexpr EnumInfo info{"ModuleId", values, false};
 };
@@ -1480,6 +1504,27 @@ struct EnumMeta<msg::ResetOption> {
       {"RESTORE_STATE", 2, "Keep the state and restore it after the restart; not for CMD_BOOT_MODE_3."},
   };
   static constexpr EnumInfo info{"ResetOptions", values, true};
+};
+
+template <>
+struct EnumMeta<msg::PassProtectFlag> {
+  static constexpr ValueInfo values[] = {
+      {"ENCRYPT_PARAMS", 2, "Parameters are encrypted."},
+      {"SILENT", 4, "By its name, protected ports do not respond without the password."},
+      {"CHANNEL_1_ENABLED", 16, "Port 1 is protected, by the name."},
+      {"CHANNEL_2_ENABLED", 32, "Port 2 is protected, by the name."},
+      {"CHANNEL_3_ENABLED", 64, "Port 3 is protected, by the name."},
+      {"CHANNEL_4_ENABLED", 128, "Port 4 is protected, by the name."},
+      {"CHANNEL_5_ENABLED", 256, "Port 5 is protected, by the name."},
+      {"CHANNEL_6_ENABLED", 512, "Port 6 is protected, by the name."},
+      {"CHANNEL_1_ALLOW_CONTROL", 1024, "Port 1 accepts control without the password, by the name."},
+      {"CHANNEL_2_ALLOW_CONTROL", 2048, "Port 2 accepts control without the password, by the name."},
+      {"CHANNEL_3_ALLOW_CONTROL", 4096, "Port 3 accepts control without the password, by the name."},
+      {"CHANNEL_4_ALLOW_CONTROL", 8192, "Port 4 accepts control without the password, by the name."},
+      {"CHANNEL_5_ALLOW_CONTROL", 16384, "Port 5 accepts control without the password, by the name."},
+      {"CHANNEL_6_ALLOW_CONTROL", 32768, "Port 6 accepts control without the password, by the name."},
+  };
+  static constexpr EnumInfo info{"PassProtectFlags", values, true};
 };
 
 template <>
@@ -1768,8 +1813,26 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
       {"SW_LIMITS_DIST", 33554432, "Distances to the software limits.", {.firmware = 2738}},
       {"FOLLOW_DIST", 67108864, "Distance in follow mode.", {.firmware = 2738}},
       {"EXT_TARGET_LIMIT", 134217728, "Limits of an external target.", {.firmware = 2738}},
+      {"FRAME_CAM_ANGLE_20", 268435456, "Joint angles in high resolution."},
+      {"MAIN_IMU_STATE", 536870912, "State of the main IMU."},
+      {"INCLUDE_FLAGS", 2147483648, "FLAGS in each sample."},
   };
   static constexpr EnumInfo info{"RealtimeDataCustomFlags", values, true};
+};
+
+template <>
+struct EnumMeta<msg::RealtimeDataCustom2Flag> {
+  static constexpr ValueInfo values[] = {
+      {"FRAME_IMU_ANGLES", 1, "Angles of the frame IMU."},
+      {"FRAME_GYRO", 2, "Gyroscope of the frame IMU."},
+      {"FRAME_ACC", 4, "Accelerometer of the frame IMU."},
+      {"DEBUG", 8, "Values for debugging."},
+      {"MAG_SENS_DATA", 16, "Magnetometer."},
+      {"PIN_STATE", 32, "State of the inputs."},
+      {"STAB_ERR_AMPL", 64, "Amplitude of the stabilization error.", {.firmware = 2744}},
+      {"INCLUDE_FLAGS", 2147483648, "FLAGS in each sample."},
+  };
+  static constexpr EnumInfo info{"RealtimeDataCustom2Flags", values, true};
 };
 
 template <>
@@ -2296,7 +2359,7 @@ struct PackedMeta<msg::FirmwareVersion> {
       {.name = "minor", .mask = 0xFFFF, .shift = 0, .divide = 10, .modulo = 100},
       {.name = "beta", .mask = 0xFFFF, .shift = 0, .modulo = 10},
   };
-  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}[b{beta}]", nullptr, parts};
+  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}[b{beta}]", nullptr, parts, 2730, "{major}.{minor:02}[.{beta}]"};
 };
 
 template <>
@@ -2435,6 +2498,21 @@ struct PackedMeta<msg::EncoderConfigExt> {
       {.name = "multi_turn", .mask = 0xE0, .shift = 5, .values = &EnumMeta<msg::MultiTurn>::info},
   };
   static constexpr PackedInfo info{"EncoderConfigExt", "", nullptr, parts};
+};
+
+template <>
+struct PackedMeta<msg::InputStates> {
+  static constexpr PartInfo parts[] = {
+      {.name = "input_1", .mask = 0x03, .shift = 0, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_2", .mask = 0x0C, .shift = 2, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_3", .mask = 0x30, .shift = 4, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_4", .mask = 0xC0, .shift = 6, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_5", .mask = 0x300, .shift = 8, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_6", .mask = 0xC00, .shift = 10, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_7", .mask = 0x3000, .shift = 12, .values = &EnumMeta<msg::InputState>::info},
+      {.name = "input_8", .mask = 0xC000, .shift = 14, .values = &EnumMeta<msg::InputState>::info},
+  };
+  static constexpr PackedInfo info{"InputStates", "", nullptr, parts};
 };
 
 template <>

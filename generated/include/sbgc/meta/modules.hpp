@@ -218,6 +218,166 @@ struct Meta<msg::TransparentSapiRequest> {
 };
 
 template <>
+struct Meta<msg::ModuleFlashStart> {
+  static constexpr MessageInfo info{
+      .name = "ModuleFlashStart",
+      .command = "CMD_MODULE_FLASH_START",
+      .summary = "Begin to load new firmware into a module.",
+      .id = 78,
+      .direction = Direction::to_board,
+      .min_size = 5,
+      .max_size = 5,
+      .effects = Effects(Effect::erases)};
+  static constexpr Range firmware_size_range{1, 4294967295};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_id",
+       .spec_name = "DEVICE_ID",
+       .summary = "The module."},
+      {.name = "firmware_size",
+       .spec_name = "FIRMWARE_SIZE",
+       .summary = "Size of the file.",
+       .unit = &UnitMeta<msg::WordCount>::info,
+       .range = &firmware_size_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_id);
+    visitor(fields[1], value.firmware_size);
+  }
+};
+
+template <>
+struct Meta<msg::ModuleFlashWrite> {
+  static constexpr MessageInfo info{
+      .name = "ModuleFlashWrite",
+      .command = "CMD_MODULE_FLASH_WRITE",
+      .summary = "Load a part of new firmware into a module.",
+      .id = 81,
+      .direction = Direction::to_board,
+      .min_size = 14,
+      .max_size = 138,
+      .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_id",
+       .spec_name = "DEVICE_ID",
+       .summary = "The module."},
+      {.name = "packet_id",
+       .spec_name = "PACKET_ID",
+       .summary = "Number of the part from 0, modulo 256."},
+      {.name = "address",
+       .spec_name = "ADDRESS",
+       .summary = "Offset of the part in the file.",
+       .align = 4},
+      {.name = "data_crc32",
+       .spec_name = "DATA_CRC32",
+       .summary = "CRC-32/ISO-HDLC of DATA, as in a zip file."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "The part.",
+       .min_count = 4,
+       .max_count = 128,
+       .align = 4},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_id);
+    visitor(fields[1], value.packet_id);
+    visitor(fields[2], value.address);
+    visitor(fields[3], value.data_crc32);
+    visitor(fields[4], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ModuleFlashFinish> {
+  static constexpr MessageInfo info{
+      .name = "ModuleFlashFinish",
+      .command = "CMD_MODULE_FLASH_FINISH",
+      .summary = "End the loading of firmware into a module.",
+      .id = 83,
+      .direction = Direction::to_board,
+      .min_size = 5,
+      .max_size = 5,
+      .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_id",
+       .spec_name = "DEVICE_ID",
+       .summary = "The module."},
+      {.name = "file_crc32",
+       .spec_name = "FILE_CRC32",
+       .summary = "CRC-32/ISO-HDLC of the whole file."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_id);
+    visitor(fields[1], value.file_crc32);
+  }
+};
+
+template <>
+struct Meta<msg::UdrvDeviceScan> {
+  static constexpr const char* answers[] = {"CanDeviceScan"};
+  static constexpr MessageInfo info{
+      .name = "UdrvDeviceScan",
+      .command = "CMD_UDRV_DEVICE_SCAN",
+      .summary = "Search for uDrv modules and give them ids.",
+      .id = 144,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answers = answers,
+      .effects = Effects(Effect::stores)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::SetTranspProxy> {
+  static constexpr MessageInfo info{
+      .name = "SetTranspProxy",
+      .command = "CMD_SET_TRANSP_PROXY",
+      .summary = "Connect two serial ports of the board.",
+      .id = 143,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .since = {.firmware = 2745},
+      .effects = Effects(Effect::sets)};
+  static constexpr Special port1_special[] = {
+      {0, "the port of this request"},
+  };
+  static constexpr Special port2_special[] = {
+      {0, "the port of this request"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "port1",
+       .spec_name = "PORT1",
+       .summary = "A port; the first is 1.",
+       .special = port1_special},
+      {.name = "port2",
+       .spec_name = "PORT2",
+       .summary = "Another port.",
+       .special = port2_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.port1);
+    visitor(fields[1], value.port2);
+  }
+};
+
+template <>
 struct Meta<msg::UartBypass> {
   static constexpr MessageInfo info{
       .name = "UartBypass",

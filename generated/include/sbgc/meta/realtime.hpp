@@ -184,12 +184,12 @@ struct Meta<msg::SystemStatus> {
 template <>
 struct Meta<msg::SoftLimitDistances> {
   static constexpr Special dist_special[] = {
-      {32767, "unknown"},
+      {32767, "not set or unknown"},
   };
   static constexpr FieldInfo fields[] = {
       {.name = "dist",
        .spec_name = "DIST",
-       .summary = "Distances to the limits; the first is probably that to the lower one.",
+       .summary = "Distances to the lower and the upper limit: positive inside, negative outside of it.",
        .unit = &UnitMeta<msg::Angle14>::info,
        .special = dist_special},
   };
@@ -202,10 +202,73 @@ struct Meta<msg::SoftLimitDistances> {
 };
 
 template <>
+struct Meta<msg::MainImuState> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "g_ref_error",
+       .spec_name = "G_REF_ERROR",
+       .summary = "Angle between the estimated and the reference gravity vector.",
+       .unit = &UnitMeta<msg::AngleError>::info,
+       .unconfirmed = true},
+      {.name = "h_ref_error",
+       .spec_name = "H_REF_ERROR",
+       .summary = "Angle between the estimated and the reference heading vector.",
+       .unit = &UnitMeta<msg::AngleError>::info,
+       .unconfirmed = true},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Flags that no source explains."},
+      {.name = "ext_sensor_error",
+       .spec_name = "EXT_SENSOR_ERROR",
+       .summary = "Errors of an external sensor."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.g_ref_error);
+    visitor(fields[1], value.h_ref_error);
+    visitor(fields[2], value.flags);
+    visitor(fields[3], value.ext_sensor_error);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::PinStates> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "extra_buttons_state",
+       .spec_name = "EXTRA_BUTTONS_STATE",
+       .summary = "State of additional buttons."},
+      {.name = "pin_state",
+       .spec_name = "PIN_STATE",
+       .summary = "State of the pins."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.extra_buttons_state);
+    visitor(fields[1], value.pin_state);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
 struct Meta<msg::StreamConfig> {
   static constexpr Range drv_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Blocks to send."},
+      {.name = "custom2_flags",
        .spec_name = "FLAGS",
        .summary = "Blocks to send."},
       {.name = "imu_type",
@@ -242,14 +305,15 @@ struct Meta<msg::StreamConfig> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.flags);
-    visitor(fields[1], value.imu_type);
-    visitor(fields[2], value.event_id);
-    visitor(fields[3], value.event_type);
-    visitor(fields[4], value.telemetry_flags);
-    visitor(fields[5], value.drv_id);
-    visitor(fields[6], value.motor);
-    visitor(fields[7], value.data_set);
-    visitor(fields[8], value.rest);
+    visitor(fields[1], value.custom2_flags);
+    visitor(fields[2], value.imu_type);
+    visitor(fields[3], value.event_id);
+    visitor(fields[4], value.event_type);
+    visitor(fields[5], value.telemetry_flags);
+    visitor(fields[6], value.drv_id);
+    visitor(fields[7], value.motor);
+    visitor(fields[8], value.data_set);
+    visitor(fields[9], value.rest);
   }
 };
 
@@ -729,6 +793,9 @@ struct Meta<msg::RealtimeDataCustom> {
        .spec_name = "TIMESTAMP_MS",
        .summary = "Time of the sample.",
        .unit = &UnitMeta<msg::MillisecondClock>::info},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "FLAGS of the request."},
       {.name = "imu_angles",
        .spec_name = "IMU_ANGLES",
        .summary = "Angles of the main IMU (Euler).",
@@ -842,12 +909,12 @@ struct Meta<msg::RealtimeDataCustom> {
        .summary = "Distances of each axis to its software limits."},
       {.name = "follow_dist",
        .spec_name = "FOLLOW_DIST",
-       .summary = "Distance in follow mode.",
+       .summary = "Distance to the neutral point of the follow mode, or 0 without it.",
        .unit = &UnitMeta<msg::Angle14>::info,
        .directed = Directed::unknown},
       {.name = "ext_target_limit_min",
        .spec_name = "EXT_TARGET_LIMIT_MIN",
-       .summary = "Lower limits of an external target.",
+       .summary = "Lower limits of an external target; equal ones are none.",
        .unit = &UnitMeta<msg::LongAngle14>::info,
        .directed = Directed::by_axis,
        .unconfirmed = true},
@@ -857,42 +924,53 @@ struct Meta<msg::RealtimeDataCustom> {
        .unit = &UnitMeta<msg::LongAngle14>::info,
        .directed = Directed::by_axis,
        .unconfirmed = true},
+      {.name = "frame_cam_angle_20",
+       .spec_name = "FRAME_CAM_ANGLE_20",
+       .summary = "Joint angles, in high resolution.",
+       .unit = &UnitMeta<msg::Angle20>::info,
+       .directed = Directed::by_axis},
+      {.name = "main_imu_state",
+       .spec_name = "MAIN_IMU_STATE",
+       .summary = "State of the main IMU."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.timestamp_ms);
-    visitor(fields[1], value.imu_angles);
-    visitor(fields[2], value.target_angles);
-    visitor(fields[3], value.target_speed);
-    visitor(fields[4], value.stator_rotor_angle);
-    visitor(fields[5], value.gyro_data);
-    visitor(fields[6], value.rc_data);
-    visitor(fields[7], value.z1_vector);
-    visitor(fields[8], value.h1_vector);
-    visitor(fields[9], value.rc_channels);
-    visitor(fields[10], value.acc_data);
-    visitor(fields[11], value.motor4_control);
-    visitor(fields[12], value.ahrs_debug_info);
-    visitor(fields[13], value.encoder_raw24);
-    visitor(fields[14], value.imu_angles_rad);
-    visitor(fields[15], value.script_vars_float);
-    visitor(fields[16], value.script_vars_int16);
-    visitor(fields[17], value.system_power_state);
-    visitor(fields[18], value.frame_cam_rate);
-    visitor(fields[19], value.imu_angles_20);
-    visitor(fields[20], value.target_angles_20);
-    visitor(fields[21], value.comm_errors);
-    visitor(fields[22], value.system_state);
-    visitor(fields[23], value.imu_quat);
-    visitor(fields[24], value.target_quat);
-    visitor(fields[25], value.imu_to_frame_quat);
-    visitor(fields[26], value.adc_ch_raw);
-    visitor(fields[27], value.sw_limits_dist);
-    visitor(fields[28], value.follow_dist);
-    visitor(fields[29], value.ext_target_limit_min);
-    visitor(fields[30], value.ext_target_limit_max);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.imu_angles);
+    visitor(fields[3], value.target_angles);
+    visitor(fields[4], value.target_speed);
+    visitor(fields[5], value.stator_rotor_angle);
+    visitor(fields[6], value.gyro_data);
+    visitor(fields[7], value.rc_data);
+    visitor(fields[8], value.z1_vector);
+    visitor(fields[9], value.h1_vector);
+    visitor(fields[10], value.rc_channels);
+    visitor(fields[11], value.acc_data);
+    visitor(fields[12], value.motor4_control);
+    visitor(fields[13], value.ahrs_debug_info);
+    visitor(fields[14], value.encoder_raw24);
+    visitor(fields[15], value.imu_angles_rad);
+    visitor(fields[16], value.script_vars_float);
+    visitor(fields[17], value.script_vars_int16);
+    visitor(fields[18], value.system_power_state);
+    visitor(fields[19], value.frame_cam_rate);
+    visitor(fields[20], value.imu_angles_20);
+    visitor(fields[21], value.target_angles_20);
+    visitor(fields[22], value.comm_errors);
+    visitor(fields[23], value.system_state);
+    visitor(fields[24], value.imu_quat);
+    visitor(fields[25], value.target_quat);
+    visitor(fields[26], value.imu_to_frame_quat);
+    visitor(fields[27], value.adc_ch_raw);
+    visitor(fields[28], value.sw_limits_dist);
+    visitor(fields[29], value.follow_dist);
+    visitor(fields[30], value.ext_target_limit_min);
+    visitor(fields[31], value.ext_target_limit_max);
+    visitor(fields[32], value.frame_cam_angle_20);
+    visitor(fields[33], value.main_imu_state);
     visitor(tail_field, value.tail);
   }
 };
@@ -909,6 +987,103 @@ struct Meta<msg::RealtimeDataCustomRequest> {
       .min_size = 10,
       .max_size = 10,
       .since = {.firmware = 2590, .board = 30},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Blocks to send."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::RealtimeDataCustom2> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCustom2",
+      .command = "CMD_REALTIME_DATA_CUSTOM2",
+      .summary = "More live data of the requested blocks.",
+      .id = 139,
+      .direction = Direction::from_board,
+      .min_size = 2,
+      .max_size = 52,
+      .since = {.firmware = 2742}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "timestamp_ms",
+       .spec_name = "TIMESTAMP_MS",
+       .summary = "Time of the sample.",
+       .unit = &UnitMeta<msg::MillisecondClock>::info},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "FLAGS of the request."},
+      {.name = "frame_imu_angles",
+       .spec_name = "FRAME_IMU_ANGLES",
+       .summary = "Angles of the frame IMU (Euler).",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .directed = Directed::by_axis},
+      {.name = "frame_gyro",
+       .spec_name = "FRAME_GYRO",
+       .summary = "Gyroscope of the frame IMU.",
+       .unit = &UnitMeta<msg::GyroRate>::info,
+       .directed = Directed::unknown},
+      {.name = "frame_acc",
+       .spec_name = "FRAME_ACC",
+       .summary = "Accelerometer of the frame IMU.",
+       .unit = &UnitMeta<msg::Acceleration>::info,
+       .directed = Directed::unknown},
+      {.name = "debug",
+       .spec_name = "DEBUG",
+       .summary = "Values for debugging."},
+      {.name = "mag_sens_data",
+       .spec_name = "MAG_SENS_DATA",
+       .summary = "Raw magnetometer data."},
+      {.name = "pin_state",
+       .spec_name = "PIN_STATE",
+       .summary = "State of the inputs."},
+      {.name = "stab_err_ampl",
+       .spec_name = "STAB_ERR_AMPL",
+       .summary = "Amplitude of the stabilization error.",
+       .unit = &UnitMeta<msg::Millidegrees>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.timestamp_ms);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.frame_imu_angles);
+    visitor(fields[3], value.frame_gyro);
+    visitor(fields[4], value.frame_acc);
+    visitor(fields[5], value.debug);
+    visitor(fields[6], value.mag_sens_data);
+    visitor(fields[7], value.pin_state);
+    visitor(fields[8], value.stab_err_ampl);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::RealtimeDataCustom2Request> {
+  static constexpr const char* answers[] = {"RealtimeDataCustom2"};
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCustom2Request",
+      .command = "CMD_REALTIME_DATA_CUSTOM2",
+      .summary = "Request live data of the blocks in FLAGS.",
+      .id = 139,
+      .direction = Direction::to_board,
+      .min_size = 10,
+      .max_size = 10,
+      .since = {.firmware = 2742},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {

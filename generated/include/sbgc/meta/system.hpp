@@ -666,6 +666,91 @@ struct Meta<msg::SignMessageRequest> {
 };
 
 template <>
+struct Meta<msg::PassProtectRead> {
+  static constexpr MessageInfo info{
+      .name = "PassProtectRead",
+      .command = "CMD_PASS_PROTECT_READ",
+      .summary = "What a password protects.",
+      .id = 136,
+      .direction = Direction::from_board,
+      .min_size = 8,
+      .max_size = 8,
+      .since = {.firmware = 2736}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "What is protected."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::PassProtectReadRequest> {
+  static constexpr const char* answers[] = {"PassProtectRead"};
+  static constexpr MessageInfo info{
+      .name = "PassProtectReadRequest",
+      .command = "CMD_PASS_PROTECT_READ",
+      .summary = "Request what a password protects.",
+      .id = 136,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {.firmware = 2736},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::PassProtectWrite> {
+  static constexpr MessageInfo info{
+      .name = "PassProtectWrite",
+      .command = "CMD_PASS_PROTECT_WRITE",
+      .summary = "Choose what a password protects.",
+      .id = 137,
+      .direction = Direction::to_board,
+      .min_size = 9,
+      .max_size = 41,
+      .since = {.firmware = 2736},
+      .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "What is protected."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "new_password",
+       .spec_name = "NEW_PASSWORD",
+       .summary = "The new password; empty keeps the present one."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.reserved);
+    visitor(fields[2], value.new_password);
+  }
+};
+
+template <>
 struct Meta<msg::QueueParamsInfo3> {
   static constexpr MessageInfo info{
       .name = "QueueParamsInfo3",

@@ -384,6 +384,11 @@ struct UnitMeta<msg::Radians> {
 };
 
 template <>
+struct UnitMeta<msg::Millidegrees> {
+  static constexpr UnitInfo info{"deg", 1, 1000};
+};
+
+template <>
 struct UnitMeta<msg::LongFineSpeed> {
   static constexpr UnitInfo info{"deg/s", 1, 1000};
 };
@@ -451,6 +456,11 @@ struct UnitMeta<msg::TenthHertz> {
 template <>
 struct UnitMeta<msg::TenthDecibels> {
   static constexpr UnitInfo info{"dB", 1, 10};
+};
+
+template <>
+struct UnitMeta<msg::WordCount> {
+  static constexpr UnitInfo info{"byte", 4, 1};
 };
 
 template <>

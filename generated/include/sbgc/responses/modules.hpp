@@ -41,6 +41,48 @@ constexpr ResponsePolicy response_policy(const TransparentSapiRequest&) noexcept
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const ModuleFlashStart&) noexcept {
+  return {.responses = {.command = 78,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .has_effect = true,
+      .timeout_ms = 5000};
+}
+
+constexpr ResponsePolicy response_policy(const ModuleFlashWrite&) noexcept {
+  return {.responses = {.command = 81,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .has_effect = true,
+      .timeout_ms = 5000};
+}
+
+constexpr ResponsePolicy response_policy(const ModuleFlashFinish&) noexcept {
+  return {.responses = {.command = 83,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .has_effect = true,
+      .timeout_ms = 5000};
+}
+
+constexpr ResponsePolicy response_policy(const UdrvDeviceScan&) noexcept {
+  return {.responses = {.command = 144,
+              .form_count = 1,
+              .forms = {{{.id = 96,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 252}}}},
+      .response_required = true,
+      .has_effect = true,
+      .timeout_ms = 5000};
+}
+
+constexpr ResponsePolicy response_policy(const SetTranspProxy&) noexcept {
+  return {.responses = {.command = 143},
+      .has_effect = true,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const UartBypassRequest&) noexcept {
   return {.responses = {.command = 60,
               .confirmed = Confirmed::possible},

@@ -27,6 +27,7 @@ constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept
     case 23: change.size = 63; break;
     case 25: change.size = 124; break;
     case 88: change.size = static_cast<std::uint8_t>(2 +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::include_flags) ? 4 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
@@ -56,7 +57,18 @@ constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
-              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0)); break;
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::frame_cam_angle_20) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::main_imu_state) ? 11 : 0)); break;
+    case 139: change.size = static_cast<std::uint8_t>(2 +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::include_flags) ? 4 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::frame_imu_angles) ? 6 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::frame_gyro) ? 6 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::frame_acc) ? 6 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::debug) ? 8 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::mag_sens_data) ? 6 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::pin_state) ? 8 : 0) +
+              (request.config.custom2_flags && request.config.custom2_flags->has(RealtimeDataCustom2Flag::stab_err_ampl) ? 6 : 0)); break;
     case 56: change.size = 24; break;
     case 102: change.size = 4; break;
     case 127: change.size = static_cast<std::uint8_t>(3 +
@@ -123,6 +135,7 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               .form_count = 1,
               .forms = {{{.id = 88,
                .min_size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustomFlag::include_flags) ? 4 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
@@ -152,9 +165,12 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               (request.flags.has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
-              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0)),
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::frame_cam_angle_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::main_imu_state) ? 11 : 0)),
                .max_size = max_body_size,
                .size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustomFlag::include_flags) ? 4 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
@@ -184,7 +200,37 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               (request.flags.has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
-              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0))}}}},
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::frame_cam_angle_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::main_imu_state) ? 11 : 0))}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const RealtimeDataCustom2Request& request) noexcept {
+  return {.responses = {.command = 139,
+              .form_count = 1,
+              .forms = {{{.id = 139,
+               .min_size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustom2Flag::include_flags) ? 4 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_imu_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_gyro) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_acc) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::debug) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::mag_sens_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::pin_state) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::stab_err_ampl) ? 6 : 0)),
+               .max_size = max_body_size,
+               .size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustom2Flag::include_flags) ? 4 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_imu_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_gyro) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::frame_acc) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::debug) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::mag_sens_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::pin_state) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustom2Flag::stab_err_ampl) ? 6 : 0))}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};

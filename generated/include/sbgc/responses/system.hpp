@@ -150,6 +150,27 @@ constexpr ResponsePolicy response_policy(const SignMessageRequest&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const PassProtectReadRequest&) noexcept {
+  return {.responses = {.command = 136,
+              .form_count = 1,
+              .forms = {{{.id = 136,
+               .min_size = 8,
+               .max_size = max_body_size,
+               .size = 8}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const PassProtectWrite&) noexcept {
+  return {.responses = {.command = 137,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .timeout_ms = 2000};
+}
+
 constexpr ResponsePolicy response_policy(const QueueParamsInfo3Request&) noexcept {
   return {.responses = {.command = 30,
               .confirmed = Confirmed::possible},

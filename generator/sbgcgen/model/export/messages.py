@@ -214,8 +214,11 @@ def _stop_value(value: StopValue) -> dict[str, Any]:
     return {**result, "mask": value.mask} if value.mask else result
 
 
-def _context(context: Context) -> dict[str, Any]:
+def _context(context: Context, message: Message) -> dict[str, Any]:
     common = {"name": context.name, "summary": context.summary}
+    for field in message.fields:
+        if field.repeats_context and field.when and field.when.source == context.name:
+            common["repeated_by"] = field.name
     if context.announced is None:
         sources = [f"{message}.{field}" for message, field in context.sources]
         enum = context.type.name if context.type else None
@@ -303,7 +306,7 @@ def message_json(message: Message) -> dict[str, Any]:
         "stores": message.stores or None,
         "effect": _effect(message.effect),
         "role": _role(message.role),
-        "context": [_context(context) for context in message.contexts],
+        "context": [_context(context, message) for context in message.contexts],
         "response": _answer(message.answer),
         "layout": [_leaf_in(leaf, groups) for leaf in message.leaves],
     }

@@ -85,6 +85,7 @@ def enum_json(enum: Enum) -> dict[str, Any]:
 
 def packed_json(packed: Packed) -> dict[str, Any]:
     """A packed integer as plain data."""
+    later = {"from": packed.later_from, "display": packed.later_display}
     return {
         "name": packed.name,
         "width": packed.scalar.size,
@@ -93,6 +94,7 @@ def packed_json(packed: Packed) -> dict[str, Any]:
         "errata": list(packed.errata),
         "names": packed.names.name if packed.names else None,
         "display": packed.display or None,
+        **({"later_display": later} if packed.later_display else {}),
         "main": packed.main.name if packed.main else None,
         "parts": [_part(part) for part in packed.parts],
     }

@@ -266,6 +266,13 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             text = f"{message.name} has no context '{wanted.upper()}' for '{field.name}'"
             hint = "list it under 'context' (with 'announced_by' for announced numbers)"
             found.add(field.at, "SBGC026", text, hint)
+        fixed = len(message.body.fixed_part)
+        if field.repeats_context and (
+            field is not message.fields[fixed] or not message.keeps_tail or not field.when.flags
+        ):
+            text = f"'{field.name}' of {message.name} cannot repeat a context"
+            hint = "it comes before all that depends on the context, if that 'has' a flag"
+            found.add(field.at, "SBGC026", text, hint)
     used = {f.when.source for f in message.fields if f.when and f.when.from_context}
     used |= {f.type.context for f in message.fields if isinstance(f.type, Announced)}
     seen: set[str] = set()

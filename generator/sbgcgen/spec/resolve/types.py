@@ -299,17 +299,9 @@ class TypeResolver(Entries):
                 message = f"part '{part.name}' of {name} overlaps an earlier one"
                 self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
             used |= part.bits
-        display = str(node.get("display", ""))
-        literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
-        if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
-            message = f"the display text of {name} has the wrong syntax"
-            hint = "write {part} or {part:02}, and [b{part}] for text to omit if the part is 0"
-            self.found.add(node.at("display"), "SBGC025", message, hint)
-        for word in re.findall(r"\{(\w+)", display):
-            if word not in seen:
-                message = f"'{word}' in the display text is not a part of {name}"
-                hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
-                self.found.add(node.at("display"), "SBGC025", message, hint)
+        display = self._display(name, node, seen)
+        later = node.get("later_display", {})
+        later_display = self._display(name, later, seen) if later else ""
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
         main = self._main_part(name, node, parts)
         wanted: list[tuple[str, Map, object]] = [
@@ -329,7 +321,24 @@ class TypeResolver(Entries):
             parts=parts,
             at=at,
             main=main,
+            later_from=int(later.get("from", 0)),
+            later_display=later_display,
         )
+
+    def _display(self, name: str, node: Map, parts: set[str]) -> str:
+        """The display text in a node."""
+        display = str(node.get("display", ""))
+        literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
+        if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
+            message = f"the display text of {name} has the wrong syntax"
+            hint = "write {part} or {part:02}, and [b{part}] for text to omit if the part is 0"
+            self.found.add(node.at("display"), "SBGC025", message, hint)
+        for word in re.findall(r"\{(\w+)", display):
+            if word not in parts:
+                message = f"'{word}' in the display text is not a part of {name}"
+                hint = did_you_mean(word, parts) or f"parts: {', '.join(sorted(parts))}"
+                self.found.add(node.at("display"), "SBGC025", message, hint)
+        return display
 
     def _main_part(self, name: str, node: Map, parts: tuple[Part, ...]) -> Part | None:
         if "main" not in node:

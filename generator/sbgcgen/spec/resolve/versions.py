@@ -61,8 +61,9 @@ class VersionReader:
 
 
 def _is_written(packed: Packed) -> bool:
-    words = re.findall(r"\{(\w+)", packed.display)
-    return sorted(words) == sorted(part.name for part in packed.parts)
+    displays = [packed.display, *([packed.later_display] if packed.later_display else [])]
+    names = sorted(part.name for part in packed.parts)
+    return all(sorted(re.findall(r"\{(\w+)", display)) == names for display in displays)
 
 
 def _example(packed: Packed) -> int:

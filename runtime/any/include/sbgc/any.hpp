@@ -144,8 +144,13 @@ class AnyMessage {
   /// see <sbgc/value_text.hpp>. Axes and lists take elements with commas between them, axes also
   /// one value for all. Adds the field, or the elements of a list, if they are missing. Returns why
   /// that is not possible or not allowed by the specification, and leaves the message as it was; ""
-  /// if it is done.
-  std::string assign(std::string_view path, std::string_view text);
+  /// if it is done. With `validates` false, also sets what the specification does not allow.
+  /// Pointers that get_if() has returned become invalid.
+  std::string assign(std::string_view path, std::string_view text, bool validates = true);
+
+  /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
+  /// message has no such field.
+  bool add(std::string_view path) { return set(path, nullptr); }
 
   void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }
   std::string to_json() const;

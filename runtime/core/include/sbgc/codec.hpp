@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include <sbgc/detail/fixed.hpp>
 #include <sbgc/detail/reader.hpp>
@@ -17,6 +18,7 @@
 #include <sbgc/quantity.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/types.hpp>
+#include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>
 
 namespace sbgc {
@@ -81,6 +83,12 @@ struct BodyOf<M> {
 template <class M>
 using CodedAs = typename BodyOf<M>::Type;
 
+/// A message whose body may repeat a fact of its context.
+template <class M>
+concept RepeatsContext = HasContext<M> && requires {
+  M::Context::repeated;
+};
+
 /// Returns the error for a body of the wrong size.
 constexpr Status wrong_size(std::size_t size, std::size_t wanted) noexcept {
   return {size < wanted ? Code::too_short : Code::too_long,
@@ -127,6 +135,37 @@ constexpr Status decode_body(std::span<const std::uint8_t> body, [[maybe_unused]
   }
 }
 
+/// Returns the flags that a body repeats after its fixed members; none if it does not.
+template <class M>
+constexpr auto repeated_flags(std::span<const std::uint8_t> body) noexcept {
+  using Context = typename M::Context;
+  std::remove_cvref_t<decltype(Context{}.*Context::repeated)> flags{};
+  if (body.size() < fixed_size<M> + sizeof(flags.raw())) return flags;
+  const decltype(flags) found(wire::load<decltype(flags.raw())>(body.data() + fixed_size<M>));
+  return found.has(Context::repeats) ? found : flags;
+}
+
+/// Decodes with the flags in the context or those in the body, the first of both that fit the body
+/// exactly. Those in the body come first if the context asks for them.
+template <RepeatsContext M>
+constexpr Status decode_repeated(std::span<const std::uint8_t> body, M& out,
+                                 typename M::Context context) noexcept {
+  using Context = typename M::Context;
+  auto& flags = context.*Context::repeated;
+  auto first = flags;
+  first.set(Context::repeats, false);
+  const auto own = repeated_flags<M>(body);
+  auto second = own.has(Context::repeats) ? own : first;
+  if (flags.has(Context::repeats)) std::swap(first, second);
+  Status status;
+  for (const auto& attempt : {first, second, first}) {
+    flags = attempt;
+    status = decode_body(body, out, context);
+    if (status && out.tail.empty()) break;
+  }
+  return status;
+}
+
 template <class M, class... Context>
 constexpr WriteResult encode_body([[maybe_unused]] const M& in, std::span<std::uint8_t> out,
                                   const Context&... context) noexcept {
@@ -171,7 +210,11 @@ template <Message M>
   requires detail::HasContext<M>
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out,
                                       const typename M::Context& context = {}) noexcept {
-  return detail::decode_body<detail::CodedAs<M>>(body, out, context);
+  if constexpr (detail::RepeatsContext<M>) {
+    return detail::decode_repeated(body, out, context);
+  } else {
+    return detail::decode_body<detail::CodedAs<M>>(body, out, context);
+  }
 }
 
 /// Writes the body of a message into `out`; returns its size or the error. max_body_size bytes are

@@ -67,7 +67,13 @@ inline NeededSize needed_size(Direction direction, std::uint8_t id,
   NeededSize needed;
   select(direction, id, body.size(), [&]<class M>(Type<M>) {
     if constexpr (HasContext<M>) {
-      needed = needed_size<CodedAs<M>>(body, contexts.of(M{}));
+      typename CodedAs<M>::Context context = contexts.of(M{});
+      if constexpr (RepeatsContext<M>) {
+        const auto own = repeated_flags<M>(body);
+        if (auto& flags = context.*M::Context::repeated; flags.has(M::Context::repeats))
+          flags = own;
+      }
+      needed = needed_size<CodedAs<M>>(body, context);
     } else {
       needed = needed_size<CodedAs<M>>(body);
     }

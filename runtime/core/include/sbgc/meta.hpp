@@ -50,12 +50,15 @@ struct PartInfo {
   const UnitInfo* unit{};  ///< of the number
 };
 
-/// A packed value; `display` contains {part} for each part, or is empty.
+/// A packed value; `display` contains {part} for each part, or is empty. Values from `later_from`
+/// on have `later_display`, if it is not empty.
 struct PackedInfo {
   const char* name = "";
   const char* display = "";
   const EnumInfo* names{};
   std::span<const PartInfo> parts{};
+  std::uint64_t later_from{};
+  const char* later_display = "";
 };
 
 /// Lowest and highest raw value.

@@ -199,6 +199,27 @@ void Table::add_later_devices() {
                                                     SizeIs(9));
                                       },
                                   .options = newest_board()});
+  const auto driver = msg::ModuleId::can_drv1;
+  add<msg::ModuleFlashStart>({.request = {.device_id = driver}});
+  msg::ModuleFlashWrite part{.device_id = driver};
+  part.data.resize(8);
+  add<msg::ModuleFlashWrite>({.request = part});
+  add<msg::ModuleFlashFinish>({.request = {.device_id = driver}});
+  // There are no uDrv modules.
+  add<msg::UdrvDeviceScan>({.after = [](Host&, const Packets& packets) {
+    EXPECT_THAT(only<msg::CanDeviceScan>(packets).devices, SizeIs(0));
+  }});
+  add<msg::SetTranspProxy>({.request = {.port2 = 2}});
+  const msg::PassProtectFlags port = msg::PassProtectFlag::channel_2_enabled;
+  add<msg::PassProtectWrite>({.request = {.flags = port}});
+  add<msg::PassProtectReadRequest>(
+      {.before = [=](Host& host) { host.ask(msg::PassProtectWrite{.flags = port}); },
+       .after =
+           [=](Host&, const Packets& packets) {
+             EXPECT_EQ(only<msg::PassProtectRead>(packets).flags, port);
+           }});
+  add<msg::RealtimeDataCustom2Request>(
+      {.request = {.flags = msg::RealtimeDataCustom2Flag::pin_state}});
   add<msg::SetDebugPortRequest>({.request = {.action = msg::DebugPortAction::start}});
 }
 

@@ -222,7 +222,8 @@ inline std::string filled_in(const PackedInfo& info, std::uint64_t raw, std::str
 /// are 0: "{major}.{minor:02}[b{beta}]" yields 2.43b9, but 2.59 if beta is 0.
 inline std::string displayed(const PackedInfo& info, std::uint64_t raw) {
   std::string result;
-  std::string_view pattern = info.display;
+  const bool is_later = *info.later_display != '\0' && raw >= info.later_from;
+  std::string_view pattern = is_later ? info.later_display : info.display;
   bool is_zero = false;
   while (!pattern.empty()) {
     const std::size_t open = pattern.find('[');

@@ -1,0 +1,41 @@
+/// Firmware versions as users write them.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <sbgc/enums.hpp>
+
+namespace sbgc::tools {
+
+/// For messages about a text that is none.
+inline constexpr const char* firmware_example = "a firmware version, such as 2.59 or 2.43b9";
+
+/// Returns the version that a text such as "2.59", "2.43b9" or "2.74.5" names; nothing if it names
+/// none.
+inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text) {
+  if (text.ends_with('.') || text.ends_with('b')) return {};
+  const auto take = [&](char end, std::size_t least, std::size_t most) -> std::optional<unsigned> {
+    const std::size_t size = std::min(text.find(end), text.size());
+    unsigned value = 0;
+    const auto [stopped, error] = std::from_chars(text.data(), text.data() + size, value);
+    if (error != std::errc{} || stopped != text.data() + size || size < least || size > most) {
+      return {};
+    }
+    text.remove_prefix(std::min(size + 1, text.size()));
+    return value;
+  };
+  const auto major = take('.', 1, 2);
+  // From 2.73 on, the last number comes after another point.
+  const auto minor = take(text.find('b') == std::string_view::npos ? '.' : 'b', 2, 2);
+  const auto last = text.empty() ? 0U : take('\0', 1, 1);
+  msg::FirmwareVersion version;
+  const bool fits = major && minor && last && version.set_major(*major) &&
+                    version.set_minor(*minor) && version.set_beta(*last);
+  return fits ? std::optional(version) : std::nullopt;
+}
+
+}  // namespace sbgc::tools
