@@ -66,6 +66,7 @@ class FieldMaker(TypeMaker):
             (0.3, self.add_variable_value),
             (0.8, self.add_condition_source),
             (0.7, self.add_bits_list),
+            (0.4 * scope.in_message, self.add_group),
         ]
         weights = [weight for weight, _ in makers]
         for _ in range(count):
@@ -228,7 +229,7 @@ class FieldMaker(TypeMaker):
             return when
         names: list[Any] = [value for value, _ in kind.values]
         if not names:  # an integer
-            low, high = kind.limits or INTEGERS.get(kind.number, (0, 255))
+            low, high = kind.limits if kind.limits else INTEGERS.get(kind.number, (0, 255))
             names = [number for number in (0, 1, 2, 100) if low <= number <= high]
             if self.chance(0.4) and high > 2:
                 word = self.random.choice(("at_least", "at_most"))
@@ -329,6 +330,37 @@ class FieldMaker(TypeMaker):
         node.update(name=self.field_name() + dim, struct=name)
         scope.add(self.said(node), kind.least * count, kind.memory * count, kind.fixed)
         self.structs.append(kind)
+        return None
+
+    def add_group(self, scope: Scope) -> None:
+        """Adds a group for each axis whose fields depend on a flag set before it."""
+        if scope.has_region or scope.budget < 60:
+            return self.add_number(scope)
+        words = [self.unique("ASKED_") for _ in range(3)]
+        names = [f"{axis}_{word}" for word in words for axis in ("ROLL", "PITCH", "YAW")]
+        flags, number = self.unique("Asked"), "u16"
+        values = {name: self.said({"value": 1 << bit}) for bit, name in enumerate(names)}
+        node = self.sourced({"type": number, "values": values})
+        self.section(scope.family, "flags")[flags] = node
+        source = self.field_name()
+        scope.add(self.said({"name": source, "type": flags}), 2, 2, True)
+        inner: list[Node] = []
+        for _ in range(self.random.randint(1, 4)):
+            kind = self.number_kind() if self.chance(0.7) else self.blob_kind()
+            asked = [f"{{AXIS}}_{word}" for word in self.random.sample(words, 2)]
+            when: Node = {"field": source, self.random.choice(("has", "any")): asked}
+            if self.chance(0.3):
+                when = {"field": source, "has": asked[0], "has_not": asked[1]}
+            name = self.field_name() + self.random.choice(("", "", "[2]"))
+            field_ = self.said({"name": name, "type": kind.name})
+            if self.chance(0.8) or not inner:
+                field_["when"] = when
+            scope.memory += 8 * kind.memory + 12
+            scope.budget -= 6 * kind.least
+            inner.append(field_)
+        suffix = self.random.choice(("[axis]", "[axis]", "_{AXIS}"))
+        group = {"name": self.field_name() + suffix, "struct": self.unique("Group")}
+        scope.add(self.said({**group, "fields": inner}), 0, 0, False)
         return None
 
     def make_struct(

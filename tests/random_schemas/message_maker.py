@@ -55,6 +55,8 @@ class MessageMaker(FieldMaker):
         name = f"CMD_C{self.unique('')}"
         family = self.random.choice(order[order.index(family) if family else 0 :])
         node = self.said({"id": identity})
+        if self.chance(0.1):
+            node["as"] = self.unique("called_")
         if self.chance(0.2):
             node["since"] = self.since()
         if self.chance(0.2):
@@ -243,6 +245,8 @@ class MessageMaker(FieldMaker):
             and not body.has_contexts
             and body.scope.fields
             and body.scope.least < 120
+            # what was reserved in one message may have no bytes in another
+            and not any("firmware" in f.get("since", ()) for f in body.scope.fields)
             and order.index(body.family) <= order.index(family)
         ]
         scope = self.scope(family, 100)

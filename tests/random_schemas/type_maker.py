@@ -92,7 +92,7 @@ class TypeMaker:
 
     def make_types(self) -> None:
         """Makes types of every kind, some over each integer."""
-        for number in SIZES:
+        for number in (*SIZES, "f64"):
             for _ in range(self.random.choice((0, 1, 2, 2))):
                 self.quantities.append(self.make_quantity(number))
         for number in INTEGERS:
@@ -127,7 +127,7 @@ class TypeMaker:
             "offset": self.random.choice(offsets),
         }
         self.section(self.any_family(), "quantities")[name] = self.said(node)
-        size = SIZES[number]
+        size = SIZES.get(number, 8)
         return Kind(name, size, size, number=number, is_quantity=True, unit=unit)
 
     def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:

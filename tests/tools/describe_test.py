@@ -123,9 +123,13 @@ def test_pages_of_types_variables_and_fields() -> None:
 def test_fields_and_variables_say_which_way_they_count() -> None:
     """As the exported model does."""
     all_axes = "positive: pitch down, yaw right, roll unknown"
-    for word in ("Control.axes.pitch.angle", "GetAngles.axes.yaw.rc_speed", "rc_min_angle"):
+    for word in (
+        "Control.axes.pitch.angle",
+        "ControlExtCommand.axes.pitch.angle",
+        "GetAngles.axes.yaw.rc_speed",
+        "rc_min_angle",
+    ):
         assert all_axes in words_of(described(word)), word
-    assert "positive: down" in described("ControlExtCommand.pitch_angle")
     assert "positive: unknown" in described("RealtimeData4.axes.pitch.acc_data")
     assert "positive: unknown" in described("HelperDataExt.frame_speed")
     assert "positive" not in described("follow_speed")

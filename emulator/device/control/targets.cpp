@@ -46,25 +46,22 @@ void set_signal(const msg::ReadParams3& parameters, std::size_t axis, const Axis
 }
 
 /// One axis of CMD_CONTROL_EXT; nothing if the request has no data for it.
-template <class Speed, class Speed32, class Angle, class Angle32>
-std::optional<AxisTarget> target_of(const Optional<msg::ControlMode>& mode, const Speed& speed,
-                                    const Speed32& speed_32, const Angle& angle,
-                                    const Angle32& angle_32) {
-  if (!mode) return {};
-  AxisTarget target{.mode = *mode};
-  if (speed) {
-    target.speed = mode->flags().has(msg::ControlFlag::high_res_speed)
-                       ? msg::FineSpeed(speed->raw()).degrees_per_second()
-                       : speed->degrees_per_second();
+std::optional<AxisTarget> target_of(const msg::ControlExtAxis& axis) {
+  if (!axis.mode) return {};
+  AxisTarget target{.mode = *axis.mode};
+  if (axis.speed) {
+    target.speed = axis.mode->flags().has(msg::ControlFlag::high_res_speed)
+                       ? msg::FineSpeed(axis.speed->raw()).degrees_per_second()
+                       : axis.speed->degrees_per_second();
   }
-  if (speed_32) target.speed = speed_32->degrees_per_second();
-  if (angle) {
-    target.angle = angle->degrees();
-    target.signal = angle->raw();
+  if (axis.speed_32) target.speed = axis.speed_32->degrees_per_second();
+  if (axis.angle) {
+    target.angle = axis.angle->degrees();
+    target.signal = axis.angle->raw();
   }
-  if (angle_32) {
-    target.angle = angle_32->degrees();
-    target.signal = angle_32->raw();
+  if (axis.angle_32) {
+    target.angle = axis.angle_32->degrees();
+    target.signal = axis.angle_32->raw();
   }
   return target;
 }
@@ -72,9 +69,7 @@ std::optional<AxisTarget> target_of(const Optional<msg::ControlMode>& mode, cons
 }  // namespace
 
 AxisTargets targets_of(const msg::ControlExtCommand& r) {
-  return {target_of(r.roll_mode, r.roll_speed, r.roll_speed_32, r.roll_angle, r.roll_angle_32),
-          target_of(r.pitch_mode, r.pitch_speed, r.pitch_speed_32, r.pitch_angle, r.pitch_angle_32),
-          target_of(r.yaw_mode, r.yaw_speed, r.yaw_speed_32, r.yaw_angle, r.yaw_angle_32)};
+  return {target_of(r.axes.roll), target_of(r.axes.pitch), target_of(r.axes.yaw)};
 }
 
 std::optional<AxisCommand> command_of(const ControlParts& parts, std::size_t axis,

@@ -266,7 +266,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
         )
     _compare_answers(pair, renamed)
     _compare_effects(pair)
-    pair.compare(MEANING, "stops")
+    pair.compare(MEANING, "stops", _stops)
     _compare_roles(pair)
     pair.mark(MEANING, "stores", renamed.get(old.stores, old.stores), new.stores)
     pair.compare_since()
@@ -392,6 +392,15 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
     if when is None:
         return "else"
     return when.words
+
+
+def _stops(message: Message) -> list[list[str]]:
+    """The patterns of values that stop all motion, by the names of the protocol."""
+    names = {leaf.path: leaf.spec_name for leaf in message.leaves}
+    return [
+        sorted(f"{names.get(v.path, v.path)} & {v.mask:#x} = {v.value}" for v in pattern)
+        for pattern in message.stops
+    ]
 
 
 def _compare_roles(messages: Pair) -> None:

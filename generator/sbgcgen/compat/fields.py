@@ -8,11 +8,14 @@ lost. A tagged union may get further cases, which do not hold together with thos
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Changes, Pair
 from sbgcgen.compat.types import compare_parts, compare_unit, compare_values
+from sbgcgen.spec.resolve.leaves import expand_name
 from sbgcgen.model import (
     scalar_of,
     Blob,
@@ -194,6 +197,7 @@ def compare_fields(
     owner: str, old: Fields, new: Fields, changes: Changes, open_ended: bool = False
 ) -> None:
     """Compare two lists of fields; `open_ended` if the old one accepts longer bodies."""
+    old, new = _unfolded(old, new), _unfolded(new, old)
     pairs = _pairs(old, new)
     for before, now in pairs:
         _compare_field(owner, before, now, pairs, changes)
@@ -216,6 +220,45 @@ def compare_fields(
         level = COMPATIBLE if longer and open_ended else WIRE
         at = (new or old)[-1].at
         changes.add(level, f"{owner}: end", _place_text(end_old), _place_text(end_new), at)
+
+
+def _unfolded(fields: Fields, others: Fields) -> Fields:
+    """The fields, with those of a group that the other version lacks in its place."""
+    groups = {f.name for f in others if isinstance(f.type, Struct)}
+    result: list[Field] = []
+    for field in fields:
+        if isinstance(field.type, Struct) and field.type.looks_outside and field.name not in groups:
+            result += _members(field, field.type)
+        else:
+            result.append(field)
+    return tuple(result)
+
+
+def _members(group: Field, struct: Struct) -> Iterator[Field]:
+    """The fields in each element of a group, with their paths and own names."""
+    for suffix, word in group.elements:
+        path = f"{group.name}{suffix}."
+        for field in struct.fields:
+            other = field.alternative
+            if other is not None and other.in_group:
+                other = replace(other, source=path + other.source, in_group=False)
+            when = field.when.of(word) if field.when else None
+            yield replace(
+                field,
+                name=path + field.name,
+                spec_name=expand_name(field.spec_name, word),
+                when=_seen_outside(when, path) if when else None,
+                alternative=other,
+                axis=field.axis or (word if field.directions else ""),
+                offset=None,
+            )
+
+
+def _seen_outside(when: Condition, path: str) -> Condition:
+    """The condition of a member of a group, as one of a field of the message."""
+    terms = tuple(_seen_outside(term, path) for term in when.terms)
+    source = when.source if when.is_outside or not when.source else path + when.source
+    return replace(when, source=source, is_outside=False, terms=terms)
 
 
 def _compare_additions(
@@ -329,7 +372,7 @@ def _compare_field(
     pair.compare(MEANING if new.constant else COMPATIBLE, "constant")
     pair.compare(COMPATIBLE, "unconfirmed")
     _compare_limits(pair)
-    _compare_alternatives(pair)
+    _compare_alternatives(pair, names)
     pair.compare(MEANING, "variable")
     pair.compare(MEANING, "reserved")
     pair.compare(MEANING if old.directions else COMPATIBLE, "directed", _directed)
@@ -470,7 +513,7 @@ def _range(field: Field) -> tuple[Fraction, Fraction] | None:
     return (Fraction(scalar.minimum), Fraction(scalar.maximum))
 
 
-def _compare_alternatives(fields: Pair) -> None:
+def _compare_alternatives(fields: Pair, names: dict[str, str]) -> None:
     before, now, changes = fields.old.alternative, fields.new.alternative, fields.changes
     what = f"{fields.what}: alternative unit"
     if before is None and now is not None:
@@ -481,5 +524,6 @@ def _compare_alternatives(fields: Pair) -> None:
         if before.quantity.name != now.quantity.name:
             changes.add(SOURCE, what, before.quantity.name, now.quantity.name, fields.at)
             compare_unit(changes.pair(what, before.quantity, now.quantity))
-        flags = [f"{a.source} & {a.mask:#x}" for a in (before, now)]
+        sources = [names.get(before.source, before.source), now.source]
+        flags = [f"{source} & {a.mask:#x}" for source, a in zip(sources, (before, now))]
         fields.mark(MEANING, "alternative unit, chosen by", *flags)

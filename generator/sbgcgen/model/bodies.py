@@ -73,6 +73,11 @@ class Struct:
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @cached_property
+    def looks_outside(self) -> bool:
+        """True if its content depends on fields of the message, which then reads and writes it."""
+        return any(test.is_outside for f in self.fields if f.when for test in f.when.tests)
+
+    @cached_property
     def names(self) -> frozenset[str]:
         """The names of the fields."""
         return frozenset(f.name for f in self.fields)
@@ -155,13 +160,14 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
 class Alternative:
     """Another unit of the same bytes, selected by a flag of an earlier field.
 
-    `source` is the path of that field from the message, with "{axis}" for the current index.
+    `source` is the field of the message, or if `in_group` that of the same group.
     """
 
     quantity: Quantity
     source: str
     mask: int
     flag: EnumValue
+    in_group: bool = False
 
 
 @dataclass(frozen=True)
@@ -255,6 +261,15 @@ class Field:
             return bin(counter).count("1")
         count = part_of(self.counter_part, counter) if self.counter_part else counter
         return count + (self.counting == "minus_1")
+
+    @property
+    def elements(self) -> tuple[tuple[str, str], ...]:
+        """The suffix of the path to each element, and its word in the index."""
+        if self.dim == "one":
+            return (("", ""),)
+        if self.dim == "fixed":
+            return tuple((f"[{i}]", "") for i in range(self.count))
+        return tuple((f".{word.lower()}", word) for word in self.index)
 
     @cached_property
     def is_variable(self) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -23,6 +23,8 @@ class Condition:
     If the earlier field is missing (see `source_may_be_missing`), the condition does not hold.
 
     With `terms`, it is about several numbers: "all" of the terms hold, or "one_of" them, as `joined` says.
+    In a group of fields, the source may be a field of the message (`is_outside`), and the condition may differ
+    between the `elements` of an index; `pattern` has the words for all of them.
     """
 
     source: str
@@ -42,6 +44,15 @@ class Condition:
     at_most: int | None = None
     joined: str = ""
     terms: tuple[Condition, ...] = ()
+    is_outside: bool = False
+    elements: tuple[tuple[str, Condition], ...] = ()
+    pattern: str = ""
+
+    def of(self, word: str) -> Condition:
+        """The condition for an element of an index."""
+        if self.terms:
+            return replace(self, terms=tuple(term.of(word) for term in self.terms))
+        return dict(self.elements).get(word, self)
 
     @cached_property
     def tests(self) -> tuple[Condition, ...]:
@@ -92,7 +103,7 @@ class Condition:
         if self.terms:
             words = (" and " if self.joined == "all" else " or ").join(t.words for t in self.terms)
             return words if self.joined == "all" else f"either {words}"
-        return f"{self.subject} " + ", and ".join(
+        return self.pattern or f"{self.subject} " + ", and ".join(
             f"{verb} " + f" {join} ".join(str(getattr(v, "name", v)) for v in values)
             for verb, join, values in self.clauses
         )
@@ -117,15 +128,20 @@ class Condition:
             and (self.at_most is None or value <= self.at_most)
         )
 
-    def holds_in(self, fields: Mapping[str, Any], context: Mapping[str, Any] | None = None) -> bool:
-        """True if the condition holds for these fields and facts from earlier messages."""
+    def holds_in(
+        self,
+        fields: Mapping[str, Any],
+        context: Mapping[str, Any] | None = None,
+        outside: Mapping[str, Any] | None = None,
+    ) -> bool:
+        """True if the condition holds for these fields, facts from earlier messages, and fields outside."""
         if self.terms:
             return (all if self.joined == "all" else any)(
-                term.holds_in(fields, context) for term in self.terms
+                term.holds_in(fields, context, outside) for term in self.terms
             )
         if self.from_context:
             return self.holds((context or {}).get(self.source, 0))
-        value = value_at(fields, self.source)
+        value = value_at((outside or {}) if self.is_outside else fields, self.source)
         return self.holds(None if value is None else int(value))
 
 
@@ -166,7 +182,7 @@ def satisfying(when: Condition) -> list[dict[str, int]]:
         dict(zip(choices, values))
         for values in product(*[sorted(known) for known in choices.values()])
     )
-    return [values for values in found if when.holds_in(values, values)][:4]
+    return [values for values in found if when.holds_in(values, values, values)][:4]
 
 
 def _candidates(when: Condition) -> list[int]:

@@ -246,7 +246,14 @@ def copy_field(message: Message) -> Field | None:
 
 
 def conditions(message: Message) -> list[Condition]:
-    """All conditions on fields and contexts: those of the fields and tagged unions."""
+    """All conditions on fields of the message and contexts: those of the fields, unions and groups."""
     unions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
     inner = [member for union in unions for member in union.fields]
-    return [member.when for member in (*message.fields, *inner) if member.when]
+    found = [member.when for member in (*message.fields, *inner) if member.when]
+    groups = [m for m in message.fields if isinstance(m.type, Struct) and m.type.looks_outside]
+    for group in groups:
+        assert isinstance(group.type, Struct)
+        asked = [member.when for member in group.type.fields if member.when]
+        outer = [when for when in asked if all(test.is_outside for test in when.tests)]
+        found += [when.of(word) for _, word in group.elements for when in outer]
+    return found

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 _FIELD = re.compile(
-    r"(?P<head>[A-Za-z][A-Za-z0-9_]*?)"
+    r"(?P<head>[A-Za-z][A-Za-z0-9_]*?|(?=\{[A-Z]))"
     r"(?P<expand>\{(?P<kind>[A-Z]+|[0-9]+\.\.[0-9]+)\})?"
     r"(?P<rest>[A-Za-z0-9_]*)"
     r"(?P<array>\[(?P<index>[A-Za-z0-9_.]*)\])?\Z"
@@ -28,11 +28,13 @@ class FieldName:
 
 
 def parse_field_name(text: str) -> FieldName | None:
-    """Parses NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}_MORE."""
+    """Parses NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS}, {AXIS}_NAME or NAME{1..5}_MORE."""
     match = _FIELD.match(text)
     if match is None or (match["expand"] and match["array"]):
         return None
     base = (match["head"] + match["rest"]).replace("__", "_").strip("_")
+    if not base[:1].isalpha():
+        return None
     spec_name = match["head"] + ("{" + match["kind"] + "}" if match["expand"] else "")
     return FieldName(base, spec_name + match["rest"], match["kind"], match["index"])
 

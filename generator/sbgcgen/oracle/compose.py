@@ -165,6 +165,7 @@ class _Composer:
         self.choice = choice
         self.conditional = False
         self.element = 0  # sum of the indices in enclosing lists
+        self.word = ""  # of the index of an enclosing group
 
     def fields(self, body: Struct, path: str, around: Fields) -> Fields:
         values: Fields = {}
@@ -176,7 +177,7 @@ class _Composer:
             if member.fits and not self.choice.fits:
                 continue
             if member.when:
-                if not self._is_present(member.when, {**around, **values}):
+                if not self._is_present(member.when.of(self.word), values, around):
                     continue
                 self.conditional = True
             values[name] = self._member(member, body.fields, path, values)
@@ -185,9 +186,9 @@ class _Composer:
                 values[member.counter] = max(0, counter_of(member, values[name]))
         return values
 
-    def _is_present(self, when: Condition, values: Fields) -> bool:
+    def _is_present(self, when: Condition, values: Fields, around: Fields) -> bool:
         is_left_out = when.may_be_missing and self.choice.leave_out
-        return not is_left_out and when.holds_in(values, self.choice.context)
+        return not is_left_out and when.holds_in({**around, **values}, self.choice.context, around)
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
@@ -205,7 +206,12 @@ class _Composer:
             return 0  # set after its list
         if member.dim == "one":
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
+            if isinstance(member.type, Struct) and member.type.looks_outside:
+                around = values
             return self._value(member, name, around)
+        if isinstance(member.type, Struct) and member.type.looks_outside:
+            elements = [self._in_group(member, name, values, *e) for e in member.elements]
+            return elements if member.dim == "fixed" else dict(zip(keys_of(member), elements))
         if member.dim not in LISTS:
             return {key: self._value(member, f"{name}.{key}") for key in keys_of(member)}
         if isinstance(member.type, Announced):
@@ -218,6 +224,13 @@ class _Composer:
         if member.dim == "fixed":
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
         return [self._element(member, f"{name}[]", i) for i in range(count)]
+
+    def _in_group(self, member: Field, name: str, values: Fields, suffix: str, word: str) -> Any:
+        """An element of a group whose content depends on the fields around it."""
+        outside, self.word = self.word, word
+        value = self._value(member, name + suffix, values)
+        self.word = outside
+        return value
 
     def _is_typical(self, member: Field, name: str) -> bool:
         """True if the whole field has its typical value."""

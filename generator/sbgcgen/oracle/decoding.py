@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
@@ -135,7 +136,10 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
-        return _read_value(field.type, reader, field.name)
+        return _read_one(field, reader, values, "", "")
+    if isinstance(field.type, Struct) and field.type.looks_outside:
+        elements = [_read_one(field, reader, values, *element) for element in field.elements]
+        return elements if field.dim == "fixed" else dict(zip(keys_of(field), elements))
     if field.dim not in LISTS:
         keys = keys_of(field)
         return dict(zip(keys, _read_some(field, len(keys), reader)))
@@ -147,6 +151,20 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
     if count < 0:
         return _read_to_the_end(field, reader)
     return _read_some(field, count, reader)
+
+
+def _read_one(field: Field, reader: _Reader, values: Fields, suffix: str, word: str) -> Any:
+    """One element; the content of a group may depend on the fields around it and on the element."""
+    if not isinstance(field.type, Struct) or not field.type.looks_outside:
+        return _read_value(field.type, reader, field.name)
+    inner: Fields = {}
+    for member in field.type.fields:
+        named = replace(member, name=f"{field.name}{suffix}.{member.name}")
+        when = member.when.of(word) if member.when else None
+        is_short = bool(when and when.may_be_missing and reader.left() < (member.size or 0))
+        if when is None or (when.holds_in(inner, None, values) and not is_short):
+            inner[member.name] = _read_field(named, reader, inner, {})
+    return inner
 
 
 def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:

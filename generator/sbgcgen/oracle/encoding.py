@@ -61,18 +61,24 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
 
 
 def _write_fields(
-    body: Struct, values: Fields, writer: _Writer, path: str, around: Any = None
+    body: Struct, values: Fields, writer: _Writer, path: str, around: Any = None, word: str = ""
 ) -> None:
-    conditions = values if around is None else around
+    around = {} if around is None else around
     unknown = values.keys() - body.names
     if unknown:
         raise CodecError("presence_mismatch", path + min(unknown), writer.at)
     for field in body.fields:
-        _write_member(body, field, values, writer, path, conditions)
+        _write_member(body, field, values, writer, path, around, word)
 
 
 def _write_member(
-    body: Struct, field: Field, values: Fields, writer: _Writer, path: str, conditions: Any
+    body: Struct,
+    field: Field,
+    values: Fields,
+    writer: _Writer,
+    path: str,
+    around: Fields,
+    word: str,
 ) -> None:
     name = path + field.name
     present = field.name in values
@@ -81,7 +87,8 @@ def _write_member(
     elif field.when:
         # Encoding has no context, so fields that depend on one are written if present.
         if not field.when.from_context:
-            wanted = field.when.holds_in(conditions)
+            seen = around if body.is_region else values
+            wanted = field.when.of(word).holds_in(seen, None, around)
             if present != wanted and (present or not field.when.may_be_missing):
                 raise CodecError("presence_mismatch", name, writer.at)
             if wanted and not present:
@@ -127,8 +134,16 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:
             _write_region(field.type, value, writer, name, around)
+        elif isinstance(field.type, Struct) and field.type.looks_outside:
+            _write_fields(field.type, value, writer, f"{name}.", around)
         else:
             _write_value(field.type, value, writer, name)
+    elif isinstance(field.type, Struct) and field.type.looks_outside:
+        keys = keys_of(field) if field.dim != "fixed" else range(field.count)
+        if len(value) != len(keys):
+            raise CodecError("presence_mismatch", name, writer.at)
+        for key, (suffix, word) in zip(keys, field.elements):
+            _write_fields(field.type, value[key], writer, f"{name}{suffix}.", around, word)
     elif field.dim not in LISTS:
         if list(value) != list(keys_of(field)):
             raise CodecError("presence_mismatch", name, writer.at)

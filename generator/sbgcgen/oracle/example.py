@@ -24,6 +24,7 @@ from sbgcgen.model import (
     Scalar,
     Struct,
     Type,
+    value_at,
 )
 from sbgcgen.model.packed_text import part_of, text_of
 from sbgcgen.oracle.json_values import plain
@@ -264,9 +265,8 @@ class _ValueReader:
         if other is None:
             return type_
         axis = next((a for a in ("roll", "pitch", "yaw") if f".{a}." in f"{path}."), "")
-        flags: Any = self.whole
-        for word in other.source.replace("{axis}", axis).split("."):
-            flags = flags[word]
+        group = path.rpartition(".")[0] + "." if other.in_group else ""
+        flags: Any = value_at(self.whole, group + other.source)
         flags = flags[axis] if isinstance(flags, dict) else flags
         return other.quantity if flags & other.mask else type_
 

@@ -156,10 +156,10 @@ TEST(ControlExt, HasDataForSomeAxesInTwoWidths) {
   msg::ControlExtCommand request;
   request.data_set = Field::pitch_angle | Field::pitch_angle_32bit;
   request.data_set.set(Field::pitch_speed).set(Field::pitch_speed_32bit);
-  request.pitch_mode = msg::ControlMode(ModeKind::angle);
-  request.pitch_flags = msg::ControlExtFlags{};
-  request.pitch_speed_32 = msg::LongFineSpeed(20'000);  // 20 deg/s
-  request.pitch_angle_32 = msg::Angle20::from_degrees(-25.5).value_or({});
+  request.axes.pitch.mode = msg::ControlMode(ModeKind::angle);
+  request.axes.pitch.flags = msg::ControlExtFlags{};
+  request.axes.pitch.speed_32 = msg::LongFineSpeed(20'000);  // 20 deg/s
+  request.axes.pitch.angle_32 = msg::Angle20::from_degrees(-25.5).value_or({});
   host.ask(request, seconds(4));
   EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -25.5, 0.01);
   EXPECT_NEAR(yaw_speed(host), 20, 0.1) << "no data for this axis";

@@ -349,7 +349,7 @@ def test_leaves_say_which_way_they_count(model: dict[str, Any]) -> None:
     for name, path in (
         ("Control", "axes.{}.angle"),
         ("Control", "axes.{}.speed"),
-        ("ControlExtCommand", "{}_angle"),
+        ("ControlExtCommand", "axes.{}.angle"),
         ("GetAngles", "axes.{}.rc_target_angle"),
         ("GetAnglesExt", "axes.{}.stator_rotor_angle"),
         ("RealtimeData4", "angle.{}"),

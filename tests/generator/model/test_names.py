@@ -42,6 +42,7 @@ def test_singular(plural: str, expected: str) -> None:
         ("SERVO{1..4}_OUT", "SERVO_OUT", "SERVO{1..4}_OUT", "1..4", None),
         ("MENU_CMD_{1..5}", "MENU_CMD", "MENU_CMD_{1..5}", "1..5", None),
         ("A_{AXIS}_B", "A_B", "A_{AXIS}_B", "AXIS", None),
+        ("{AXIS}_B", "B", "{AXIS}_B", "AXIS", None),
         ("deviceID", "deviceID", "deviceID", None, None),
     ],
 )
@@ -65,6 +66,9 @@ def test_field_name(
         "A[1][2]",
         "A[-1]",
         "A_{axis}",
+        "{AXIS}",
+        "{AXIS}_3",
+        "{1..3}_A",
         "A_{AXIS}[3]",
         "Größe",
         "A\n",

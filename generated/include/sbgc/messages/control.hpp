@@ -35,6 +35,28 @@ struct ControlAxis {
   using FixedMembers = Members<&ControlAxis::speed, &ControlAxis::angle>;
 };
 
+/// Motion of each axis.
+struct ControlExtAxis {
+  /// Mode. Present if data_set has {AXIS}_SPEED or {AXIS}_ANGLE.
+  Optional<ControlMode> mode{};
+  /// Further options. Present if data_set has {AXIS}_SPEED or {AXIS}_ANGLE.
+  Optional<ControlExtFlags> flags{};
+  /// Speed. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set. Present if
+  /// data_set has {AXIS}_SPEED, and lacks {AXIS}_SPEED_32BIT.
+  Optional<ControlSpeed> speed{};
+  /// Speed, with 32 bits. Unit: deg/s. Present if data_set has {AXIS}_SPEED and {AXIS}_SPEED_32BIT.
+  /// Unconfirmed.
+  Optional<LongFineSpeed> speed_32{};
+  /// Target angle, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
+  /// {AXIS}_ANGLE, and lacks {AXIS}_ANGLE_32BIT.
+  Optional<Angle14> angle{};
+  /// Target angle, with 32 bits. Unit: deg. Present if data_set has {AXIS}_ANGLE and
+  /// {AXIS}_ANGLE_32BIT. Unconfirmed.
+  Optional<Angle20> angle_32{};
+
+  bool operator==(const ControlExtAxis&) const = default;
+};
+
 /// Options of each axis.
 struct ControlConfigAxis {
   /// For rc_lpf: the filter does not change.
@@ -204,97 +226,62 @@ struct ControlExtCommand {
 
   /// Which of the following fields are present.
   ControlExtFields data_set{};
-  /// Mode of roll. Present if data_set has ROLL_SPEED or ROLL_ANGLE.
-  Optional<ControlMode> roll_mode{};
-  /// Further options of roll. Present if data_set has ROLL_SPEED or ROLL_ANGLE.
-  Optional<ControlExtFlags> roll_flags{};
-  /// Speed of roll. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
-  /// Present if data_set has ROLL_SPEED, and lacks ROLL_SPEED_32BIT.
-  Optional<ControlSpeed> roll_speed{};
-  /// Speed of roll, with 32 bits. Unit: deg/s. Present if data_set has ROLL_SPEED and
-  /// ROLL_SPEED_32BIT. Unconfirmed.
-  Optional<LongFineSpeed> roll_speed_32{};
-  /// Target angle of roll, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
-  /// ROLL_ANGLE, and lacks ROLL_ANGLE_32BIT.
-  Optional<Angle14> roll_angle{};
-  /// Target angle of roll, with 32 bits. Unit: deg. Present if data_set has ROLL_ANGLE and
-  /// ROLL_ANGLE_32BIT. Unconfirmed.
-  Optional<Angle20> roll_angle_32{};
-  /// Mode of pitch. Present if data_set has PITCH_SPEED or PITCH_ANGLE.
-  Optional<ControlMode> pitch_mode{};
-  /// Further options of pitch. Present if data_set has PITCH_SPEED or PITCH_ANGLE.
-  Optional<ControlExtFlags> pitch_flags{};
-  /// Speed of pitch. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
-  /// Present if data_set has PITCH_SPEED, and lacks PITCH_SPEED_32BIT.
-  Optional<ControlSpeed> pitch_speed{};
-  /// Speed of pitch, with 32 bits. Unit: deg/s. Present if data_set has PITCH_SPEED and
-  /// PITCH_SPEED_32BIT. Unconfirmed.
-  Optional<LongFineSpeed> pitch_speed_32{};
-  /// Target angle of pitch, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
-  /// PITCH_ANGLE, and lacks PITCH_ANGLE_32BIT.
-  Optional<Angle14> pitch_angle{};
-  /// Target angle of pitch, with 32 bits. Unit: deg. Present if data_set has PITCH_ANGLE and
-  /// PITCH_ANGLE_32BIT. Unconfirmed.
-  Optional<Angle20> pitch_angle_32{};
-  /// Mode of yaw. Present if data_set has YAW_SPEED or YAW_ANGLE.
-  Optional<ControlMode> yaw_mode{};
-  /// Further options of yaw. Present if data_set has YAW_SPEED or YAW_ANGLE.
-  Optional<ControlExtFlags> yaw_flags{};
-  /// Speed of yaw. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
-  /// Present if data_set has YAW_SPEED, and lacks YAW_SPEED_32BIT.
-  Optional<ControlSpeed> yaw_speed{};
-  /// Speed of yaw, with 32 bits. Unit: deg/s. Present if data_set has YAW_SPEED and
-  /// YAW_SPEED_32BIT. Unconfirmed.
-  Optional<LongFineSpeed> yaw_speed_32{};
-  /// Target angle of yaw, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
-  /// YAW_ANGLE, and lacks YAW_ANGLE_32BIT.
-  Optional<Angle14> yaw_angle{};
-  /// Target angle of yaw, with 32 bits. Unit: deg. Present if data_set has YAW_ANGLE and
-  /// YAW_ANGLE_32BIT. Unconfirmed.
-  Optional<Angle20> yaw_angle_32{};
+  /// Motion of each axis.
+  Axes<ControlExtAxis> axes{};
 
   bool operator==(const ControlExtCommand&) const = default;
   using FixedMembers = Members<&ControlExtCommand::data_set>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when((self.data_set.has(ControlExtField::roll_speed) ||
-        self.data_set.has(ControlExtField::roll_angle)), self.roll_mode, "roll_mode");
+        self.data_set.has(ControlExtField::roll_angle)), self.axes.roll.mode, "axes.roll.mode");
     cursor.when((self.data_set.has(ControlExtField::roll_speed) ||
-        self.data_set.has(ControlExtField::roll_angle)), self.roll_flags, "roll_flags");
+        self.data_set.has(ControlExtField::roll_angle)), self.axes.roll.flags, "axes.roll.flags");
     cursor.when(self.data_set.has(ControlExtField::roll_speed) &&
-        !self.data_set.has(ControlExtField::roll_speed_32bit), self.roll_speed, "roll_speed");
+        !self.data_set.has(ControlExtField::roll_speed_32bit), self.axes.roll.speed,
+        "axes.roll.speed");
     cursor.when(self.data_set.has(ControlExtField::roll_speed) &&
-        self.data_set.has(ControlExtField::roll_speed_32bit), self.roll_speed_32, "roll_speed_32");
+        self.data_set.has(ControlExtField::roll_speed_32bit), self.axes.roll.speed_32,
+        "axes.roll.speed_32");
     cursor.when(self.data_set.has(ControlExtField::roll_angle) &&
-        !self.data_set.has(ControlExtField::roll_angle_32bit), self.roll_angle, "roll_angle");
+        !self.data_set.has(ControlExtField::roll_angle_32bit), self.axes.roll.angle,
+        "axes.roll.angle");
     cursor.when(self.data_set.has(ControlExtField::roll_angle) &&
-        self.data_set.has(ControlExtField::roll_angle_32bit), self.roll_angle_32, "roll_angle_32");
+        self.data_set.has(ControlExtField::roll_angle_32bit), self.axes.roll.angle_32,
+        "axes.roll.angle_32");
     cursor.when((self.data_set.has(ControlExtField::pitch_speed) ||
-        self.data_set.has(ControlExtField::pitch_angle)), self.pitch_mode, "pitch_mode");
+        self.data_set.has(ControlExtField::pitch_angle)), self.axes.pitch.mode, "axes.pitch.mode");
     cursor.when((self.data_set.has(ControlExtField::pitch_speed) ||
-        self.data_set.has(ControlExtField::pitch_angle)), self.pitch_flags, "pitch_flags");
+        self.data_set.has(ControlExtField::pitch_angle)), self.axes.pitch.flags,
+        "axes.pitch.flags");
     cursor.when(self.data_set.has(ControlExtField::pitch_speed) &&
-        !self.data_set.has(ControlExtField::pitch_speed_32bit), self.pitch_speed, "pitch_speed");
+        !self.data_set.has(ControlExtField::pitch_speed_32bit), self.axes.pitch.speed,
+        "axes.pitch.speed");
     cursor.when(self.data_set.has(ControlExtField::pitch_speed) &&
-        self.data_set.has(ControlExtField::pitch_speed_32bit), self.pitch_speed_32,
-        "pitch_speed_32");
+        self.data_set.has(ControlExtField::pitch_speed_32bit), self.axes.pitch.speed_32,
+        "axes.pitch.speed_32");
     cursor.when(self.data_set.has(ControlExtField::pitch_angle) &&
-        !self.data_set.has(ControlExtField::pitch_angle_32bit), self.pitch_angle, "pitch_angle");
+        !self.data_set.has(ControlExtField::pitch_angle_32bit), self.axes.pitch.angle,
+        "axes.pitch.angle");
     cursor.when(self.data_set.has(ControlExtField::pitch_angle) &&
-        self.data_set.has(ControlExtField::pitch_angle_32bit), self.pitch_angle_32,
-        "pitch_angle_32");
+        self.data_set.has(ControlExtField::pitch_angle_32bit), self.axes.pitch.angle_32,
+        "axes.pitch.angle_32");
     cursor.when((self.data_set.has(ControlExtField::yaw_speed) ||
-        self.data_set.has(ControlExtField::yaw_angle)), self.yaw_mode, "yaw_mode");
+        self.data_set.has(ControlExtField::yaw_angle)), self.axes.yaw.mode, "axes.yaw.mode");
     cursor.when((self.data_set.has(ControlExtField::yaw_speed) ||
-        self.data_set.has(ControlExtField::yaw_angle)), self.yaw_flags, "yaw_flags");
+        self.data_set.has(ControlExtField::yaw_angle)), self.axes.yaw.flags, "axes.yaw.flags");
     cursor.when(self.data_set.has(ControlExtField::yaw_speed) &&
-        !self.data_set.has(ControlExtField::yaw_speed_32bit), self.yaw_speed, "yaw_speed");
+        !self.data_set.has(ControlExtField::yaw_speed_32bit), self.axes.yaw.speed,
+        "axes.yaw.speed");
     cursor.when(self.data_set.has(ControlExtField::yaw_speed) &&
-        self.data_set.has(ControlExtField::yaw_speed_32bit), self.yaw_speed_32, "yaw_speed_32");
+        self.data_set.has(ControlExtField::yaw_speed_32bit), self.axes.yaw.speed_32,
+        "axes.yaw.speed_32");
     cursor.when(self.data_set.has(ControlExtField::yaw_angle) &&
-        !self.data_set.has(ControlExtField::yaw_angle_32bit), self.yaw_angle, "yaw_angle");
+        !self.data_set.has(ControlExtField::yaw_angle_32bit), self.axes.yaw.angle,
+        "axes.yaw.angle");
     cursor.when(self.data_set.has(ControlExtField::yaw_angle) &&
-        self.data_set.has(ControlExtField::yaw_angle_32bit), self.yaw_angle_32, "yaw_angle_32");
+        self.data_set.has(ControlExtField::yaw_angle_32bit), self.axes.yaw.angle_32,
+        "axes.yaw.angle_32");
   }
 };
 

@@ -38,6 +38,55 @@ struct Meta<msg::ControlAxis> {
 };
 
 template <>
+struct Meta<msg::ControlExtAxis> {
+  static constexpr AlternativeUnit speed_alternative{"mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
+  static constexpr Range angle_range{-32768, 32767};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "{AXIS}_MODE",
+       .summary = "Mode."},
+      {.name = "flags",
+       .spec_name = "{AXIS}_FLAGS",
+       .summary = "Further options."},
+      {.name = "speed",
+       .spec_name = "{AXIS}_SPEED",
+       .summary = "Speed.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
+       .directed = Directed::by_axis,
+       .alternative = &speed_alternative},
+      {.name = "speed_32",
+       .spec_name = "{AXIS}_SPEED_32",
+       .summary = "Speed, with 32 bits.",
+       .unit = &UnitMeta<msg::LongFineSpeed>::info,
+       .directed = Directed::by_axis,
+       .unconfirmed = true},
+      {.name = "angle",
+       .spec_name = "{AXIS}_ANGLE",
+       .summary = "Target angle, or an RC signal as in CMD_CONTROL.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &angle_range,
+       .directed = Directed::by_axis},
+      {.name = "angle_32",
+       .spec_name = "{AXIS}_ANGLE_32",
+       .summary = "Target angle, with 32 bits.",
+       .unit = &UnitMeta<msg::Angle20>::info,
+       .directed = Directed::by_axis,
+       .unconfirmed = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.speed);
+    visitor(fields[3], value.speed_32);
+    visitor(fields[4], value.angle);
+    visitor(fields[5], value.angle_32);
+  }
+};
+
+template <>
 struct Meta<msg::ControlConfigAxis> {
   static constexpr Range rc_lpf_range{1, 255};
   static constexpr Special rc_lpf_special[] = {
@@ -236,130 +285,20 @@ struct Meta<msg::ControlExtCommand> {
       .max_size = 32,
       .since = {.firmware = 2680},
       .effects = Effects(Effect::moves)};
-  static constexpr AlternativeUnit roll_speed_alternative{"roll_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
-  static constexpr Range roll_angle_range{-32768, 32767};
-  static constexpr AlternativeUnit pitch_speed_alternative{"pitch_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
-  static constexpr Range pitch_angle_range{-32768, 32767};
-  static constexpr AlternativeUnit yaw_speed_alternative{"yaw_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
-  static constexpr Range yaw_angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
       {.name = "data_set",
        .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
-      {.name = "roll_mode",
-       .spec_name = "ROLL_MODE",
-       .summary = "Mode of roll."},
-      {.name = "roll_flags",
-       .spec_name = "ROLL_FLAGS",
-       .summary = "Further options of roll."},
-      {.name = "roll_speed",
-       .spec_name = "ROLL_SPEED",
-       .summary = "Speed of roll.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::roll,
-       .alternative = &roll_speed_alternative},
-      {.name = "roll_speed_32",
-       .spec_name = "ROLL_SPEED_32",
-       .summary = "Speed of roll, with 32 bits.",
-       .unit = &UnitMeta<msg::LongFineSpeed>::info,
-       .directed = Directed::roll,
-       .unconfirmed = true},
-      {.name = "roll_angle",
-       .spec_name = "ROLL_ANGLE",
-       .summary = "Target angle of roll, or an RC signal as in CMD_CONTROL.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &roll_angle_range,
-       .directed = Directed::roll},
-      {.name = "roll_angle_32",
-       .spec_name = "ROLL_ANGLE_32",
-       .summary = "Target angle of roll, with 32 bits.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::roll,
-       .unconfirmed = true},
-      {.name = "pitch_mode",
-       .spec_name = "PITCH_MODE",
-       .summary = "Mode of pitch."},
-      {.name = "pitch_flags",
-       .spec_name = "PITCH_FLAGS",
-       .summary = "Further options of pitch."},
-      {.name = "pitch_speed",
-       .spec_name = "PITCH_SPEED",
-       .summary = "Speed of pitch.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::pitch,
-       .alternative = &pitch_speed_alternative},
-      {.name = "pitch_speed_32",
-       .spec_name = "PITCH_SPEED_32",
-       .summary = "Speed of pitch, with 32 bits.",
-       .unit = &UnitMeta<msg::LongFineSpeed>::info,
-       .directed = Directed::pitch,
-       .unconfirmed = true},
-      {.name = "pitch_angle",
-       .spec_name = "PITCH_ANGLE",
-       .summary = "Target angle of pitch, or an RC signal as in CMD_CONTROL.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &pitch_angle_range,
-       .directed = Directed::pitch},
-      {.name = "pitch_angle_32",
-       .spec_name = "PITCH_ANGLE_32",
-       .summary = "Target angle of pitch, with 32 bits.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::pitch,
-       .unconfirmed = true},
-      {.name = "yaw_mode",
-       .spec_name = "YAW_MODE",
-       .summary = "Mode of yaw."},
-      {.name = "yaw_flags",
-       .spec_name = "YAW_FLAGS",
-       .summary = "Further options of yaw."},
-      {.name = "yaw_speed",
-       .spec_name = "YAW_SPEED",
-       .summary = "Speed of yaw.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::yaw,
-       .alternative = &yaw_speed_alternative},
-      {.name = "yaw_speed_32",
-       .spec_name = "YAW_SPEED_32",
-       .summary = "Speed of yaw, with 32 bits.",
-       .unit = &UnitMeta<msg::LongFineSpeed>::info,
-       .directed = Directed::yaw,
-       .unconfirmed = true},
-      {.name = "yaw_angle",
-       .spec_name = "YAW_ANGLE",
-       .summary = "Target angle of yaw, or an RC signal as in CMD_CONTROL.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &yaw_angle_range,
-       .directed = Directed::yaw},
-      {.name = "yaw_angle_32",
-       .spec_name = "YAW_ANGLE_32",
-       .summary = "Target angle of yaw, with 32 bits.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::yaw,
-       .unconfirmed = true},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Motion of each axis."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.data_set);
-    visitor(fields[1], value.roll_mode);
-    visitor(fields[2], value.roll_flags);
-    visitor(fields[3], value.roll_speed);
-    visitor(fields[4], value.roll_speed_32);
-    visitor(fields[5], value.roll_angle);
-    visitor(fields[6], value.roll_angle_32);
-    visitor(fields[7], value.pitch_mode);
-    visitor(fields[8], value.pitch_flags);
-    visitor(fields[9], value.pitch_speed);
-    visitor(fields[10], value.pitch_speed_32);
-    visitor(fields[11], value.pitch_angle);
-    visitor(fields[12], value.pitch_angle_32);
-    visitor(fields[13], value.yaw_mode);
-    visitor(fields[14], value.yaw_flags);
-    visitor(fields[15], value.yaw_speed);
-    visitor(fields[16], value.yaw_speed_32);
-    visitor(fields[17], value.yaw_angle);
-    visitor(fields[18], value.yaw_angle_32);
+    visitor(fields[1], value.axes);
   }
 };
 

@@ -47,18 +47,18 @@ constexpr ResponsePolicy response_policy(const ControlExtCommand& request) noexc
       .retry_is_safe = true,
       .has_effect = true,
       .moves = true,
-      .stops = (request.roll_mode && (request.roll_mode->raw() & 0x0F) == 0x01 &&
-          request.pitch_mode && (request.pitch_mode->raw() & 0x0F) == 0x01 &&
-          request.yaw_mode && (request.yaw_mode->raw() & 0x0F) == 0x01 &&
-          request.roll_speed && request.roll_speed->raw() == 0 &&
-          request.pitch_speed && request.pitch_speed->raw() == 0 &&
-          request.yaw_speed && request.yaw_speed->raw() == 0) ||
-          (request.roll_mode && (request.roll_mode->raw() & 0x0F) == 0x01 &&
-          request.pitch_mode && (request.pitch_mode->raw() & 0x0F) == 0x01 &&
-          request.yaw_mode && (request.yaw_mode->raw() & 0x0F) == 0x01 &&
-          request.roll_speed_32 && request.roll_speed_32->raw() == 0 &&
-          request.pitch_speed_32 && request.pitch_speed_32->raw() == 0 &&
-          request.yaw_speed_32 && request.yaw_speed_32->raw() == 0),
+      .stops = (request.axes.roll.mode && (request.axes.roll.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.pitch.mode && (request.axes.pitch.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.yaw.mode && (request.axes.yaw.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed && request.axes.roll.speed->raw() == 0 &&
+          request.axes.pitch.speed && request.axes.pitch.speed->raw() == 0 &&
+          request.axes.yaw.speed && request.axes.yaw.speed->raw() == 0) ||
+          (request.axes.roll.mode && (request.axes.roll.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.pitch.mode && (request.axes.pitch.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.yaw.mode && (request.axes.yaw.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed_32 && request.axes.roll.speed_32->raw() == 0 &&
+          request.axes.pitch.speed_32 && request.axes.pitch.speed_32->raw() == 0 &&
+          request.axes.yaw.speed_32 && request.axes.yaw.speed_32->raw() == 0),
       .timeout_ms = 500};
 }
 

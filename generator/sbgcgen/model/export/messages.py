@@ -66,14 +66,14 @@ def _accepted(when: Condition) -> list[Any]:
     return [v.name for v in when.values] if when.enum else list(when.numbers)
 
 
-def _alternative(other: Alternative | None) -> dict[str, Any] | None:
+def _alternative(other: Alternative | None, path: str) -> dict[str, Any] | None:
     if other is None:
         return None
     return {
         "unit": other.quantity.unit,
         "scale": number(other.quantity.scale),
         "flag": other.flag.name,
-        "field": other.source,
+        "field": (path.rpartition(".")[0] + "." if other.in_group else "") + other.source,
     }
 
 
@@ -122,7 +122,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
         when=_condition(leaf.when),
-        alternative=_alternative(field.alternative),
+        alternative=_alternative(field.alternative, leaf.path),
         since=version(field.since),
         typical=None if field.typical is None else element_of(field.typical, leaf.path),
         deprecated=deprecation(field.deprecated),

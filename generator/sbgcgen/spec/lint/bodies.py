@@ -34,6 +34,7 @@ def lint_bodies(layout: Layout, found: Diagnostics) -> None:
         _check_list(message.fields, found)
         _check_message(message, layout.max_body, found)
         _check_regions(message, found)
+        _check_groups(message, found)
         _check_same_as(message, layout, found)
         _check_contexts(message, layout, found)
         _check_alternatives(message, message.fields, found)
@@ -149,6 +150,9 @@ def _check_struct(struct: Struct, found: Diagnostics) -> None:
         if isinstance(field.type, Struct) and field.type.is_region:
             text = f"'{field.name}', which has its own size, is in a struct"
             found.add(field.at, "SBGC033", text, "move it into the message")
+        if isinstance(field.type, Struct) and field.type.looks_outside:
+            text = f"'{field.name}', which depends on fields outside, is in a struct"
+            found.add(field.at, "SBGC033", text, "move it into the message")
         if struct.is_region and field.name == "rest" and not field.optional:
             text = "'rest' is a member of every struct with its own size"
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
@@ -178,6 +182,17 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
                     found.add(field.at, "SBGC033", text, hint)
                     break
         earlier[field.name] = field
+
+
+def _check_groups(message: Message, found: Diagnostics) -> None:
+    """A group that depends on fields of the message is always present, and only there."""
+    for field in message.fields:
+        if not isinstance(field.type, Struct) or not field.type.looks_outside:
+            continue
+        if field.dim in ("counted", "rest") or field.may_be_absent:
+            text = f"'{field.name}', which depends on fields outside, varies in number"
+            hint = "it occurs once, or for each element of an index"
+            found.add(field.at, "SBGC033", text, hint)
 
 
 def _takes_rest(struct: Struct) -> bool:
@@ -216,8 +231,9 @@ def _is_count(part: Part) -> bool:
 
 
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
-    by_name = {field.name: field for field in message.fields}
     for field in fields:
+        inside = bool(field.alternative and field.alternative.in_group)
+        by_name = {other.name: other for other in (fields if inside else message.fields)}
         if isinstance(field.type, Struct):
             _check_alternatives(message, field.type.fields, found)
         if field.alternative and not (

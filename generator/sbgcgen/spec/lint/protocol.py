@@ -158,8 +158,9 @@ def _check_constants(fields: tuple[Field, ...], found: Diagnostics) -> None:
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
     names = {f.name for f in message.fields}
     for field in fields:
-        if field.alternative and field.alternative.source not in names:
-            source = field.alternative.source.upper()
+        other = field.alternative
+        if other and not other.in_group and other.source not in names:
+            source = other.source.upper()
             text = f"the unit of '{field.name}' depends on {source}, which {message.name} does not have"
             found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
         if isinstance(field.type, Struct):

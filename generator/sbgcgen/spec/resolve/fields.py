@@ -31,7 +31,7 @@ from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LimitResolver
-from sbgcgen.spec.resolve.references import ReferenceResolver
+from sbgcgen.spec.resolve.references import Outside, ReferenceResolver
 from sbgcgen.spec.resolve.sizes import (
     min_size,
     min_size_of,
@@ -79,18 +79,27 @@ class FieldResolver:
                 self.found.add(node.at("struct"), "SBGC028", message, hint)
             self._nodes.setdefault(name, (family, node, node.at("struct")))
         self._open: list[str] = []
+        self._outside = Outside()
         self._broken: list[tuple[FieldName, Position]] = []  # fields of unknown types
 
     # Structs and types
 
-    def struct(self, name: str, around: tuple[Field, ...] = ()) -> Struct:
-        """The resolved struct with this name; a tagged union may refer to fields `around` it."""
+    def struct(
+        self, name: str, around: tuple[Field, ...] = (), words: tuple[str, ...] = ()
+    ) -> Struct:
+        """The resolved struct with this name.
+
+        A tagged union, or a group with an element for each of the `words` of an index, may refer to fields
+        `around` it.
+        """
         if name not in self.structs:
             family, node, at = self._nodes[name]
             is_region = "size" in node
             self._open.append(name)
             outer = around if is_region else ()
+            outside, self._outside = self._outside, Outside(() if is_region else around, words)
             fields = self.fields(node["fields"], name, (), in_struct=True, around=outer)
+            self._outside = outside
             self._open.pop()
             if is_region:
                 fields = (*offsets_in_union(fields), self._region_rest(node, fields))
@@ -166,9 +175,10 @@ class FieldResolver:
             at=node.position,
         )
 
-    def _type(self, node: Map, around: tuple[Field, ...]) -> Type | None:
+    def _type(self, node: Map, around: tuple[Field, ...], name: FieldName | None) -> Type | None:
         if "fields" in node:
-            return self.struct(str(node["struct"]), around)
+            kind = (name.expand or name.index or "").lower() if name else ""
+            return self.struct(str(node["struct"]), around, self.indices.get(kind, ()))
         text = str(node.get("type", ""))
         at = node.at("type")
         if text in SCALARS:
@@ -197,7 +207,11 @@ class FieldResolver:
                 hint = "a struct has a fixed place for each field; write the inner ones out"
                 self.found.add(at, "SBGC029", f"struct {text} contains itself", hint)
                 return None
-            return self.struct(text)
+            struct = self.struct(text)
+            if struct.looks_outside:
+                message = f"{text} depends on fields outside, so it has one place"
+                self.found.add(at, "SBGC033", message, "write its fields out again")
+            return struct
         words = [*SCALARS, "string", *named, *self._nodes]
         hint = type_advice(text) or did_you_mean(text, words)
         hint = hint or "built-in types: u8 … f64, bytes[N], text[N], string and string[N]"
@@ -260,7 +274,9 @@ class FieldResolver:
         text = "RESERVED" if shorthand else str(node.get("name", ""))
         at = node.at("reserved" if shorthand else "name")
         name = parse_field_name(text)
-        type_ = Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier))
+        type_ = (
+            Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier), name)
+        )
         if name is None or type_ is None:
             self._broken_field(name, node, at, text, owner)
             return None
@@ -279,8 +295,8 @@ class FieldResolver:
             variable=self.references.variable(node, earlier),
             align=int(node.get("align", 1)),
             reserved=is_reserved,
-            when=self.references.condition(node, earlier, contexts),
-            alternative=self.references.alternative(node),
+            when=self.references.condition(node, earlier, contexts, self._outside),
+            alternative=self.references.alternative(node, earlier if in_struct else []),
             since=self.types.availability(node),
             deprecated=self.types.deprecation(node),
             summary="Reserved; kept as it is."

@@ -23,10 +23,8 @@ def leaves(
         offset = None if base is None or field.offset is None else base + field.offset
         for leaf in _field_leaves(field, path + field.name, offset, word):
             if field.may_be_absent:
-                optional, when = (
-                    leaf.optional or field.appended or field.fits,
-                    leaf.when or field.when,
-                )
+                optional = leaf.optional or field.appended or field.fits
+                when = leaf.when or (field.when and field.when.of(word))
                 leaf = replace(leaf, optional=optional, when=when)
             yield leaf
 
@@ -55,7 +53,9 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
         yield Leaf(path, field, spec_name, name, amount, offset, direction=direction)
 
     def step(i: int) -> int | None:
-        return None if offset is None or element is None else offset + i * element
+        if offset is None or (element is None and i > 0):
+            return None
+        return offset + i * (element or 0)
 
     if field.dim in ("counted", "rest") and not field.index:
         suffix = "[]" if isinstance(field.type, Struct) else ""

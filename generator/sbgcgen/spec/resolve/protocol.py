@@ -108,7 +108,7 @@ class _Resolver:
     def _command(self, family: str, name: str, node: Map, at: Position) -> Command:
         return Command(
             name=name,
-            identifier=snake_case(name.removeprefix("CMD_")),
+            identifier=str(node.get("as", snake_case(name.removeprefix("CMD_")))),
             id=node["id"],
             family=family,
             summary=self.types.summary(node, at, name),

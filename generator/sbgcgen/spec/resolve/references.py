@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sbgcgen.model import (
@@ -36,6 +36,15 @@ _WORDS = {
 }
 _ALL = tuple(dict.fromkeys(word for words in _WORDS.values() for word in words))
 _SEVERAL = ("all", "one_of")
+_PLACE = "{"  # of an element of an index, as in {AXIS}_SPEED
+
+
+@dataclass(frozen=True)
+class Outside:
+    """The fields before a group, and the words of its index."""
+
+    fields: tuple[Field, ...] = ()
+    words: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -46,6 +55,7 @@ class _Source:
     type: Type
     may_be_missing: bool = False
     part: Part | None = None
+    is_outside: bool = False
 
     @property
     def enum(self) -> Enum | None:
@@ -95,21 +105,25 @@ class ReferenceResolver:
         self._ids = types.types.enums[VARIABLE_ID]
 
     def condition(
-        self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
+        self,
+        node: Map,
+        earlier: list[Field],
+        contexts: tuple[Context, ...],
+        outside: Outside = Outside(),
     ) -> Condition | None:
-        """The condition under `when`, which refers to a context or to the `earlier` fields."""
+        """The condition under `when`, on a context, or on fields that are `earlier` or `outside`."""
         when = node.get("when")
-        return self._condition(when, earlier, contexts) if isinstance(when, Map) else None
+        return self._condition(when, earlier, contexts, outside) if isinstance(when, Map) else None
 
     def _condition(
-        self, when: Map, earlier: list[Field], contexts: tuple[Context, ...]
+        self, when: Map, earlier: list[Field], contexts: tuple[Context, ...], outside: Outside
     ) -> Condition | None:
         joined = next((word for word in _SEVERAL if word in when), "")
         may_be_missing = bool(when.get("may_be_missing", False))
         condition: Condition | None = None
         before = len(self.found.found)
         if joined:
-            terms = [self._condition(term, earlier, ()) for term in when[joined]]
+            terms = [self._condition(term, earlier, (), outside) for term in when[joined]]
             known = tuple(term for term in terms if term is not None)
             if len(known) < len(terms):
                 return None
@@ -121,8 +135,8 @@ class ReferenceResolver:
             if when.get("context") in unknown:
                 return None  # the context's unknown type has been reported
             with self.found.at(when):
-                source = _source(when, earlier, contexts)
-                condition = self._test(when, source, may_be_missing)
+                source = _source(when, earlier, contexts, outside.fields)
+                condition = self._test(when, source, may_be_missing, outside.words)
                 if len(self.found.found) == before:
                     _check_sense(condition, source)
         if condition is not None and len(self.found.found) == before and not satisfying(condition):
@@ -131,10 +145,32 @@ class ReferenceResolver:
             return None
         return condition
 
-    def _test(self, when: Map, source: _Source, may_be_missing: bool) -> Condition:
-        """A condition on one number."""
+    def _test(
+        self, when: Map, source: _Source, may_be_missing: bool, words: tuple[str, ...]
+    ) -> Condition:
+        """A condition on one number, which may differ between the words of an index."""
         _check_words(when, source)
-        chosen = {word: self._values(source, when, word) for word in _ALL}
+        if not words or not any(_PLACE in str(when.get(word, "")) for word in _ALL):
+            return self._one_test(when, source, may_be_missing, "")
+        before = len(self.found.found)
+        elements = []
+        for word in words:
+            elements.append((word, self._one_test(when, source, may_be_missing, word)))
+            if len(self.found.found) > before:
+                break  # the others would say the same
+        first = elements[0][1]
+        names = iter(str(n) for word in _ALL for n in _listed(when.get(word, [])))
+        flags, any_, none, values = (
+            tuple(replace(v, name=next(names, "")) for v in listed)
+            for listed in (first.flags, first.any_flags, first.no_flags, first.values)
+        )
+        text = replace(first, flags=flags, any_flags=any_, no_flags=none, values=values).words
+        return replace(first, elements=tuple(elements), pattern=text)
+
+    def _one_test(
+        self, when: Map, source: _Source, may_be_missing: bool, element: str
+    ) -> Condition:
+        chosen = {word: self._values(source, when, word, element) for word in _ALL}
         self._check_clauses(when, chosen)
         values = chosen["is"] or chosen["is_not"]
         return Condition(
@@ -153,6 +189,7 @@ class ReferenceResolver:
             is_wrapped=source.is_wrapped,
             at_least=next(iter(chosen["at_least"]), None),
             at_most=next(iter(chosen["at_most"]), None),
+            is_outside=source.is_outside,
         )
 
     def _check_clauses(self, when: Map, chosen: dict[str, tuple[Any, ...]]) -> None:
@@ -170,16 +207,17 @@ class ReferenceResolver:
                 hint = "it must be set and must not be set"
                 self.found.add(when.at("has_not"), _RULE, message, hint)
 
-    def _values(self, source: _Source, node: Map, key: str) -> tuple[Any, ...]:
-        said = node.get(key, [])
+    def _values(self, source: _Source, node: Map, key: str, element: str) -> tuple[Any, ...]:
         result = []
-        for name in said if isinstance(said, list) else [said]:
+        for name in _listed(node.get(key, [])):
+            if element and isinstance(name, str):
+                name = re.sub(_PLACE + "[A-Z]+}", element, name)
             with self.found.at(node):
                 result.append(_value(source, name, node, key))
         return tuple(result)
 
-    def alternative(self, node: Map) -> Alternative | None:
-        """The alternative unit of a field, and the flag that selects it."""
+    def alternative(self, node: Map, siblings: list[Field]) -> Alternative | None:
+        """The alternative unit of a field, and the flag that selects it, perhaps of its group."""
         other = node.get("alternative")
         if not isinstance(other, Map):
             return None
@@ -196,7 +234,8 @@ class ReferenceResolver:
                 hint = did_you_mean(str(other["flag"]), names) or "name a value of a flag set"
                 raise Mistake(_RULE, f"there is no flag '{other['flag']}'", hint, "flag")
             source = snake_case(str(other["of"]))
-            return Alternative(types.quantities[other["type"]], source, flag.value, flag)
+            in_group = source in {field.name for field in siblings}
+            return Alternative(types.quantities[other["type"]], source, flag.value, flag, in_group)
         return None
 
     def variable(self, node: Map, earlier: list[Field]) -> str:
@@ -211,17 +250,26 @@ class ReferenceResolver:
         return ""
 
 
-def _source(when: Map, earlier: list[Field], contexts: tuple[Context, ...]) -> _Source:
+def _listed(said: Any) -> list[Any]:
+    return said if isinstance(said, list) else [said]
+
+
+def _source(
+    when: Map, earlier: list[Field], contexts: tuple[Context, ...], outside: tuple[Field, ...]
+) -> _Source:
     """What a condition looks at."""
     key = "context" if "context" in when else "field"
     wanted = str(when.get(key))
     name = wanted
-    known: dict[str, Any]
+    known: dict[str, Any] = {}
     if key == "context":
         known = {c.name.upper(): c for c in contexts if c.type is not None}
     else:
-        known = {f.spec_name: f for f in earlier if f.dim == "one"}
-        known |= {f.spec_name: f for f in earlier if f.index or f.dim == "fixed"}
+        inside = {f.spec_name for f in earlier}
+        for is_single in (True, False):  # so that hints name single fields first
+            for f in (*earlier, *(f for f in outside if f.spec_name not in inside)):
+                if f.dim == "one" if is_single else f.index or f.dim == "fixed":
+                    known[f.spec_name] = f
         name = re.split(r"[.\[]", wanted)[0]
     if name not in known:
         hint = did_you_mean(name, known) or f"known here: {', '.join(known) or 'none'}"
@@ -229,7 +277,7 @@ def _source(when: Map, earlier: list[Field], contexts: tuple[Context, ...]) -> _
     if key == "context":
         source = _Source(known[name].name, known[name].type)
     else:
-        source = _at(known[name], wanted)
+        source = replace(_at(known[name], wanted), is_outside=name not in inside)
     if not source.kind:
         message = f"'{wanted}' is neither an integer nor a flag set"
         hint = "a condition needs values or flags"

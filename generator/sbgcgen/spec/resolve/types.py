@@ -111,7 +111,8 @@ class TypeResolver(Entries):
         for _, name, value, at in self.spec.entries("commands"):
             if value["id"] is None or direction not in directions_of(value):
                 continue
-            identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
+            usual = snake_case(name.removeprefix("CMD_"))
+            identifier = self.identifier(str(value.get("as", usual)), at)
             summary = str(value.get("summary", ""))
             values.append(
                 EnumValue(

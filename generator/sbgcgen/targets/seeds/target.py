@@ -275,7 +275,8 @@ def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
         scalar = scalar_of(field.type)
         value = special.value % (1 << 8 * scalar.size)
         yield f"{field.name}_{special.value}", value.to_bytes(scalar.size, "little")
-    for when in field.when.tests if field.when else ():
+    tests = field.when.tests if field.when else ()
+    for when in (one for test in tests for one in dict(test.elements).values() or (test,)):
         size = when.enum.scalar.size if when.enum else 0
         for named in (*when.values, *when.flags, *when.any_flags, *when.no_flags):
             yield named.identifier, (named.value % (1 << 8 * size)).to_bytes(size, "little")

@@ -29,9 +29,9 @@ void Table::add_undocumented() {
 void Table::add_later_control() {
   msg::ControlExtCommand move;
   move.data_set = msg::ControlExtField::pitch_angle;
-  move.pitch_mode = msg::ControlMode(msg::ControlModeKind::angle);
-  move.pitch_flags = msg::ControlExtFlags{};
-  move.pitch_angle = -30_deg;
+  move.axes.pitch.mode = msg::ControlMode(msg::ControlModeKind::angle);
+  move.axes.pitch.flags = msg::ControlExtFlags{};
+  move.axes.pitch.angle = -30_deg;
   add<msg::ControlExtCommand>(
       {.request = move, .comes = Comes::confirmation, .after = [](Host& host, const Packets&) {
          host.listen(seconds(5));

@@ -252,8 +252,12 @@ class LeafWalk {
   void remember(std::int64_t raw, const FieldPath& path) {
     if (numbers_.empty()) numbers_.reserve(16);
     if (path.parent == nullptr) numbers_.push_back({path.name, "", raw});
-    if (path.parent != nullptr && path.parent->parent == nullptr) {
-      numbers_.push_back({path.parent->name, path.name, raw});
+    if (path.parent == nullptr) return;
+    const FieldPath& above = *path.parent;
+    if (above.parent == nullptr) numbers_.push_back({above.name, path.name, raw});
+    // A member of a group for each axis.
+    if (above.parent != nullptr && above.parent->parent == nullptr) {
+      numbers_.push_back({path.name, above.name, raw});
     }
   }
 
