@@ -160,10 +160,10 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert [d and d.positive for d in directions] == ["down", "down", None, None]
     assert fields["9.encoder"].directions == () and fields["9.width"].directions is None
     assert fields["10.lamps"].counting == "bytes"
-    words = [field.when.words for field in made[12].fields if field.when]
+    words = [field.when.words for field in made[14].fields if field.when]
     assert words[0] == "mode.mode is MODE_ANGLE and delay is at least 1"
     assert words[1] == "mode.flags has CONTROL_FLAG_HIGH_RES_SPEED"
-    asked = {leaf.path: leaf.when.words for leaf in made[13].leaves if leaf.when}
+    asked = {leaf.path: leaf.when.words for leaf in made[15].leaves if leaf.when}
     assert asked["axes.yaw.level"] == "data_set has YAW_SPEED"
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"

@@ -16,7 +16,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not match");
+static_assert(codec_version == 3, "generated code and runtime do not match");
 
 struct RealtimeData3;
 struct RealtimeData4;

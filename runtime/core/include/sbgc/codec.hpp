@@ -24,7 +24,7 @@
 namespace sbgc {
 
 /// Generated headers check this number, because they must match the runtime.
-inline constexpr int codec_version = 2;
+inline constexpr int codec_version = 3;
 
 /// The direction of a message. `both` is for messages that are sent in either direction, never for
 /// a frame.
