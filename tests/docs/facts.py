@@ -210,7 +210,15 @@ def _formerly(
 
 def _condition(place: Place, kind: str, when: Condition, column: str = "") -> Iterator[Fact]:
     """Its source, and each clause with its verb; numbers as numbers."""
+    if when.terms:
+        for term in when.terms:
+            yield from _condition(place, kind, term, column)
+        return
     yield Fact(place, kind, when.source, column)
+    if when.pattern:  # the names of the flags differ between the elements
+        for name in re.findall(r"\w*\{AXIS\}\w*", when.pattern):
+            yield Fact(place, kind, name, column)
+        return
     for verb, _, values in when.clauses:
         yield Fact(place, f"{kind} verb", verb, column)
         for value in values:

@@ -157,9 +157,12 @@ void add_demanded(AnyMessage& message) {
 AnyMessage new_message(const MessageType& type) {
   AnyMessage message = type.make();
   for (const FieldType& field : type.fields()) {
-    const bool varies = field.shape == FieldShape::list && !field.has_count && !field.is_optional;
-    if (!varies || field.info->min_count == 0) continue;
-    message.add(fmt::format("{}[{}]", field.name, field.info->min_count - 1));
+    if (field.has_count || field.is_optional || field.info->min_count == 0) continue;
+    const std::size_t least = field.info->min_count;
+    if (field.shape == FieldShape::list) message.add(fmt::format("{}[{}]", field.name, least - 1));
+    if (field.shape == FieldShape::bytes) {
+      message.assign(field.name, std::string(2 * least, '0'), false);
+    }
   }
   return message;
 }

@@ -246,9 +246,11 @@ class Field:
 
     @cached_property
     def repeats_context(self) -> bool:
-        """True if the body repeats a fact of its context here."""
+        """True if the body repeats a fact of its context here: the field has its name and type."""
         when = self.when
-        return when is not None and when.from_context and self.type == when.enum
+        if when is None or not when.from_context:
+            return False
+        return self.name == when.source and self.type == when.enum
 
     @cached_property
     def has_hidden_counter(self) -> bool:
