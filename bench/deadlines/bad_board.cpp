@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 
 #include <sbgc/io/clock.hpp>
+#include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 
 namespace sbgc::bench {

@@ -60,7 +60,7 @@ bool pause(std::chrono::milliseconds time) {
   return !was_interrupted();
 }
 
-int reset(const ResetOptions& options, const CommandContext& context) {
+int reset_board(const ResetOptions& options, const CommandContext& context) {
   const LineChoice line = choose_line(context.gimbal);
   begin_restart(line, options.arming, context);
   const Interruption interruption;
@@ -91,7 +91,7 @@ void add_reset(CLI::App& app, CommandContext& context) {
       "stored are lost.\n"
       "\n"
       "The exit status is 0 if the board is back, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
-  command.runs(reset);
+  command.runs(reset_board);
 }
 
 }  // namespace sbgc::tools

@@ -324,7 +324,7 @@ Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
   return {};
 }
 
-int reset(const ResetChoice& options, const CommandContext& context) {
+int reset_parameters(const ResetChoice& options, const CommandContext& context) {
   if (options.all && options.profile.number) {
     throw CommandError("--all and --profile exclude each other", wrong_usage);
   }
@@ -417,7 +417,7 @@ void add_params_reset(CLI::App& params, CommandContext& context) {
                    "Where to save the present parameters first; by default in this folder, "
                    "with the time in the name")
       ->type_name("FILE");
-  command.runs(reset);
+  command.runs(reset_parameters);
 }
 
 }  // namespace sbgc::tools

@@ -131,7 +131,7 @@ std::string what_is_written(const WriteReport& plan, const std::vector<MessageVa
   return result;
 }
 
-int set(const SetOptions& options, const CommandContext& context) {
+int set_parameters(const SetOptions& options, const CommandContext& context) {
   std::vector<MessageValues> values;
   try {
     values = values_of(parse_assignments(options.values), options.no_validate);
@@ -219,7 +219,7 @@ void add_params_set(CLI::App& params, CommandContext& context) {
       "Examples:\n"
       "  sbgc params set pitch.p=20\n"
       "  sbgc params set rc_min_angle=-30deg follow_mode=FOLLOW_MODE_FC --profile 2");
-  command.runs(set);
+  command.runs(set_parameters);
 }
 
 }  // namespace sbgc::tools

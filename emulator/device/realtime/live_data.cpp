@@ -64,8 +64,8 @@ Axes<std::int16_t> magnetometer(const Sample& sample) {
 
 /// The 16-bit clock wraps every 65.5 s.
 msg::MillisecondClock clock_of(const Device& device, Instant now) {
-  return msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  const Duration running = now - device.restarts.started();
+  return msg::MillisecondClock{static_cast<std::uint16_t>(running.us / 1000)};
 }
 
 Axes<msg::GyroRate> rates(const Axes<double>& from) {
