@@ -95,6 +95,10 @@ TEST(AnyMessage, ValuesAreAssignedFromText) {
   EXPECT_EQ(value_at(sound, "note_freq_hz[1]"), "700 Hz");
   EXPECT_EQ(sound.assign("note_freq_hz", "600"), "");
   EXPECT_EQ(value_at(sound, "note_freq_hz[1]"), "-");
+  EXPECT_TRUE(sound.has("note_freq_hz") && sound.has("note_freq_hz[0]"));
+  EXPECT_FALSE(sound.has("note_freq_hz[1]") || sound.has("note_freq") || sound.has("note"));
+  EXPECT_TRUE(sound.add("note_freq_hz[2]") && sound.has("note_freq_hz[2]"));
+  EXPECT_FALSE(sound.add("note"));
 }
 
 TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {

@@ -185,6 +185,11 @@ def flags_named(enum: str, *names: str) -> int:
         (["SetAdjVarsVal", "num_vars=3"], ["num_vars"]),
         (["EepromWrite", "data=0"], ["data", "hex"]),
         (["WriteProfileNames", "profile_name[0]=" + "x" * 49], ["49", "48"]),
+        # An empty list that should not be there.
+        (
+            ["ExtMotorsControl", "data_set=SETPOINT_32BIT", "setpoint16="],
+            ["setpoint16", "condition"],
+        ),
     ],
 )
 def test_mistakes(arguments: list[str], words: list[str]) -> None:

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,9 @@
 #include "command/commands.hpp"
 
 namespace sbgc::tools {
+
+/// Of a subcommand without options of its own.
+struct NoOptions {};
 
 /// What a subcommand needs follows from its types: if its Options have an `arming`, it asks before
 /// it acts (--yes); if its function takes the CommandContext, it talks to a gimbal.

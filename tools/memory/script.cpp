@@ -31,8 +31,6 @@ struct ScriptToStop {
   unsigned slot{};
 };
 
-struct NoChoice {};
-
 void run(Client& client, unsigned slot, msg::ScriptMode mode, const CommandContext& context) {
   CallOptions call = call_options(context.gimbal);
   call.expect_confirmation = true;
@@ -83,7 +81,7 @@ int stop_script(const ScriptToStop& options, const CommandContext& context) {
   return success;
 }
 
-int list_scripts(const NoChoice& /*none*/, const CommandContext& context) {
+int list_scripts(const NoOptions& /*none*/, const CommandContext& context) {
   const std::vector<std::size_t> sizes = script_sizes(connect(context.gimbal));
   if (sizes.empty()) throw CommandError("the board does not tell about its scripts");
   constexpr std::size_t always_shown = 5;  // only later firmware has more slots
@@ -105,7 +103,7 @@ void add_script(CLI::App& app, CommandContext& context) {
         ->required()
         ->check(CLI::Range(1U, slots).description(""));
   };
-  const Subcommand<NoChoice> listing(*script, context, "list", "Show the sizes of the scripts");
+  const Subcommand<NoOptions> listing(*script, context, "list", "Show the sizes of the scripts");
   listing.runs(list_scripts);
   const Subcommand<ScriptToStart> starting(*script, context, "start", "Start a script");
   add_slot(starting);

@@ -19,8 +19,6 @@ namespace sbgc::tools {
 
 namespace {
 
-struct NothingToChoose {};
-
 /// Throws CommandError if the camera turns again soon: something else controls it.
 void require_rest(Client& client) {
   constexpr std::chrono::milliseconds interval{100};
@@ -36,7 +34,7 @@ void require_rest(Client& client) {
   }
 }
 
-int stop_camera(const NothingToChoose& /*none*/, const CommandContext& context) {
+int stop_camera(const NoOptions& /*none*/, const CommandContext& context) {
   remark_in_background();
   Client client = connect(context.gimbal);
   value_of(client.stop());
@@ -51,8 +49,7 @@ int stop_camera(const NothingToChoose& /*none*/, const CommandContext& context) 
 }  // namespace
 
 void add_stop(CLI::App& app, CommandContext& context) {
-  const Subcommand<NothingToChoose> command(app, context, "stop",
-                                            "Stop the camera, without asking");
+  const Subcommand<NoOptions> command(app, context, "stop", "Stop the camera, without asking");
   command->footer(
       "Commands speed 0 on all axes until the board reports that no axis turns, and watches it for "
       "half a second, in case something else turns the camera. The motors keep "

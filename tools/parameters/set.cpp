@@ -89,7 +89,7 @@ std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& 
 
 /// Throws CommandError if the board does not have the field.
 void check_presence(const AnyMessage& message, const FieldValue& value) {
-  if (has_part(message, std::get<std::string>(value.field.steps.front()))) return;
+  if (message.has(std::get<std::string>(value.field.steps.front()))) return;
   const FieldInfo* const info = value.field.type->info;
   const std::string since = info == nullptr ? "" : versions_text(info->since);
   throw CommandError(fmt::format("this board does not have {}{}", steps_text(value.field.steps),

@@ -35,7 +35,7 @@ void reject_gaps(const AnyMessage& message, const std::vector<FieldValue>& value
           return others.size() >= element.size() &&
                  std::equal(element.begin(), element.end(), others.begin());
         });
-        if (has_value || has_part(message, steps_text(element))) continue;
+        if (has_value || message.has(steps_text(element))) continue;
         throw ValueError(fmt::format("{} has no value, but {} has one; elements count from 0",
                                      steps_text(element), steps_text(value.field.steps)));
       }
@@ -45,17 +45,6 @@ void reject_gaps(const AnyMessage& message, const std::vector<FieldValue>& value
 }
 
 }  // namespace
-
-bool has_part(const AnyMessage& message, const std::string& path) {
-  bool result = false;
-  message.for_each_leaf([&](const Leaf& leaf) {
-    const std::string place = to_string(leaf.path);
-    result = result ||
-             (place.starts_with(path) && (place.size() == path.size() ||
-                                          place[path.size()] == '.' || place[path.size()] == '['));
-  });
-  return result;
-}
 
 Assignment parse_assignment(std::string_view text) {
   const std::size_t sign = text.find('=');
@@ -149,8 +138,9 @@ void add_demanded(AnyMessage& message) {
     if (written.status.code != Code::presence_mismatch) return;
     const auto found = find_fields(message.type().fields(), written.status.field);
     if (found.size() != 1) return;
-    const std::string path = steps_text(found.front().steps);
-    if (has_part(message, path) || !message.add(path)) return;  // there, but should not be
+    const AnyMessage before = message;
+    const bool is_field = message.add(steps_text(found.front().steps));
+    if (!is_field || message == before) return;  // it is there, but should not be
   }
 }
 

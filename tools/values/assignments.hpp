@@ -48,9 +48,6 @@ void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& valu
 /// Adds the fields that are missing although the values of others demand them.
 void add_demanded(AnyMessage& message);
 
-/// True if the message has the field at a path, or a part of it.
-bool has_part(const AnyMessage& message, const std::string& path);
-
 /// Returns a message whose lists have as many elements as the specification wants.
 AnyMessage new_message(const MessageType& type);
 

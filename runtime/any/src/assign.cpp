@@ -68,6 +68,13 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
   return problem;
 }
 
+bool AnyMessage::has(std::string_view path) const {
+  bool result = false;
+  for_each_leaf(
+      [&](const Leaf& leaf) { result = result || is_in(sbgc::to_string(leaf.path), path); });
+  return result;
+}
+
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
                                std::string_view text) {
   if (type.shape == FieldShape::group) {

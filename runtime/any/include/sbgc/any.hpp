@@ -148,6 +148,9 @@ class AnyMessage {
   /// Pointers that get_if() has returned become invalid.
   std::string assign(std::string_view path, std::string_view text, bool validates = true);
 
+  /// True if the message has a value at a path or below it.
+  bool has(std::string_view path) const;
+
   /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
   /// message has no such field.
   bool add(std::string_view path) { return set(path, nullptr); }
