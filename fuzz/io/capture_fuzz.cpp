@@ -36,8 +36,8 @@
 #include <sbgc/parser.hpp>
 
 #include "frames/capture_frames.hpp"
-#include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
+#include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
 #include "require.hpp"
 
@@ -207,16 +207,19 @@ std::string raw_frames_of(ByteSpan file, std::size_t piece) {
   return text;
 }
 
-std::optional<Bytes> hex_of(ByteSpan file, std::size_t piece) {
-  sbgc::tools::HexDecoder decoder;
+/// The bytes that a text stands for.
+std::optional<Bytes> bytes_of_text(ByteSpan file, const sbgc::tools::Reading& reading,
+                                   std::size_t piece) {
+  sbgc::tools::PastedText text(reading);
   Bytes bytes;
-  std::optional<sbgc::tools::HexError> error;
+  std::optional<sbgc::tools::TextError> error;
   in_pieces(file, piece, [&](ByteSpan part) {
-    if (!error) error = decoder.feed(part, bytes);
+    if (!error) error = text.feed(part, bytes);
   });
-  if (!error) error = decoder.finish();
+  if (!error) error = text.finish(bytes);
+  for (std::uint64_t offset = 0; offset < bytes.size(); ++offset) text.sender(offset);
   if (!error) return bytes;
-  require(!to_text(*error).empty());
+  require(!to_text(reading, *error).empty());
   return std::nullopt;
 }
 
@@ -246,8 +249,10 @@ Bytes replayed(ByteSpan file) {
 void check_readers(const Bytes& file, const std::vector<Item>& items, std::size_t piece) {
   require(frames_of(file, piece) == frames_of(file, file.size() + 1));
   require(raw_frames_of(file, piece) == raw_frames_of(file, file.size() + 1));
-  const std::optional<Bytes> hex = hex_of(file, piece);
-  require(hex == hex_of(file, file.size() + 1));
+  const sbgc::tools::ReadingChoice choice = sbgc::tools::choose_reading(file);
+  for (const sbgc::tools::Reading& reading : {sbgc::tools::Reading{}, choice.reading}) {
+    require(bytes_of_text(file, reading, piece) == bytes_of_text(file, reading, file.size() + 1));
+  }
   require(sbgc::tools::is_hex_text(file) == (hex && !hex->empty()) || !hex);
   static_cast<void>(sbgc::tools::guess_input(file, false));
 

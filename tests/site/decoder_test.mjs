@@ -193,6 +193,20 @@ test("bad hex is reported with its place, which can be shown", async () => {
   });
 });
 
+test("what people post is read, and the page says how", async () => {
+  await withDecoder(async (page) => {
+    await type(page, "[62, 86, 0, 86, 0]");
+    await expectSummary(page, /5 bytes: 1 frame\. Read as decimal numbers\./);
+    await type(page, "12:34:56.789 TX: b'>V\\x00V\\x00'");
+    await expectSummary(page, /5 bytes: 1 frame\. Read as strings after times or names\./);
+    await type(page, "00000000: 3e56 0056 00  >V.V.\n00000020: 3e56");
+    await page.locator("#problem").waitFor();
+    const text = await page.locator("#problem-text").textContent();
+    assert.match(text, /^Read as a hex dump\. Line 2, column 1: the offset of this line should be 0x5\./);
+    await expectSummary(page, /1 frame/);
+  });
+});
+
 test("a capture can be opened as a file, raw or hex", async () => {
   await withDecoder(async (page) => {
     const file = (name) => path.join(root, "examples/captures", name);
@@ -201,7 +215,7 @@ test("a capture can be opened as a file, raw or hex", async () => {
     assert.match(await page.locator("#held-about").textContent(), /read as raw bytes/);
     await page.locator("#hex").waitFor({ state: "hidden" });
     await page.locator("#file").setInputFiles(file("board_info.hex"));
-    await page.locator("#held-about", { hasText: "read as hex text" }).waitFor();
+    await page.locator("#held-about", { hasText: "read as text" }).waitFor();
     await expectSummary(page, /^28 bytes: 2 frames\.$/);
     await page.getByRole("button", { name: "Remove" }).click();
     await page.locator("#hex").waitFor();

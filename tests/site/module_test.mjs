@@ -147,7 +147,8 @@ test("pieces of any size give the same", () => {
   const whole = module.decode(all);
   for (const pieces of [1, 7, 300]) assert.deepEqual(module.decode(all, { pieces }), whole);
   const hex = Buffer.from(all.toString("hex").replace(/(..)/g, "$1 "));
-  for (const pieces of [1, 5, 1000]) assert.deepEqual(module.decode(hex, { hex: true, pieces }), whole);
+  const ofText = whole.map((line) => line.replace('"reading":"raw bytes"', '"reading":"hex text"'));
+  for (const pieces of [1, 5, 1000]) assert.deepEqual(module.decode(hex, { hex: true, pieces }), ofText);
 });
 
 test("rows stand where the model says, and cover every byte that is not 0", () => {
@@ -185,15 +186,15 @@ test("bad hex has a place and a reason, and what is before it is decoded", () =>
   const cases = {
     "3e 5g": [2, 5, "half a byte: a second digit is missing before 'g'"],
     "# fine\n  zz": [3, 3, "'z' is not a hex digit"],
-    "3e\t5\n": [2, 5, "half a byte at the end of the line"],
+    "3e\t567\n": [2, 7, "half a byte at the end of the line"],
     "3e 5": [2, 4, "half a byte at the end: the number of hex digits is odd"],
     "é": [2, 1, "byte 0xc3 is not a hex digit"],
   };
   for (const [text, [line, column, reason]] of Object.entries(cases)) {
     const lines = module.decode(Buffer.from(good + text), { hex: true }).map((l) => JSON.parse(l));
     assert.equal(lines[0].frame.command, "CMD_BOARD_INFO");
-    const { hex_error: error } = lines.find((l) => l.hex_error);
-    assert.deepEqual(error, { line, column, reason });
+    const { text_error: error } = lines.find((l) => l.text_error);
+    assert.deepEqual(error, { reading: "hex text", line, column, reason });
     const said = spawnSync(sbgc, ["decode", "--hex"], { input: good + text }).stderr.toString();
     assert.match(said, new RegExp(`line ${line} column ${column}: `));
   }

@@ -188,9 +188,9 @@ def test_input_that_cannot_be_read(command: str, tmp_path: Path) -> None:
     "text, place",
     [
         ("3e4", "line 1 column 3"),
-        ("3e 4 9", "line 1 column 5"),
+        ("3e4 9", "line 1 column 4"),
         ("3e49\n00 zz", "line 2 column 4"),
-        ("3e 4\n", "line 1"),
+        ("3e 04 4\n", "line 1"),
         ("# ok\n3e 49 00 49 00\n\n3e!", "line 4 column 3"),
         ("\x01", "line 1 column 1"),
     ],

@@ -27,8 +27,8 @@
 #include "frames/capture_frames.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_output.hpp"
-#include "frames/hex_text.hpp"
 #include "frames/input_guess.hpp"
+#include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
 #include "values/field_lookup.hpp"
 #include "values/firmware_text.hpp"
@@ -169,9 +169,10 @@ std::uint64_t end_of(const Frame& frame) {
 /// Decodes a raw byte stream.
 class RawDecoder {
  public:
-  RawDecoder(const DecodePlan& plan, bool is_hex, StandardOutput& out)
+  /// `text`: what the bytes come from, if it is text.
+  RawDecoder(const DecodePlan& plan, PastedText* text, StandardOutput& out)
       : out_(out),
-        is_hex_(is_hex),
+        text_(text),
         direction_(plan.direction),
         // Gaps belong to no frame that a filter could choose.
         shows_gaps_(plan.output.format == FrameFormat::text && plan.output.filter.is_empty()),
@@ -209,7 +210,7 @@ class RawDecoder {
   int finish() {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
-    std::string guess = guess_input(begin_, is_hex_);
+    std::string guess = guess_input(begin_, text_ != nullptr);
     const bool is_meant = looks_intended(parser_.counters()) || looks_changed(rejected);
     if (guess.empty() && !is_meant) guess = line_may_be_wrong;
     const bool explains = !shows_gaps_ && is_meant;
@@ -226,7 +227,8 @@ class RawDecoder {
     if (shows_gaps_) print_gap(frame.offset, explainer_.end_gap(frame.offset, end));
     std::string_view heading;
     if (output_.is_text()) heading = place(frame.offset);
-    output_.print(frame, direction_, heading);
+    const bool is_told = direction_.has_value() || text_ == nullptr;
+    output_.print(frame, is_told ? direction_ : text_->sender(frame.offset), heading);
     end_ = end;
   }
 
@@ -247,7 +249,7 @@ class RawDecoder {
   }
 
   StandardOutput& out_;
-  bool is_hex_;
+  PastedText* text_;
   std::optional<Direction> direction_;
   bool shows_gaps_;
   FrameOutput output_;
@@ -385,10 +387,24 @@ std::vector<std::uint8_t> read_begin(Input& input) {
   return begin;
 }
 
-/// Prints the frames before an error in hex text, then reports the error.
-[[noreturn]] void fail_at(const HexError& error, RawDecoder& decoder, bool is_text) {
+/// Prints the frames before an error in text, then reports the error.
+[[noreturn]] void fail_at(const TextError& error, const PastedText& text, RawDecoder& decoder,
+                          bool is_text) {
   decoder.stop();
-  throw InputError(to_text(error) + (is_text ? "" : "; for raw bytes, use --raw and not --hex"));
+  throw InputError(to_text(text.reading(), error) +
+                   (is_text ? "" : "; for raw bytes, use --raw and not --hex"));
+}
+
+/// Returns how to read the text. Throws InputError if that is not clear, unless it is `said` to be
+/// hex.
+Reading reading_of(std::span<const std::uint8_t> begin, bool is_said) {
+  const ReadingChoice choice = choose_reading(begin);
+  if (choice.other && !is_said) {
+    throw InputError(
+        fmt::format("this can be {} or {}, with different bytes; --hex means the former",
+                    to_text(choice.reading), to_text(*choice.other)));
+  }
+  return choice.reading;
 }
 
 template <class Decoder>
@@ -401,20 +417,23 @@ int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder&& de
   return decoder.finish();
 }
 
-int decode_hex(Input& input, std::span<const std::uint8_t> begin, RawDecoder&& decoder,
-               StandardOutput& out) {
-  HexDecoder hex;
+int decode_text(Input& input, std::span<const std::uint8_t> begin, const DecodePlan& plan,
+                Reading reading, StandardOutput& out) {
+  PastedText text(reading);
+  RawDecoder decoder(plan, &text, out);
   std::vector<std::uint8_t> bytes;
   bool is_text = true;
-  for (auto block = begin; !block.empty(); block = input.read()) {
-    is_text = is_text && !is_binary(block);
-    std::optional<HexError> error = hex.feed(block, bytes);
+  const auto deliver = [&](const std::optional<TextError>& error) {
     decoder.feed(bytes);
     bytes.clear();
     out.flush();
-    if (error) fail_at(*error, decoder, is_text);
+    if (error) fail_at(*error, text, decoder, is_text);
+  };
+  for (auto block = begin; !block.empty(); block = input.read()) {
+    is_text = is_text && !is_binary(block);
+    deliver(text.feed(block, bytes));
   }
-  if (const auto error = hex.finish()) fail_at(*error, decoder, is_text);
+  deliver(text.finish(bytes));
   return decoder.finish();
 }
 
@@ -423,13 +442,13 @@ int decode_file(const DecodeOptions& options) {
   Input input(options.file);
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
-  if (options.hex || (!options.raw && is_hex_text(begin))) {
-    return decode_hex(input, begin, RawDecoder(plan, true, out), out);
+  if (options.hex || (!options.raw && is_text_of_bytes(begin))) {
+    return decode_text(input, begin, plan, reading_of(begin, options.hex), out);
   }
   if (!options.raw && io::is_capture(begin)) {
     return decode_bytes(input, begin, CaptureDecoder(plan, out), out);
   }
-  return decode_bytes(input, begin, RawDecoder(plan, false, out), out);
+  return decode_bytes(input, begin, RawDecoder(plan, nullptr, out), out);
 }
 
 }  // namespace
@@ -485,7 +504,9 @@ void add_decode(CLI::App& app, CommandContext& context) {
         return fmt::format("'{}' is not {}", text, firmware_example);
       });
   auto* const hex = command->add_flag(
-      "--hex", options.hex, "Read hex text, which is also recognized without this option");
+      "--hex", options.hex,
+      "Read text, such as hex, a hex dump or a list of numbers, which is also recognized without "
+      "this option");
   command->add_flag("--raw", options.raw, "Read raw bytes, whatever they look like")->excludes(hex);
   command->footer(
       "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "

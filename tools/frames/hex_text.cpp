@@ -24,17 +24,13 @@ std::string no_digit(char c) {
 
 }  // namespace
 
-std::string to_text(const HexError& error) {
-  return fmt::format("hex text, line {} column {}: {}", error.line, error.column, error.reason);
-}
-
-std::optional<HexError> HexDecoder::feed(std::span<const std::uint8_t> text,
-                                         std::vector<std::uint8_t>& out) {
+std::optional<TextError> HexDecoder::feed(std::span<const std::uint8_t> text,
+                                          std::vector<std::uint8_t>& out) {
   for (const std::uint8_t byte : text) {
     const char c = static_cast<char>(byte);
     ++column_;
     if (c == '\n') {
-      if (half_) return error("half a byte at the end of the line");
+      if (!end_word(out)) return error("half a byte at the end of the line");
       comment_ = false;
       ++line_;
       column_ = 0;
@@ -44,34 +40,53 @@ std::optional<HexError> HexDecoder::feed(std::span<const std::uint8_t> text,
     const int digit = digit_value(c);
     if (digit >= 0 && half_) {
       out.push_back(static_cast<std::uint8_t>(high_ << 4 | digit));
+      has_two_ = has_two_ || (!is_prefixed_ && (high_ == 0 || !alone_));
       half_ = false;
+      alone_ = false;
     } else if (digit >= 0) {
       high_ = static_cast<std::uint8_t>(digit);
       half_ = true;
-    } else if (std::string reason = other(c); !reason.empty()) {
+    } else if (std::string reason = other(c, out); !reason.empty()) {
       return error(std::move(reason));
     }
   }
   return std::nullopt;
 }
 
-std::string HexDecoder::other(char c) {
+bool HexDecoder::end_word(std::vector<std::uint8_t>& out) {
+  // In a text that writes 05, a 5 is what is left of a byte.
+  if (half_ && (!alone_ || (has_two_ && !is_prefixed_))) return false;
+  if (half_) out.push_back(high_);
+  half_ = false;
+  alone_ = true;
+  is_prefixed_ = false;
+  return true;
+}
+
+std::string HexDecoder::other(char c, std::vector<std::uint8_t>& out) {
   const bool is_escape = std::exchange(escape_, c == '\\');
   if ((c == 'x' || c == 'X') && ((half_ && high_ == 0) || is_escape)) {
     half_ = false;  // it was the prefix of a byte
+    alone_ = true;
+    is_prefixed_ = true;
     return {};
   }
-  if (half_) return fmt::format("half a byte: a second digit is missing before '{}'", c);
+  constexpr std::string_view separators = " \t\r,:;.-{}[]()";
+  const bool is_separator = separators.find(c) != std::string_view::npos;
+  // The b of b'...' is no digit.
+  const bool ends_word = is_separator || c == '#';
+  if ((half_ && !ends_word) || !end_word(out))
+    return fmt::format("half a byte: a second digit is missing before '{}'", c);
   if (c == '#') {
     comment_ = true;
     return {};
   }
-  constexpr std::string_view separators = " \t\r,:;{}[]()\"'\\";
-  return separators.find(c) != std::string_view::npos ? std::string() : no_digit(c);
+  constexpr std::string_view quotes = "\"'\\";
+  return is_separator || quotes.find(c) != std::string_view::npos ? std::string() : no_digit(c);
 }
 
-std::optional<HexError> HexDecoder::finish() const {
-  if (half_) return error("half a byte at the end: the number of hex digits is odd");
+std::optional<TextError> HexDecoder::finish(std::vector<std::uint8_t>& out) {
+  if (!end_word(out)) return error("half a byte at the end: the number of hex digits is odd");
   return std::nullopt;
 }
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <vector>
 
-#include "frames/hex_text.hpp"
+#include <fmt/format.h>
+
+#include <sbgc/parser.hpp>
+
+#include "frames/pasted_text.hpp"
 
 namespace sbgc::tools {
 
@@ -37,19 +40,30 @@ std::string known_kind(ByteSpan bytes) {
 }
 
 std::string kind_of_text(ByteSpan bytes) {
-  if (is_hex_text(bytes)) return "this looks like hex text: use --hex";
+  const ReadingChoice choice = choose_reading(bytes);
+  if (!choice.problem && choice.has_bytes) {
+    return fmt::format("this looks like {}: use --hex", to_text(choice.reading));
+  }
   const auto first = std::ranges::find_if(bytes, [](std::uint8_t byte) { return byte > ' '; });
   if (first == bytes.end()) return "this is white space";
   if (*first == '{') return "this looks like JSON: use sbgc encode";
-  return "this is text, but not hex";
+  if (!choice.problem) return "this is text without bytes";
+  return fmt::format("this is text, but not of bytes: {}",
+                     to_text(choice.reading, *choice.problem));
+}
+
+bool has_frames(ByteSpan bytes) {
+  ParserOfAll parser;
+  parser.feed(bytes, [](const Frame&) {});
+  return parser.counters().frames != 0;
 }
 
 }  // namespace
 
-bool is_hex_text(std::span<const std::uint8_t> begin) {
-  HexDecoder hex;
-  std::vector<std::uint8_t> decoded;
-  return !hex.feed(begin, decoded) && !decoded.empty();
+bool is_text_of_bytes(std::span<const std::uint8_t> begin) {
+  if (is_binary(begin) || has_frames(begin)) return false;
+  const ReadingChoice choice = choose_reading(begin);
+  return choice.has_bytes && (!choice.problem || choice.is_likely);
 }
 
 bool is_binary(std::span<const std::uint8_t> bytes) {
@@ -59,8 +73,8 @@ bool is_binary(std::span<const std::uint8_t> bytes) {
   });
 }
 
-std::string guess_input(std::span<const std::uint8_t> begin, bool is_hex) {
-  if (is_hex) return "";
+std::string guess_input(std::span<const std::uint8_t> begin, bool is_text) {
+  if (is_text) return "";
   std::string kind = known_kind(begin);
   if (kind.empty() && !is_binary(begin)) kind = kind_of_text(begin);
   return kind;

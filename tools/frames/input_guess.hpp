@@ -11,13 +11,13 @@ namespace sbgc::tools {
 /// The number of bytes that a guess examines.
 inline constexpr std::size_t guess_size = 65536;
 
-/// Returns true if the input, which begins with these bytes, is hex text. No frame is: its first
-/// byte is neither a digit nor white space.
-bool is_hex_text(std::span<const std::uint8_t> begin);
+/// Returns true if the input, which begins with these bytes, is text that stands for bytes, such as
+/// hex text.
+bool is_text_of_bytes(std::span<const std::uint8_t> begin);
 
 /// Guesses the kind of the input from its first bytes and suggests what to do: "this looks like
-/// JSON: use sbgc encode"; "" without a guess. `is_hex`: the bytes came from hex text.
-std::string guess_input(std::span<const std::uint8_t> begin, bool is_hex);
+/// JSON: use sbgc encode"; "" without a guess. `is_text`: the bytes came from text.
+std::string guess_input(std::span<const std::uint8_t> begin, bool is_text);
 
 /// True if the bytes cannot be text.
 bool is_binary(std::span<const std::uint8_t> bytes);

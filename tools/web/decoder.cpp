@@ -6,8 +6,9 @@
 //   {"frame": object printed by `sbgc decode --format jsonl`, "size": size of the frame in bytes,
 //    "body": offset of the body in the frame,
 //    "rows": [[path, raw, meaning, objection, offset, size], ...], "reason": of an error}
-//   {"hex_error": {"line": 1, "column": 2, "reason": "..."}}
-//   {"end": {"bytes": 7, "frames": 1, "skipped_bytes": 0, "header_errors": 0, ...}}
+//   {"text_error": {"reading": "hex text", "line": 1, "column": 2, "reason": "..."}}
+//   {"end": {"reading": "hex text", "bytes": 7, "frames": 1, "skipped_bytes": 0, "header_errors":
+//   0, ...}}
 //
 // Offsets of rows count from the start of the frame, offsets of frames from the start of the input.
 
@@ -22,7 +23,7 @@
 #include <sbgc/text_output.hpp>
 
 #include "frames/decoded_frame.hpp"
-#include "frames/hex_text.hpp"
+#include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
 
 namespace sbgc::tools {
@@ -54,15 +55,17 @@ void put_rows(TextOutput& out, const Rows& rows) {
 /// Decodes one input, from its first byte to its end.
 class Decoding {
  public:
-  Decoding(std::optional<Direction> direction, bool hex) : direction_(direction), is_hex_(hex) {}
+  Decoding(std::optional<Direction> direction, bool is_text)
+      : direction_(direction), is_text_(is_text) {}
 
   void feed(std::span<const std::uint8_t> block, std::string& out) {
     bytes_.clear();
     if (failed_) return;
-    std::optional<HexError> error;
-    if (is_hex_) {
-      error = hex_.feed(block, bytes_);
-    } else {
+    std::optional<TextError> error;
+    if (is_text_ && !text_) error = choose(block);
+    if (text_ && !error) {
+      error = text_->feed(block, bytes_);
+    } else if (!is_text_) {
       bytes_.assign(block.begin(), block.end());
     }
     size_ += bytes_.size();
@@ -72,13 +75,18 @@ class Decoding {
 
   void finish(std::string& out) {
     bytes_.clear();
-    if (is_hex_ && !failed_) {
-      if (const auto error = hex_.finish()) fail(*error, out);
+    if (text_ && !failed_) {
+      const auto error = text_->finish(bytes_);
+      size_ += bytes_.size();
+      parser_.feed(bytes_, Sink{*this, out});
+      if (error) fail(*error, out);
     }
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
     StringOutput line(out);
-    line.put(R"({"end":{"bytes":)");
+    line.put(R"({"end":{"reading":)");
+    put_json_string(line, reading());
+    line.put(",\"bytes\":");
     line.put(size_);
     line.put(",\"frames\":");
     line.put(counters.frames);
@@ -106,8 +114,20 @@ class Decoding {
     void operator()(const Frame& frame) const { decoding.take(frame, out); }
   };
 
+  /// Chooses how to read the text from its first part.
+  std::optional<TextError> choose(std::span<const std::uint8_t> begin) {
+    const ReadingChoice choice = choose_reading(begin);
+    text_.emplace(choice.reading);
+    if (!choice.other) return {};
+    return TextError{1, 1, "it can also be " + to_text(*choice.other) + ", with other bytes"};
+  }
+
+  std::string reading() const { return text_ ? to_text(text_->reading()) : "raw bytes"; }
+
   void take(const Frame& frame, std::string& out) {
-    const DecodedFrame decoded = decoder_.decode(frame, direction_);
+    const bool is_told = direction_.has_value() || !text_;
+    const DecodedFrame decoded =
+        decoder_.decode(frame, is_told ? direction_ : text_->sender(frame.offset));
     StringOutput line(out);
     line.put("{\"frame\":");
     put_json(line, decoded);
@@ -127,10 +147,12 @@ class Decoding {
     line.finish();
   }
 
-  void fail(const HexError& error, std::string& out) {
+  void fail(const TextError& error, std::string& out) {
     failed_ = true;
     StringOutput line(out);
-    line.put(R"({"hex_error":{"line":)");
+    line.put(R"({"text_error":{"reading":)");
+    put_json_string(line, reading());
+    line.put(",\"line\":");
     line.put(error.line);
     line.put(",\"column\":");
     line.put(error.column);
@@ -143,10 +165,10 @@ class Decoding {
   std::optional<Direction> direction_;
   FrameDecoder decoder_{{.json = true, .rows = true}};
   ParserOfAll parser_;
-  HexDecoder hex_;
+  std::optional<PastedText> text_{};
   std::vector<std::uint8_t> bytes_;
   std::uint64_t size_ = 0;
-  bool is_hex_;
+  bool is_text_;
   bool failed_ = false;
 };
 
@@ -180,11 +202,11 @@ SBGC_EXPORT(input) std::uint8_t* sbgc_input(std::size_t size) {
 }
 
 /// Starts a new input. `from` is the sender: 0 unknown, 1 host, 2 board.
-SBGC_EXPORT(start) void sbgc_start(int from, bool is_hex) {
+SBGC_EXPORT(start) void sbgc_start(int from, bool is_text) {
   std::optional<sbgc::Direction> direction;
   if (from == 1) direction = sbgc::Direction::to_board;
   if (from == 2) direction = sbgc::Direction::from_board;
-  state().decoding = {direction, is_hex};
+  state().decoding = {direction, is_text};
 }
 
 /// Decodes the input as the next part of the capture. Outputs the frames that it completes.
@@ -226,6 +248,6 @@ SBGC_EXPORT(frame_limit) std::size_t sbgc_frame_limit() { return sbgc::max_frame
 SBGC_EXPORT(output) const char* sbgc_output() { return state().output.data(); }
 SBGC_EXPORT(output_size) std::size_t sbgc_output_size() { return state().output.size(); }
 
-/// The bytes of the last feed(); those decoded from hex text, if it was hex text.
+/// The bytes of the last feed(); those that it stands for, if it was text.
 SBGC_EXPORT(bytes) const std::uint8_t* sbgc_bytes() { return state().decoding.bytes().data(); }
 SBGC_EXPORT(bytes_size) std::size_t sbgc_bytes_size() { return state().decoding.bytes().size(); }

@@ -110,13 +110,13 @@ function decoderEngine(scope) {
           items.push(text);
           known = line.frame.offset + line.size;
         }
-        if (line.hex_error) last.hexError = line.hex_error;
+        if (line.text_error) last.textError = line.text_error;
         if (line.end) last.end = line.end;
       }
     };
 
     wasm.start(["auto", "host", "board"].indexOf(request.from), request.hex);
-    while (done < input.length && !last.hexError) {
+    while (done < input.length && !last.textError) {
       const piece = input.subarray(done, done + pieceSize);
       give(piece);
       wasm.feed();
@@ -129,6 +129,7 @@ function decoderEngine(scope) {
       if (job !== request.job) return;
     }
     wasm.finish();
+    keep(read(wasm.bytes(), wasm.bytes_size()));
     take(outputText());
     gap(size);
     done = input.length;

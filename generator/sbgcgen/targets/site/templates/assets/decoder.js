@@ -44,7 +44,7 @@
   let shown = []; // indices of the items that pass the filter
   let page = 0;
   let finished = false;
-  let hexError = null;
+  let textError = null;
   let restart = 0;
 
   const from = () => form.elements.from.value;
@@ -56,7 +56,7 @@
     shown = [];
     page = 0;
     finished = false;
-    hexError = null;
+    textError = null;
     showProblem(null);
     const data = held ? held.data : text.value;
     const empty = held === null && text.value.trim() === "";
@@ -101,9 +101,9 @@
     get("progress").value = batch.progress;
     if (batch.end) {
       finished = true;
-      hexError = batch.hexError ?? null;
+      textError = batch.textError ?? null;
       get("summary").textContent = summaryOf(batch.end);
-      if (hexError) showHexError();
+      if (textError) showTextError();
     }
     fillPage();
     if (finished && items.length <= 3) {
@@ -131,7 +131,8 @@
       const reasons = why.length ? ` (${why.join(", ")})` : "";
       parts.push(`${counted(end.skipped_bytes, "byte")} in no frame${reasons}`);
     }
-    return `${counted(end.bytes, "byte")}: ${parts.join("; ")}.`;
+    const reading = ["hex text", "raw bytes"].includes(end.reading) ? "" : ` Read as ${end.reading}.`;
+    return `${counted(end.bytes, "byte")}: ${parts.join("; ")}.${reading}`;
   }
 
   // The list
@@ -245,10 +246,10 @@
     text.removeAttribute("aria-invalid");
   }
 
-  function showHexError() {
-    const { line, column, reason } = hexError;
+  function showTextError() {
+    const { reading, line, column, reason } = textError;
     const before = items.length === 0 ? "" : " The bytes before it are decoded below.";
-    showProblem(`This is not hex text. Line ${line}, column ${column}: ${reason}.${before}`);
+    showProblem(`Read as ${reading}. Line ${line}, column ${column}: ${reason}.${before}`);
     if (held) return;
     text.setAttribute("aria-invalid", "true");
     get("problem-show").hidden = false;
@@ -256,9 +257,9 @@
 
   get("problem-show").addEventListener("click", () => {
     const lines = text.value.split("\n");
-    const start = lines.slice(0, hexError.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
+    const start = lines.slice(0, textError.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
     // The engine counts bytes; only comments can hold multi-byte characters before the place.
-    const at = start + hexError.column - 1;
+    const at = start + textError.column - 1;
     text.focus();
     text.setSelectionRange(at, at + 1);
   });
@@ -273,10 +274,10 @@
     get("held-name").textContent = held.name;
     const size = typeof held.data === "string" ? held.data.length : held.data.byteLength;
     const unit = typeof held.data === "string" ? "character" : "byte";
-    const how = held.hex ? "read as hex text" : "read as raw bytes";
+    const how = held.hex ? "read as text" : "read as raw bytes";
     get("held-about").textContent = `${counted(size, unit)}, ${how}`;
     get("held-kind").hidden = typeof held.data === "string";
-    get("held-kind").textContent = held.hex ? "Read as raw bytes" : "Read as hex text";
+    get("held-kind").textContent = held.hex ? "Read as raw bytes" : "Read as text";
   }
 
   function setText(value, sender) {
@@ -290,17 +291,16 @@
     decode();
   }
 
-  /** True if bytes look like hex text rather than a capture. */
-  function isHexText(bytes) {
+  /** True if bytes are text rather than a capture. */
+  function isText(bytes) {
     const start = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
-    const stripped = start.replace(/#[^\n]*/g, "");
-    return /[0-9a-f]/i.test(stripped) && /^[0-9a-fx\s,:]*$/i.test(stripped);
+    return !/[\0-\x08\x0e-\x1f\x7f]/.test(start);
   }
 
   async function openFile(file) {
     try {
       const data = await file.arrayBuffer();
-      hold({ name: file.name, data, hex: isHexText(new Uint8Array(data)) });
+      hold({ name: file.name, data, hex: isText(new Uint8Array(data)) });
       decode();
     } catch (error) {
       showProblem(`The file cannot be read: ${error.message}`);

@@ -1,0 +1,148 @@
+"""Bytes as people post them, for sbgc decode: each notation means the same bytes as hex text."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+
+import pytest
+
+from sbgc_command import decode, frame, run
+
+FRAME = frame(67, bytes([1, *range(14)]))
+ANSWER = bytes.fromhex("3e5612681f8709000200010000000000000000000000b2")
+
+
+def lines_of(data: bytes, size: int) -> list[bytes]:
+    return [data[at : at + size] for at in range(0, len(data), size)]
+
+
+def characters(data: bytes) -> str:
+    return "".join(chr(byte) if 32 <= byte < 127 else "." for byte in data)
+
+
+def xxd(data: bytes) -> str:
+    rows = enumerate(lines_of(data, 16))
+    return "".join(f"{16 * i:08x}: {row.hex(' ', -2):<39}  {characters(row)}\n" for i, row in rows)
+
+
+def hexdump(data: bytes) -> str:
+    rows = enumerate(lines_of(data, 16))
+    text = "".join(
+        f"{16 * i:08x}  {row[:8].hex(' '):<23}  {row[8:].hex(' '):<23}  |{characters(row)}|\n"
+        for i, row in rows
+    )
+    return text + f"{len(data):08x}\n"
+
+
+def od(data: bytes) -> str:
+    rows = enumerate(lines_of(data, 16))
+    return "".join(f"{16 * i:07o} {row.hex(' ')}\n" for i, row in rows) + f"{len(data):07o}\n"
+
+
+def wireshark(data: bytes) -> str:
+    rows = enumerate(lines_of(data, 16))
+    return "".join(
+        f"{16 * i:04x}   {row[:8].hex(' '):<23}  {row[8:].hex(' '):<23}   {characters(row)}\n"
+        for i, row in rows
+    )
+
+
+def braced(data: bytes) -> str:
+    def shown(byte: int) -> bool:
+        return 32 <= byte < 127 and chr(byte) not in "{}"
+
+    return "".join(chr(byte) if shown(byte) else f"{{{byte:02X}}}" for byte in data)
+
+
+def c_string(data: bytes) -> str:
+    return '"' + "".join(f"\\x{byte:02x}" for byte in data) + '";'
+
+
+NOTATIONS: dict[str, Callable[[bytes], str]] = {
+    "hex": bytes.hex,
+    "words": lambda data: data.hex(" "),
+    "dots": lambda data: data.hex("."),
+    "dashes": lambda data: data.hex("-").upper(),
+    "single digits": lambda data: " ".join(f"{byte:x}" for byte in data),
+    "C array": lambda data: "uint8_t b[] = {" + ", ".join(f"0x{b:02x}" for b in data) + "};",
+    "C string": c_string,
+    "Python": repr,
+    "Python bytearray": lambda data: repr(bytearray(data)),
+    "decimal": lambda data: str(list(data)),
+    "signed": lambda data: " ".join(str(b - 256 if b > 127 else b) for b in data),
+    "xxd": xxd,
+    "hexdump": hexdump,
+    "od": od,
+    "Wireshark": wireshark,
+    "braces": braced,
+}
+
+
+@pytest.mark.parametrize("notation", NOTATIONS)
+def test_each_notation_means_the_same_bytes(notation: str) -> None:
+    write = NOTATIONS[notation]
+    chosen = random.Random(1)
+    for data in (FRAME, ANSWER, FRAME + ANSWER, ANSWER * 5, bytes(2) + FRAME):
+        assert decode(write(data)) == decode(data), write(data)
+    for size in (3, 17, 200):
+        noise = FRAME + bytes(chosen.choices(range(256), k=size)) + ANSWER
+        assert decode(write(noise)) == decode(noise), write(noise)
+
+
+@pytest.mark.parametrize("notation", ["words", "Python", "decimal", "xxd", "braces"])
+def test_a_damaged_frame_is_explained_as_in_raw_bytes(notation: str) -> None:
+    damaged = FRAME[:-1] + b"\x02"
+    assert run("decode", stdin=NOTATIONS[notation](damaged)).out == run("decode", stdin=damaged).out
+
+
+@pytest.mark.parametrize(
+    "front",
+    [
+        "12:34:56 {}",
+        "12:34:56.789 {}: ",
+        "[2026-11-26 12:34:56.789] {} ",
+        "2026-11-26T12:34:56 {}> ",
+        "(1.250) {} ",
+        "0.001234 s {} | ",
+        "1795694400.125 [{}] ",
+        "{}: ",
+    ],
+)
+@pytest.mark.parametrize("names", [("TX", "RX"), ("sent", "received"), ("->", "<-")])
+def test_times_and_senders_in_a_log(front: str, names: tuple[str, str]) -> None:
+    host, board = (front.format(name) for name in names)
+    request = bytes.fromhex("3e56005600")
+    log = f"{host} {request.hex(' ')}\n{board} {ANSWER.hex(' ')}\n"
+    lines = decode(log)
+    assert [line["direction"] for line in lines] == ["to_board", "from_board"]
+    assert [line["offset"] for line in lines] == [0, len(request)]
+    # A request with a body that an answer could have too.
+    request = bytes.fromhex("3e5601570000")
+    assert decode(f"{host} {request.hex()}\n")[0]["direction"] == "to_board"
+    assert decode(f"{board} {request.hex()}\n")[0]["direction"] == "from_board"
+
+
+@pytest.mark.parametrize(
+    "text, error",
+    [
+        ("10, 20, 30", "can be hex text or decimal numbers, with different bytes"),
+        ("00000000: 3e56 0056 00\n00000020: 3e56", "the offset of this line should be 0x5"),
+        ("00000000  3e 56 00 56 00\n*\n00000020\n", "'*' stands for lines that are not here"),
+        ("[62, 86, 0, 86, 300]", "decimal numbers, line 1 column 17: expected a number"),
+        ("b'>V\\x00V\\x00", "strings, line 1 column 14: ' is missing"),
+        ("b'>V\\x00V\\q'", "strings, line 1 column 10: unknown escape"),
+        (">V{00}V{0}", "line 1 column 8: two hex digits and '}' must follow"),
+        ("TX: 3e 560 ", "hex text after times or names, line 1 column 11: half a byte"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_the_reading(text: str, error: str) -> None:
+    result = run("decode", "--format", "jsonl", stdin=text)
+    assert result.status == 1 and error in result.error
+
+
+def test_hex_can_be_demanded() -> None:
+    frames = "12 24 3E 56 00 56 00"
+    assert decode(frames, "--hex") == decode(frames)
+    result = run("decode", "--hex", stdin="10 20 30")
+    assert result.status == 1 and "found no frame in 3 bytes" in result.error

@@ -1,0 +1,165 @@
+#include "frames/pasted_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <string_view>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <sbgc/framing.hpp>
+#include <sbgc/parser.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::array<const char*, 5> notation_names{"hex text", "decimal numbers", "a hex dump",
+                                                    "strings", "characters and bytes in braces"};
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// How well a reading explains a text: the more the better.
+struct Score {
+  std::uint64_t in_frames = 0;
+  bool is_all_frames = false;
+  bool begins_frame = false;
+
+  auto operator<=>(const Score&) const = default;
+  bool is_none() const { return in_frames == 0 && !begins_frame; }
+};
+
+Score score_of(std::span<const std::uint8_t> bytes) {
+  ParserOfAll parser;
+  std::uint64_t in_frames = 0;
+  parser.feed(bytes, [&](const Frame& frame) {
+    in_frames += frame_size(frame.framing, frame.body.size());
+  });
+  return {in_frames, in_frames != 0 && in_frames + parser.waiting_bytes() == bytes.size(),
+          !bytes.empty() && AllFrameFormats::is_start(bytes.front())};
+}
+
+/// What a reading makes of a text.
+struct Attempt {
+  Reading reading{};
+  Bytes bytes{};
+  Score score{};
+  std::optional<TextError> error{};
+
+  Attempt(const Reading& how, std::span<const std::uint8_t> text) : reading(how) {
+    PastedText reader(reading);
+    error = reader.feed(text, bytes);
+    if (!error) error = reader.finish(bytes);
+    score = score_of(bytes);
+    // Otherwise it is the same as another reading; and any text is characters.
+    const bool says_it = !reading.skips_fronts || reader.has_fronts();
+    const bool is_characters =
+        reading.notation == Notation::literals || reading.notation == Notation::braced;
+    if (says_it && !(is_characters && score.is_none())) return;
+    error = TextError{};
+    score = {};
+  }
+};
+
+}  // namespace
+
+std::string to_text(const Reading& reading) {
+  return fmt::format("{}{}", notation_names.at(static_cast<std::size_t>(reading.notation)),
+                     reading.skips_fronts ? " after times or names" : "");
+}
+
+std::string to_text(const Reading& reading, const TextError& error) {
+  return fmt::format("{}, line {} column {}: {}", to_text(reading), error.line, error.column,
+                     error.reason);
+}
+
+std::optional<TextError> PastedText::feed(std::span<const std::uint8_t> text, Bytes& out) {
+  if (reading_.notation == Notation::hex && !reading_.skips_fronts) return hex_.feed(text, out);
+  std::string_view rest = text_of(text);
+  while (true) {
+    const std::size_t end = rest.find('\n');
+    line_ += rest.substr(0, end);
+    constexpr std::size_t longest = 16U << 20U;
+    if (line_.size() > longest) return TextError{lines_ + 1, longest, "the line is too long"};
+    if (end == std::string_view::npos) return {};
+    rest.remove_prefix(end + 1);
+    if (auto error = read_line(std::exchange(line_, {}), out)) return error;
+  }
+}
+
+std::optional<TextError> PastedText::finish(Bytes& out) {
+  if (!line_.empty()) return read_line(std::exchange(line_, {}), out);
+  return reading_.skips_fronts ? std::nullopt : hex_.finish(out);
+}
+
+std::optional<TextError> PastedText::read_line(std::string_view line, Bytes& out) {
+  ++lines_;
+  const LineFront front = reading_.skips_fronts ? front_of(line) : LineFront{};
+  has_fronts_ = has_fronts_ || front.size > line.find_first_not_of(" \t");
+  if (front.sender && front.sender != sender_) {
+    sender_ = front.sender;
+    senders_.emplace_back(size_, *sender_);
+  }
+  const std::size_t before = out.size();
+  const auto problem = read_bytes(line.substr(front.size), out);
+  size_ += out.size() - before;
+  if (!problem) return {};
+  return TextError{lines_, front.size + problem->column + 1, problem->reason};
+}
+
+std::optional<LineProblem> PastedText::read_bytes(std::string_view line, Bytes& out) {
+  switch (reading_.notation) {
+    case Notation::hex: break;
+    case Notation::decimal: return read_decimal(line, out);
+    case Notation::dump: return dump_.read(line, out);
+    case Notation::literals: return read_literals(line, out);
+    case Notation::braced: return read_braced(line, out);
+  }
+  HexDecoder hex;
+  auto error = hex.feed({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}, out);
+  if (!error) error = hex.finish(out);
+  if (!error) return {};
+  return LineProblem{error->column - 1, error->reason};
+}
+
+std::optional<Direction> PastedText::sender(std::uint64_t offset) {
+  while (senders_.size() > 1 && senders_[1].first <= offset) senders_.pop_front();
+  if (senders_.empty() || senders_.front().first > offset) return {};
+  return senders_.front().second;
+}
+
+ReadingChoice choose_reading(std::span<const std::uint8_t> begin) {
+  // A line at the end of a block may go on in the next one.
+  constexpr std::size_t block = 4096;
+  const std::size_t end = text_of(begin).rfind('\n');
+  if (begin.size() >= block && end != std::string_view::npos) begin = begin.first(end + 1);
+  std::vector<Attempt> attempts;
+  for (const bool skips_fronts : {false, true}) {
+    for (std::size_t i = 0; i < notation_names.size(); ++i) {
+      attempts.emplace_back(Reading{static_cast<Notation>(i), skips_fronts}, begin);
+    }
+  }
+  // Of several that are as good, the first: hex, without anything else in a line.
+  const auto rank = [](const Attempt& a) {
+    const TextError error = a.error.value_or(TextError{});
+    return std::tuple(a.score, !a.error, error.line, error.column);
+  };
+  const auto best =
+      std::max_element(attempts.begin(), attempts.end(),
+                       [&](const Attempt& a, const Attempt& b) { return rank(a) < rank(b); });
+  ReadingChoice choice{
+      best->reading, best->error, {}, !best->score.is_none(), !best->bytes.empty()};
+  if (best->error) return choice;
+  const auto other = std::find_if(attempts.begin(), attempts.end(), [&](const Attempt& a) {
+    return !a.error && a.score == best->score && a.bytes != best->bytes;
+  });
+  if (other != attempts.end()) choice.other = other->reading;
+  return choice;
+}
+
+}  // namespace sbgc::tools

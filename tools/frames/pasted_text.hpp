@@ -1,0 +1,79 @@
+/// Bytes as people post them: hex text, lists of numbers, dumps, strings of programs, logs with
+/// times and senders.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frames/hex_text.hpp"
+#include "frames/text_lines.hpp"
+
+namespace sbgc::tools {
+
+/// How bytes are written.
+enum class Notation : std::uint8_t { hex, decimal, dump, literals, braced };
+
+/// How a text is read.
+struct Reading {
+  Notation notation{};
+  bool skips_fronts = false;  ///< times, senders and names come before the bytes of a line
+};
+
+/// For example "hex text after times or names".
+std::string to_text(const Reading& reading);
+/// For example "hex text, line 3 column 7: 'g' is not a hex digit".
+std::string to_text(const Reading& reading, const TextError& error);
+
+/// Reads a text in blocks.
+class PastedText {
+ public:
+  explicit PastedText(Reading reading = {}) : reading_(reading) {}
+
+  /// Appends the bytes of `text` to `out`, up to the first error. Must not be called after an
+  /// error.
+  [[nodiscard]] std::optional<TextError> feed(std::span<const std::uint8_t> text,
+                                              std::vector<std::uint8_t>& out);
+  /// Must be called at the end.
+  [[nodiscard]] std::optional<TextError> finish(std::vector<std::uint8_t>& out);
+
+  const Reading& reading() const { return reading_; }
+  /// True if a line began with a time, a sender or a name.
+  bool has_fronts() const { return has_fronts_; }
+  /// Returns who sent the byte at `offset`, if the text says so. Offsets must not decrease.
+  std::optional<Direction> sender(std::uint64_t offset);
+
+ private:
+  std::optional<TextError> read_line(std::string_view line, std::vector<std::uint8_t>& out);
+  std::optional<LineProblem> read_bytes(std::string_view line, std::vector<std::uint8_t>& out);
+
+  Reading reading_;
+  HexDecoder hex_{};
+  DumpLines dump_{};
+  std::string line_{};  // as far as it is known
+  std::size_t lines_ = 0;
+  std::uint64_t size_ = 0;  // bytes of complete lines
+  bool has_fronts_ = false;
+  std::optional<Direction> sender_{};
+  std::deque<std::pair<std::uint64_t, Direction>> senders_{};  // from these offsets on
+};
+
+/// The most likely reading of a text.
+struct ReadingChoice {
+  Reading reading{};
+  std::optional<TextError> problem{};  ///< the text cannot be read
+  std::optional<Reading> other{};      ///< as likely, with other bytes
+  bool is_likely = false;              ///< it finds frames, or begins with a start byte
+  bool has_bytes = false;
+};
+
+/// Chooses the reading that finds most in the first part of a text: 4096 bytes at least, if it has
+/// them.
+ReadingChoice choose_reading(std::span<const std::uint8_t> begin);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,289 @@
+#include "frames/text_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/detail/words.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view decimal_digits = "0123456789";
+constexpr std::string_view hex_digits = "0123456789abcdefABCDEF";
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+
+bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+
+/// Returns the number of characters of `text` from `at` on that are in `set`.
+std::size_t run(std::string_view text, std::size_t at, std::string_view set) {
+  const std::size_t end = std::min(text.find_first_not_of(set, at), text.size());
+  return end - std::min(at, end);
+}
+
+bool has(std::string_view text, std::size_t at, std::string_view set) {
+  return at < text.size() && is_one_of(text[at], set);
+}
+
+std::uint64_t number_of(std::string_view digits, int base) {
+  std::uint64_t value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+  return value;
+}
+
+std::uint8_t byte_of(std::string_view digits, int base = 16) {
+  return static_cast<std::uint8_t>(number_of(digits, base));
+}
+
+/// Reads a time and a sender from the front of a line.
+class FrontReader {
+ public:
+  explicit FrontReader(std::string_view line) : line_(line) { skip_blanks(); }
+
+  LineFront read() {
+    // Either can be first.
+    while (take_time() || take_sender()) skip_separator();
+    take_assignment();
+    return {at_, sender_};
+  }
+
+ private:
+  void skip_blanks() { at_ += run(line_, at_, blanks); }
+
+  void skip_separator() {
+    skip_blanks();
+    // A '>' begins many frames.
+    const bool is_prompt = has(line_, at_, ">") && has(line_, at_ + 1, blanks);
+    if (is_prompt || has(line_, at_, ":|,")) ++at_;
+    skip_blanks();
+  }
+
+  /// "12:34:56.789", "[2026-11-26 12:34:56]", "(12.345)", "12.345 s".
+  bool take_time() {
+    std::size_t at = at_;
+    const bool is_bracketed = has(line_, at, "[(");
+    if (is_bracketed) ++at;
+    at += date_at(at);
+    const std::size_t size = clock_at(at) != 0 ? clock_at(at) : seconds_at(at);
+    if (size == 0) return false;
+    at += size;
+    if (is_bracketed && !has(line_, at++, "])")) return false;
+    if (at < line_.size() && !has(line_, at, " \t:|,")) return false;
+    at_ = at;
+    return true;
+  }
+
+  std::size_t date_at(std::size_t at) const {
+    const bool is_date = run(line_, at, decimal_digits) == 4 && has(line_, at + 4, "-/") &&
+                         run(line_, at + 5, decimal_digits) == 2 && has(line_, at + 7, "-/") &&
+                         run(line_, at + 8, decimal_digits) == 2 && has(line_, at + 10, " T");
+    return is_date ? 11 : 0;
+  }
+
+  std::size_t clock_at(std::size_t at) const {
+    const std::size_t hours = run(line_, at, decimal_digits);
+    const std::size_t colon = at + hours;
+    if (hours == 0 || hours > 2 || !has(line_, colon, ":") || !has(line_, colon + 3, ":")) return 0;
+    std::size_t end = colon + 6;
+    if (run(line_, colon + 1, decimal_digits) != 2 || run(line_, colon + 4, decimal_digits) != 2) {
+      return 0;
+    }
+    if (has(line_, end, ".,") && has(line_, end + 1, decimal_digits)) {
+      end += 1 + run(line_, end + 1, decimal_digits);
+    }
+    return end - at;
+  }
+
+  std::size_t seconds_at(std::size_t at) const {
+    const std::size_t whole = run(line_, at, decimal_digits);
+    const std::size_t point = at + whole;
+    if (whole == 0 || !has(line_, point, ".")) return 0;
+    const std::size_t fraction = run(line_, point + 1, decimal_digits);
+    std::size_t end = point + 1 + fraction;
+    if (fraction == 0) return 0;
+    for (const std::string_view unit : {"s", " s", "ms", " ms"}) {
+      const bool is_unit = line_.substr(end).starts_with(unit);
+      if (is_unit && !has(line_, end + unit.size(), letters)) return end + unit.size() - at;
+    }
+    return end - at;
+  }
+
+  bool take_sender() {
+    using enum Direction;
+    constexpr std::array<std::pair<std::string_view, Direction>, 10> words{
+        {{"tx", to_board},
+         {"rx", from_board},
+         {"sent", to_board},
+         {"send", to_board},
+         {"received", from_board},
+         {"recv", from_board},
+         {"->", to_board},
+         {"<-", from_board},
+         {">>", to_board},
+         {"<<", from_board}}};
+    const std::size_t start = at_ + (has(line_, at_, "[(") ? 1 : 0);
+    for (const auto& [word, sender] : words) {
+      const std::string_view found = line_.substr(std::min(start, line_.size()), word.size());
+      const std::size_t end = start + word.size();
+      if (!detail::is_same_word(found, word)) continue;
+      if (is_one_of(word.front(), letters) &&
+          (has(line_, end, letters) || has(line_, end, hex_digits))) {
+        continue;
+      }
+      at_ = end + (has(line_, end, "])") ? 1 : 0);
+      sender_ = sender;
+      return true;
+    }
+    return false;
+  }
+
+  /// "uint8_t frame[] = ", "bytes(".
+  void take_assignment() {
+    const std::size_t equals = line_.find('=', at_);
+    const std::string_view name = line_.substr(std::min(at_, line_.size()), equals - at_);
+    const bool is_name = !name.empty() && is_one_of(name.front(), letters) &&
+                         name.find_first_of("'\"{,") == std::string_view::npos;
+    if (equals != std::string_view::npos && is_name) at_ = equals + 1;
+    skip_blanks();
+    const std::size_t word = run(line_, at_, letters);
+    if (word != 0 && has(line_, at_ + word, "(")) at_ += word + 1;
+  }
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+  std::optional<Direction> sender_{};
+};
+
+/// Reads one character or escape inside quotes. Returns false for an unknown escape.
+bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_t>& out) {
+  if (line[at] != '\\') {
+    out.push_back(static_cast<std::uint8_t>(line[at++]));
+    return true;
+  }
+  constexpr std::string_view names = "abfnrtv\\'\"";
+  constexpr std::string_view values = "\a\b\f\n\r\t\v\\'\"";
+  ++at;
+  if (has(line, at, "x") && run(line, at + 1, hex_digits) >= 2) {
+    out.push_back(byte_of(line.substr(at + 1, 2)));
+    at += 3;
+    return true;
+  }
+  if (const std::size_t size = std::min(run(line, at, "01234567"), std::size_t{3}); size != 0) {
+    out.push_back(byte_of(line.substr(at, size), 8));
+    at += size;
+    return true;
+  }
+  if (!has(line, at, names)) return false;
+  out.push_back(static_cast<std::uint8_t>(values[names.find(line[at++])]));
+  return true;
+}
+
+}  // namespace
+
+LineFront front_of(std::string_view line) { return FrontReader(line).read(); }
+
+std::optional<LineProblem> read_decimal(std::string_view line, std::vector<std::uint8_t>& out) {
+  constexpr std::string_view separators = " \t\r,;{}[]()";
+  for (std::size_t at = 0; at < line.size();) {
+    if (line[at] == '#') return {};
+    if (is_one_of(line[at], separators)) {
+      ++at;
+      continue;
+    }
+    const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+    int value = 0;
+    const auto [stopped, error] = std::from_chars(line.data() + at, line.data() + end, value);
+    const bool is_byte = error == std::errc{} && stopped == line.data() + end;
+    if (!is_byte || value < -128 || value > 255) {
+      return LineProblem{at, "expected a number from -128 to 255"};
+    }
+    out.push_back(static_cast<std::uint8_t>(value));
+    at = end;
+  }
+  return {};
+}
+
+std::optional<LineProblem> read_literals(std::string_view line, std::vector<std::uint8_t>& out) {
+  const bool is_comment = has(line, run(line, 0, blanks), "#");
+  for (std::size_t at = 0; at < line.size() && !is_comment;) {
+    const char quote = line[at++];
+    if (quote != '\'' && quote != '"') {
+      if (!is_one_of(quote, " \t\r,;[](){}+:bB")) return LineProblem{at - 1, "expected a quote"};
+      continue;
+    }
+    while (at < line.size() && line[at] != quote) {
+      const std::size_t start = at;
+      if (!read_escape(line, at, out)) return LineProblem{start, "unknown escape"};
+    }
+    if (at == line.size()) return LineProblem{at, fmt::format("{} is missing", quote)};
+    ++at;
+  }
+  return {};
+}
+
+std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::uint8_t>& out) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  for (std::size_t at = 0; at < line.size();) {
+    const char c = line[at];
+    if (c != '{') {
+      if (c < ' ' || c > '~') return LineProblem{at, "this byte is not a character of ASCII"};
+      out.push_back(static_cast<std::uint8_t>(c));
+      ++at;
+      continue;
+    }
+    if (run(line, at + 1, hex_digits) != 2 || !has(line, at + 3, "}")) {
+      return LineProblem{at, "two hex digits and '}' must follow '{'"};
+    }
+    out.push_back(byte_of(line.substr(at + 1, 2)));
+    at += 4;
+  }
+  return {};
+}
+
+std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<std::uint8_t>& out) {
+  std::size_t at = run(line, 0, blanks);
+  if (at == line.size() || line[at] == '#') return {};
+  if (line[at] == '*')
+    return LineProblem{at, "'*' stands for lines that are not here; dump all with -v"};
+  const std::size_t digits = run(line, at, hex_digits);
+  const std::string_view offset = line.substr(at, digits);
+  const bool has_offset = digits >= 4 && digits <= 16;
+  const std::size_t end_of_offset = at + digits + (has(line, at + digits, ":") ? 1 : 0);
+  if (!has_offset || (end_of_offset != line.size() && !has(line, end_of_offset, blanks))) {
+    return LineProblem{at, "a line of a dump begins with an offset"};
+  }
+  // od counts in octal. A dump of several frames begins at 0 again.
+  const std::uint64_t number = number_of(offset, 16);
+  if (number == 0) next_ = 0;
+  if (number != next_ && number_of(offset, 8) != next_) {
+    return LineProblem{at, fmt::format("the offset of this line should be {:#x}", next_)};
+  }
+  at = end_of_offset;
+  std::size_t bytes = 0;
+  while (true) {
+    const std::size_t gap = run(line, at, blanks);
+    at += gap;
+    const std::size_t size = run(line, at, hex_digits);
+    const bool is_end = at + size == line.size() || has(line, at + size, blanks);
+    const bool is_group = size != 0 && size % 2 == 0 && is_end;
+    // Half of the bytes of a line may be set apart; then come those bytes as characters.
+    const bool is_apart = bytes != 0 && gap >= 2 && !(bytes == 8 && gap == 2 && size == 2);
+    if (at == line.size() || is_apart) break;
+    if (!is_group) {
+      if (bytes == 8 && gap == 2) break;
+      return LineProblem{at, "expected a byte in hex"};
+    }
+    for (std::size_t i = 0; i < size; i += 2) out.push_back(byte_of(line.substr(at + i, 2)));
+    bytes += size / 2;
+    at += size;
+  }
+  next_ += bytes;
+  return {};
+}
+
+}  // namespace sbgc::tools

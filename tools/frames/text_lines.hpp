@@ -1,0 +1,48 @@
+/// Bytes as people write them in a line of text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/codec.hpp>
+
+namespace sbgc::tools {
+
+/// What comes before the bytes of a line: "12:34:56.789 TX: ", "uint8_t frame[] = ".
+struct LineFront {
+  std::size_t size = 0;
+  std::optional<Direction> sender{};  ///< if it is named: the host transmits (TX)
+};
+
+LineFront front_of(std::string_view line);
+
+/// Why a line cannot be read, at a column from 0.
+struct LineProblem {
+  std::size_t column{};
+  std::string reason{};
+};
+
+// Each appends the bytes of a line to `out`, up to the first problem.
+
+/// "[62, 67, 15]", also with negative numbers, as of signed bytes.
+std::optional<LineProblem> read_decimal(std::string_view line, std::vector<std::uint8_t>& out);
+/// Strings of Python and C: "b'\x3eV\x00'". What is outside of quotes is ignored.
+std::optional<LineProblem> read_literals(std::string_view line, std::vector<std::uint8_t>& out);
+/// ">V{12}h{1F}": characters, and bytes in hex in braces.
+std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::uint8_t>& out);
+
+/// Lines of xxd, hexdump -C, od -t x1 and Wireshark: an offset, bytes in hex, and perhaps the same
+/// as characters.
+class DumpLines {
+ public:
+  std::optional<LineProblem> read(std::string_view line, std::vector<std::uint8_t>& out);
+
+ private:
+  std::uint64_t next_ = 0;  // the expected offset
+};
+
+}  // namespace sbgc::tools
