@@ -253,7 +253,7 @@ void check_readers(const Bytes& file, const std::vector<Item>& items, std::size_
   for (const sbgc::tools::Reading& reading : {sbgc::tools::Reading{}, choice.reading}) {
     require(bytes_of_text(file, reading, piece) == bytes_of_text(file, reading, file.size() + 1));
   }
-  require(sbgc::tools::is_hex_text(file) == (hex && !hex->empty()) || !hex);
+  require(choice.has_bytes || !sbgc::tools::is_text_of_bytes(file));
   static_cast<void>(sbgc::tools::guess_input(file, false));
 
   Bytes from_board;
