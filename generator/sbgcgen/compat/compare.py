@@ -189,8 +189,8 @@ def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, s
                 changes.deleted(WIRE, what, command.at, command.id)
                 continue
             come.remove(now)
-            is_alias = command.identifier in {a.name for a in now.aliases}
-            level = COMPATIBLE if is_alias else SOURCE
+            is_known = command.identifier in {now.identifier, *(a.name for a in now.aliases)}
+            level = COMPATIBLE if is_known else SOURCE
             changes.add(level, f"{what}: name", command.name, now.name, now.at)
         same[command.name] = now.name
         _compare_command(what, command, now, changes)
