@@ -12,6 +12,7 @@ HEADERS = """
 #include <sbgc/client/client.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 #include <sbgc/text.hpp>
@@ -24,9 +25,9 @@ template <class M>
 void use(const M& message, sbgc::Session& session) {
   M copy = message;
   std::array<std::uint8_t, sbgc::max_frame_size> frame;
-  static_cast<void>(encode_frame(copy, frame));
-  static_cast<void>(to_string(copy) + to_json(copy));
-  static_cast<void>(is_valid(copy) && copy == message);
+  static_cast<void>(sbgc::encode_frame(copy, frame));
+  static_cast<void>(to_string(copy) + sbgc::to_json(copy));
+  static_cast<void>(sbgc::is_valid(copy) && copy == message);
   if constexpr (M::direction != sbgc::Direction::from_board) session.send(copy);
 }
 void use_all(sbgc::Session& session) {
