@@ -30,7 +30,7 @@ void byte_sum(benchmark::State& state) {
 
 template <CrcTable table>
 void crc16(benchmark::State& state) {
-  using Crc = sbgc::Crc16<sbgc::FramingFacts<Framing::v2>::trailer_checksum_crc, table>;
+  using Crc = sbgc::Crc<sbgc::FramingFacts<Framing::v2>::trailer_checksum_crc, table>;
   const Bytes& bytes = realtime();
   for (auto _ : state) benchmark::DoNotOptimize(Crc{}.add(bytes.data(), bytes.size()).value());
   count_bytes(state, bytes.size());

@@ -23,6 +23,10 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
   };
 }
 
+msg::MillisecondClock Device::clock(Instant now) const {
+  return msg::MillisecondClock(static_cast<std::uint16_t>((now - restarts.started()).us / 1000));
+}
+
 Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
 
 double Device::battery_factor() const {

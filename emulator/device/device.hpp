@@ -79,6 +79,8 @@ struct Device {
   /// The errors that live data report.
   Flags<msg::SystemError> errors(Instant now);
 
+  /// The time since the start, which wraps every 65.5 s.
+  msg::MillisecondClock clock(Instant now) const;
   /// The cycle time of the controller.
   static Duration cycle();
   /// The reading of the battery sensor per volt; 0 without a sensor.

@@ -1,9 +1,9 @@
 #include "device/request_context.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "device/features.hpp"
-#include "device/ports.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -45,14 +45,10 @@ RequestContext::RequestContext(Ports& ports, const BoardOptions& options, std::s
 
 bool RequestContext::is_usb() const { return ports_.is_usb(port); }
 
-void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
-  ports_.send_frame(port, frame);
-}
-
 void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
   std::array<std::uint8_t, max_frame_size> frame{};
   if (const WriteResult written = write_frame(id, body, frame)) {
-    send_frame(std::span(frame).first(written.size));
+    ports_.send_frame(port, std::span(frame).first(written.size));
   }
 }
 

@@ -1,7 +1,6 @@
 /// The interface between a request handler and the board.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,10 +16,9 @@
 #include <sbgc/time.hpp>
 
 #include "device/firmware_limits.hpp"
+#include "device/ports.hpp"
 
 namespace sbgc::emulator {
-
-class Ports;
 
 /// True if a message holds parameters of the board.
 template <class M>
@@ -79,16 +77,12 @@ class RequestContext {
   Availability versions() const { return versions_; }
 
  private:
-  void send_frame(std::span<const std::uint8_t> frame);
   /// Leaves out what the firmware does not know, but parameters are sent as they are stored.
   template <Message M>
   void send(const M& message) {
     M known = message;
     if constexpr (!holds_parameters<M>) limit_to(versions(), known);
-    std::array<std::uint8_t, max_frame_size> frame{};
-    if (const WriteResult written = encode_frame(known, frame)) {
-      send_frame(std::span(frame).first(written.size));
-    }
+    ports_.send(port, known);
   }
 
   bool confirms() const noexcept { return confirmed_ >= Confirmed::possible; }

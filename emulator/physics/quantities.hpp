@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include <sbgc/quantity.hpp>
+#include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::emulator {
@@ -19,6 +21,14 @@ Q saturated(double value) {
   using Raw = typename Q::raw_type;
   if (std::isnan(value)) return Q(Raw{});
   return Q(value < 0 ? std::numeric_limits<Raw>::lowest() : std::numeric_limits<Raw>::max());
+}
+
+/// The same for each of several values, times a factor.
+template <class Q, template <class> class Each>
+Each<Q> saturated(const Each<double>& values, double factor = 1) {
+  Each<Q> result;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = saturated<Q>(factor * values[i]);
+  return result;
 }
 
 /// The same for plain integers.
@@ -44,6 +54,9 @@ inline msg::Angle14 wire_angle(double degrees) {
   const auto angle = msg::LongAngle14::from_degrees(std::remainder(degrees, angle_period));
   const msg::Angle14 result(static_cast<std::int16_t>(angle.value_or(msg::LongAngle14{}).raw()));
   return result;
+}
+inline Axes<msg::Angle14> wire_angles(const Axes<double>& degrees) {
+  return {wire_angle(degrees.roll), wire_angle(degrees.pitch), wire_angle(degrees.yaw)};
 }
 
 }  // namespace sbgc::emulator

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -41,6 +42,7 @@ static_assert(Memory::eeprom_size % line_size == 0);
 // Reading and writing share these lists of names and members.
 
 template <class Calibration, class Use>
+  requires std::same_as<std::remove_const_t<Calibration>, ImuCalibration>
 void for_each_member(Calibration& imu, Use&& use) {
   use("gyro_is_calibrated", imu.gyro_is_calibrated);
   use("acc_limits", imu.acc_limits);
@@ -54,8 +56,9 @@ void for_each_member(Calibration& imu, Use&& use) {
   use("gyro_offset", imu.gyro_offset);
 }
 
-template <class Saved, class Use>
-void for_each_member_of_owner(Saved& owner, Use&& use) {
+template <class Owner, class Use>
+  requires std::same_as<std::remove_const_t<Owner>, MemoryOwner>
+void for_each_member(Owner& owner, Use&& use) {
   use("version", owner.board);
   use("firmware", owner.firmware);
   use("device_id", owner.device_id);
@@ -64,29 +67,35 @@ void for_each_member_of_owner(Saved& owner, Use&& use) {
 
 /// Members that files of earlier versions lack.
 template <class Saved, class Use>
-void for_each_later_member(Saved& memory, Use&& use) {
+void for_each_later_member(Saved&& memory, Use&& use) {
   use("profile_sets", memory.profile_sets);
   use("profile_set", memory.profile_set);
   use("state_variables", memory.state_variables);
   use("pass_protect", memory.pass_protect);
 }
 
-using Blob = std::vector<std::uint8_t>;
-using Blobs = std::array<Blob, Memory::profile_set_slots>;
+/// A value with a list of members.
+template <class T>
+concept HasMembers = requires(T& value) {
+  for_each_member(value, [](const char*, auto&) {});
+};
 
-bool is_default(std::uint8_t profile_set) { return profile_set == Memory{}.profile_set; }
-bool is_default(std::uint32_t pass_protect) { return pass_protect == 0; }
-bool is_default(const Blob& bytes) { return bytes.empty(); }
-bool is_default(const Blobs& blobs) {
-  return std::ranges::all_of(blobs, [](const Blob& bytes) { return bytes.empty(); });
-}
+/// Part of an identity, such as the version of the board.
+template <class T>
+concept Packed = requires {
+  typename T::raw_type;
+};
+
+using Blob = std::vector<std::uint8_t>;
 
 struct ToJson {
   template <class T>
     requires std::is_arithmetic_v<T>
   static Json value(T number) { return number; }
-  static Json value(msg::BoardVersion version) { return version.raw(); }
-  static Json value(msg::FirmwareVersion version) { return version.raw(); }
+  template <Packed T>
+  static Json value(T version) {
+    return version.raw();
+  }
   template <std::size_t n>
   static Json value(const std::array<std::uint8_t, n>& bytes) {
     return detail::to_hex(bytes);
@@ -94,31 +103,25 @@ struct ToJson {
   static Json value(const Xyz<double>& vector) {
     return Json::array({vector.x, vector.y, vector.z});
   }
-  static Json value(const ImuCalibration& imu) {
+  template <HasMembers T>
+  static Json value(const T& members) {
     Json result = Json::object();
-    for_each_member(imu,
+    for_each_member(members,
                     [&](const char* name, const auto& member) { result[name] = value(member); });
     return result;
   }
-  static Json value(const std::array<ImuCalibration, 2>& imus) {
-    return Json::array({value(imus[0]), value(imus[1])});
-  }
-  static Json value(const MemoryOwner& owner) {
-    Json result = Json::object();
-    for_each_member_of_owner(
-        owner, [&](const char* name, const auto& member) { result[name] = value(member); });
-    return result;
-  }
-  static Json value(const Blob& bytes) { return eeprom(bytes); }
-  static Json value(const Blobs& blobs) {
+  template <class T, std::size_t n>
+  static Json value(const std::array<T, n>& list) {
     Json result = Json::array();
-    for (const Blob& bytes : blobs) result.push_back(value(bytes));
+    for (const T& one : list) result.push_back(value(one));
     return result;
   }
-  static Json eeprom(std::span<const std::uint8_t> bytes) {
+  static Json value(const Blob& all) {
     Json lines = Json::array();
-    for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), line_size))) {
-      lines.push_back(detail::to_hex(bytes.first(std::min(bytes.size(), line_size))));
+    for (std::span<const std::uint8_t> bytes(all); !bytes.empty();) {
+      const auto line = bytes.first(std::min(bytes.size(), line_size));
+      lines.push_back(detail::to_hex(line));
+      bytes = bytes.subspan(line.size());
     }
     return lines;
   }
@@ -133,10 +136,15 @@ Json document_of(const SavedMemory& saved) {
                 {"battery_factor", memory.battery_factor},
                 {"imus", ToJson::value(memory.imus)},
                 {"sensors", ToJson::value(memory.sensors)},
-                {"eeprom", ToJson::eeprom(memory.eeprom)}};
+                {"eeprom", ToJson::value(memory.eeprom)}};
   // Only if there is something to save, so that files stay the same for boards without these.
+  Json of_new_board;
+  for_each_later_member(Memory{}, [&](const char* name, const auto& member) {
+    of_new_board[name] = ToJson::value(member);
+  });
   for_each_later_member(memory, [&](const char* name, const auto& member) {
-    if (!is_default(member)) document[name] = ToJson::value(member);
+    Json value = ToJson::value(member);
+    if (value != of_new_board[name]) document[name] = std::move(value);
   });
   return document;
 }
@@ -239,15 +247,11 @@ class Reader {
     if (!json.is_string()) return fail(path, "expected a string");
     out = json.get<std::string>();
   }
-  void value(const Json& json, const std::string& path, msg::BoardVersion& out) {
-    msg::BoardVersion::raw_type raw{};
+  template <Packed T>
+  void value(const Json& json, const std::string& path, T& out) {
+    typename T::raw_type raw{};
     value(json, path, raw);
-    out = msg::BoardVersion(raw);
-  }
-  void value(const Json& json, const std::string& path, msg::FirmwareVersion& out) {
-    msg::FirmwareVersion::raw_type raw{};
-    value(json, path, raw);
-    out = msg::FirmwareVersion(raw);
+    out = T(raw);
   }
   template <std::size_t n>
   void value(const Json& json, const std::string& path, std::array<std::uint8_t, n>& out) {
@@ -258,15 +262,16 @@ class Reader {
     if (!json.is_array() || json.size() != size) return fail(path, "expected 3 numbers");
     for (std::size_t i = 0; i < size; ++i) value(json[i], at(path, i), out[i]);
   }
-  void value(const Json& json, const std::string& path, ImuCalibration& out) {
+  template <HasMembers T>
+  void value(const Json& json, const std::string& path, T& out) {
     members(json, path, [&](auto& use) { for_each_member(out, use); });
   }
-  void value(const Json& json, const std::string& path, std::array<ImuCalibration, 2>& out) {
-    if (!json.is_array() || json.size() != out.size()) return fail(path, "expected a list of 2");
-    for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
-  }
-  void value(const Json& json, const std::string& path, MemoryOwner& out) {
-    members(json, path, [&](auto& use) { for_each_member_of_owner(out, use); });
+  template <class T, std::size_t n>
+  void value(const Json& json, const std::string& path, std::array<T, n>& out) {
+    if (!json.is_array() || json.size() != n) {
+      return fail(path, fmt::format("expected a list of {}", n));
+    }
+    for (std::size_t i = 0; i < n; ++i) value(json[i], at(path, i), out[i]);
   }
   /// Bytes in lines; all lines but the last one are full.
   void value(const Json& json, const std::string& path, Blob& out) {
@@ -286,13 +291,6 @@ class Reader {
       bytes(json[i], at(path, i), std::span(out).last(std::min(size, line_size)));
     }
   }
-  void value(const Json& json, const std::string& path, Blobs& out) {
-    if (!json.is_array() || json.size() != out.size()) {
-      return fail(path, fmt::format("expected a list of {}", out.size()));
-    }
-    for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
-  }
-
   void bytes(const Json& json, const std::string& path, std::span<std::uint8_t> out) {
     const auto found =
         json.is_string() ? detail::from_hex(json.get_ref<const std::string&>()) : std::nullopt;

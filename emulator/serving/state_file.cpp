@@ -28,44 +28,31 @@ bool is_empty_file(int descriptor) {
   return ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) && about.st_size == 0;
 }
 
-/// True if the open file still has this path.
-bool is_at(int descriptor, const std::filesystem::path& path) {
-  struct stat opened {};
-  struct stat named {};
-  return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
 }  // namespace
 
 StateFile::StateFile(const std::string& name)
     : path_(sbgc::detail::target_of(name)), lock_path_(path_.string() + ".sbgc-lock") {
   while (true) {
     constexpr mode_t mode = 0644;
-    const int opened = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, mode);
-    if (opened < 0) fail("cannot write", lock_path_, errno);
-    if (!is_empty_file(opened)) {
-      ::close(opened);
+    io::detail::Descriptor opened(
+        ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, mode));
+    if (!opened) fail("cannot write", lock_path_, errno);
+    if (!is_empty_file(opened.get())) {
       throw std::runtime_error(
           fmt::format("cannot lock {}: {} is not a lock", name, lock_path_.string()));
     }
-    if (::flock(opened, LOCK_EX | LOCK_NB) != 0) {
-      const int number = errno;
-      ::close(opened);
-      if (number != EWOULDBLOCK) fail("cannot lock", lock_path_, number);
+    if (::flock(opened.get(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) fail("cannot lock", lock_path_, errno);
       throw std::runtime_error(fmt::format("{} is in use by another emulator", name));
     }
-    if (is_at(opened, lock_path_)) {
-      lock_ = opened;
-      return;
-    }
-    ::close(opened);  // its emulator has just removed it
+    if (!sbgc::detail::is_at(opened.get(), lock_path_)) continue;  // it has just been removed
+    lock_ = std::move(opened);
+    return;
   }
 }
 
 StateFile::~StateFile() {
-  if (is_at(lock_, lock_path_)) ::unlink(lock_path_.c_str());
-  ::close(lock_);
+  if (sbgc::detail::is_at(lock_.get(), lock_path_)) ::unlink(lock_path_.c_str());
 }
 
 std::optional<SavedMemory> StateFile::load() const {

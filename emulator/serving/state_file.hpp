@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <sbgc/io/detail/descriptor.hpp>
+
 #include "serving/memory_file.hpp"
 
 namespace sbgc::serving {
@@ -29,7 +31,7 @@ class StateFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path lock_path_;
-  int lock_ = -1;
+  io::detail::Descriptor lock_{};
 };
 
 }  // namespace sbgc::serving

@@ -28,6 +28,8 @@ ENTRIES = (
 # Tables of names, units and limits, which need as little but are large.
 TABLES = ("sbgc/validate.hpp", "sbgc/meta/all.hpp")
 
+# The project with the runtime: that of this generator for protocols in other folders.
+_HERE = Path(__file__).resolve().parents[2]
 _FOLDERS = ("generated/include", "runtime/core/include", "runtime/session/include")
 _GENERATED = "// Generated from "
 _DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*$")
@@ -44,7 +46,7 @@ class Part:
 
 def version(project: Path) -> str:
     """The version of the library, such as 1.2.3."""
-    text = (project / VERSION_HEADER).read_text(encoding="utf-8")
+    text = _file(project, VERSION_HEADER).read_text(encoding="utf-8")
     numbers = re.findall(
         r"^#define SBGC_VERSION_(?:MAJOR|MINOR|PATCH) ([0-9]+)$", text, re.MULTILINE
     )
@@ -54,12 +56,22 @@ def version(project: Path) -> str:
 
 
 def license_text(project: Path) -> str:
-    return (project / "LICENSE").read_text(encoding="utf-8")
+    return _file(project, "LICENSE").read_text(encoding="utf-8")
+
+
+def in_namespace(text: str, name: str) -> str:
+    """Code of the library with another namespace, and another prefix of macros."""
+    text = re.sub(r"\bsbgc\b", name, text)
+    return re.sub(r"\bSBGC_", f"{name.upper()}_", text)
+
+
+def _file(project: Path, path: Path | str) -> Path:
+    return project / path if (project / path).is_file() else _HERE / path
 
 
 def path_of(project: Path, name: str) -> Path:
     """The file of a header."""
-    paths = [project / folder / name for folder in _FOLDERS]
+    paths = [_file(project, f"{folder}/{name}") for folder in _FOLDERS]
     found = next((path for path in paths if path.is_file()), None)
     if found is None:
         raise ValueError(f"{name} is not a header of core, codec or session")

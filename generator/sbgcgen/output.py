@@ -14,7 +14,7 @@ class Output:
     folder: Path
     files: dict[str, bytes]
     # A file that every such output contains. A folder without it is not cleaned.
-    mark: str = "simplebgc.json"
+    mark: str = "frames.jsonl"
 
     def _there(self) -> set[str]:
         """The files in the folder."""

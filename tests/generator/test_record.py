@@ -78,7 +78,7 @@ CHANGES: dict[str, tuple[Callable[[Path], object], str]] = {
     "a file is edited": (lambda out: edit(out / "simplebgc.json"), "1 changed"),
     "and has its old time": (lambda out: edit(out / "simplebgc.json", True), "1 changed"),
     "a file is deleted": (lambda out: (out / "simplebgc.json").unlink(), "1 changed"),
-    "a file is renamed": (lambda out: (out / "frames.jsonl").rename(out / "f.jsonl"), "2 changed"),
+    "a file is renamed": (lambda out: (out / "simplebgc.json").rename(out / "f.json"), "2 changed"),
     "a file is added": (lambda out: (out / "stray.hpp").write_text(""), "1 changed"),
 }
 

@@ -36,6 +36,7 @@ SOURCES = [
     ROOT / "tests/core/messages.cpp",
     ROOT / "tests/core/codec_vectors_test.cpp",
     ROOT / "tests/random_schemas/conversation.cpp",
+    ROOT / "tests/random_schemas/frames_test.cpp",
     ROOT / "tests/random_schemas/settings_test.cpp",
 ]
 WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
@@ -144,7 +145,8 @@ class Trial:
         return (done.stdout + done.stderr) if done.returncode else ""
 
 
-def _options(arguments: list[str] | None) -> argparse.Namespace:
+def options_of(arguments: list[str] | None) -> argparse.Namespace:
+    """Returns the options of a run."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--seed", type=int, help="seed of the first spec (default: 1; long: any)")
     parser.add_argument("--count", type=int, help="number of specs, with consecutive seeds")
@@ -173,7 +175,7 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the trials; returns exit status 1 if one fails."""
-    options = _options(arguments)
+    options = options_of(arguments)
     failed = []
     for seed in range(options.seed, options.seed + options.count):
         folder = options.folder / str(seed)

@@ -105,19 +105,17 @@ class SpecMaker(MessageMaker):
         }
 
     def framings(self) -> Node:
-        """Returns the framing with sums, perhaps also the one with a CRC."""
+        """Returns one or two framings with checksums of any kind."""
         header = {"kind": "sum8", "covers": ["id", "size"]}
-        crc: Node = {"kind": "crc16", "covers": ["id", "size", "header_checksum", "body"]}
-        crc |= {"polynomial": 0x8005, "initial": 0, "final_xor": 0, "check": 0xBCDD}
-        crc |= {"reflect_in": True, "reflect_out": False}
+        parts = ["start", *self.random.sample(("id", "size"), 2), "header_checksum"]
         common = {
-            "header": ["start", "id", "size", "header_checksum"],
+            "header": parts,
             "max_body": MAX_BODY,
             "source": "Framing L1",
             "errata": ["E001"],
         }
-        first = {"header_checksum": header, "body_checksum": {"kind": "sum8", "covers": ["body"]}}
-        second = {"header_checksum": header, "frame_checksum": crc}
+        first = {"header_checksum": header, "body_checksum": self.checksum(parts)}
+        second = {"header_checksum": header, "frame_checksum": self.checksum(parts)}
         found: Node = {
             "v1": {"start": 0x3E, **common, "trailer": ["body_checksum"], "checksums": first}
         }
@@ -126,6 +124,20 @@ class SpecMaker(MessageMaker):
             found["v2"] = {"start": 0x24, "since": since, **common, "trailer": ["frame_checksum"]}
             found["v2"]["checksums"] = second
         return found
+
+    def checksum(self, header: list[str]) -> Node:
+        """Returns a checksum of the body, or of all from a part of the header on."""
+        covered = [*header, "body"][self.random.choice((0, 1, len(header))) :]
+        kind = self.random.choice(("sum8", "sum16", "xor8", "crc8", "crc16", "crc32"))
+        if not kind.startswith("crc"):
+            return {"kind": kind, "covers": covered}
+        most = (1 << int(kind[3:])) - 1
+        node: Node = {"kind": kind, "covers": covered, "polynomial": self.random.randint(1, most)}
+        for key in ("initial", "final_xor"):
+            node[key] = self.random.choice((0, most, self.random.randint(0, most)))
+        for key in ("reflect_in", "reflect_out"):
+            node[key] = self.chance(0.5)
+        return node
 
     def errata_file(self) -> Node:
         """Returns errata.yaml."""

@@ -18,25 +18,6 @@ constexpr std::array<std::pair<std::string_view, double>, 5> units{
     {{"ms", 1}, {"s", 1000}, {"", 1000}, {"m", 60'000}, {"h", 3'600'000}}};
 constexpr double longest = 1000 * 3.6e6;  // milliseconds
 
-template <class Duration>
-CLI::Option* add(CLI::App& command, const std::string& name, Duration& into,
-                 const std::string& description) {
-  const auto take = [&into](const std::string& text) {
-    const std::optional<milliseconds> parsed = parse_duration(text);
-    if (parsed) into = *parsed;
-    return parsed.has_value();
-  };
-  return command
-      .add_option(
-          name, [take](const CLI::results_t& texts) { return take(texts.front()); }, description)
-      ->check([](const std::string& text) {
-        return parse_duration(text)
-                   ? std::string()
-                   : fmt::format("'{}' is not a duration; write 500ms, 1.5s, 2m or 1h", text);
-      })
-      ->type_name("TIME");
-}
-
 }  // namespace
 
 std::optional<milliseconds> parse_duration(std::string_view text) {
@@ -61,14 +42,21 @@ std::string duration_text(milliseconds duration) {
   return fmt::format("{} s", static_cast<double>(duration.count()) / 1000);
 }
 
-CLI::Option* add_duration(CLI::App& command, const std::string& name, milliseconds& into,
-                          const std::string& description) {
-  return add(command, name, into, description);
-}
-
 CLI::Option* add_duration(CLI::App& command, const std::string& name,
                           std::optional<milliseconds>& into, const std::string& description) {
-  return add(command, name, into, description);
+  const auto take = [&into](const std::string& text) {
+    into = parse_duration(text);
+    return into.has_value();
+  };
+  return command
+      .add_option(
+          name, [take](const CLI::results_t& texts) { return take(texts.front()); }, description)
+      ->check([](const std::string& text) {
+        return parse_duration(text)
+                   ? std::string()
+                   : fmt::format("'{}' is not a duration; write 500ms, 1.5s, 2m or 1h", text);
+      })
+      ->type_name("TIME");
 }
 
 }  // namespace sbgc::tools

@@ -17,9 +17,7 @@ std::optional<std::chrono::milliseconds> parse_duration(std::string_view text);
 /// For example "500 ms", "1.5 s"; minutes and hours are shown in seconds.
 std::string duration_text(std::chrono::milliseconds duration);
 
-/// Adds an option that takes a duration. `into` keeps its value if the option is not given.
-CLI::Option* add_duration(CLI::App& command, const std::string& name,
-                          std::chrono::milliseconds& into, const std::string& description);
+/// Adds an option that takes a duration.
 CLI::Option* add_duration(CLI::App& command, const std::string& name,
                           std::optional<std::chrono::milliseconds>& into,
                           const std::string& description);

@@ -69,12 +69,13 @@ struct Trailer {
   explicit Trailer(Framing framing) {
     with_framing(framing, [this](auto f) {
       size = FramingFacts<f()>::trailer_size;
-      is_crc = FramingFacts<f()>::trailer_checksum == ChecksumKind::crc16;
+      is_crc = sbgc::is_crc(FramingFacts<f()>::trailer_checksum);
     });
   }
 
   std::string name(const char* body) const {
-    return is_crc ? "the CRC-16" : fmt::format("the checksum of its {}", body);
+    return is_crc ? fmt::format("the CRC-{}", 8 * size)
+                  : fmt::format("the checksum of its {}", body);
   }
   /// For example "0xbcdd".
   std::string value(const std::uint8_t* at) const {

@@ -136,7 +136,7 @@ int record_line(const RecordOptions& options) {
 
 /// A stream that is asked for, and its rate.
 struct WantedStream {
-  std::unique_ptr<StreamType> type{};
+  StreamType type;
   std::chrono::milliseconds interval{};
 };
 
@@ -152,7 +152,7 @@ std::vector<WantedStream> wanted_streams(const RecordOptions& options) {
     const std::string& text = options.streams[i];
     const std::size_t colon = std::min(text.find(':'), text.size());
     WantedStream wanted{StreamType::find(text.substr(0, colon)), {}};
-    if (colon != text.size()) wanted.type->configure(text.substr(colon + 1));
+    if (colon != text.size()) wanted.type.configure(text.substr(colon + 1));
     const double rate = rates == 0 ? usual_rate : options.rates[rates == 1 ? 0 : i];
     wanted.interval = interval_of(rate);
     result.push_back(std::move(wanted));
@@ -209,7 +209,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   std::vector<Subscription> running;
   running.reserve(streams.size());
   for (const WantedStream& one : streams) {
-    running.push_back(value_of(one.type->start(client, one.interval, [](const Sample&) {})));
+    running.push_back(value_of(one.type.start(client, one.interval, [](const Sample&) {})));
   }
   if (!to_stdout) fmt::print("{}\n", printable(client.description()));
   std::fflush(stdout);

@@ -99,15 +99,15 @@ bool write_out(const std::string& text) {
   return false;
 }
 
-std::unique_ptr<StreamType> chosen_stream(const StreamOptions& options) {
-  auto stream = StreamType::find(options.name);
-  stream->configure(options.with);
-  if (!options.fields.empty() && options.with.empty()) stream->configure_for(options.fields);
-  if (stream->lacks_flags() && options.with.empty()) {
+StreamType chosen_stream(const StreamOptions& options) {
+  StreamType stream = StreamType::find(options.name);
+  stream.configure(options.with);
+  if (!options.fields.empty() && options.with.empty()) stream.configure_for(options.fields);
+  if (stream.lacks_flags() && options.with.empty()) {
     std::string names;
-    for (const std::string& name : stream->flags()) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : stream.flags()) names += (names.empty() ? "" : ", ") + name;
     throw CommandError(fmt::format("choose what {} contains with --fields or --with; there are {}",
-                                   stream->info().name, names),
+                                   stream.info().name, names),
                        wrong_usage);
   }
   return stream;
@@ -139,10 +139,10 @@ void report_losses(const SampleCounter& counter, std::uint64_t dropped) {
 
 int run_stream(const StreamOptions& options, const CommandContext& context) {
   const auto interval = interval_of(options.rate);
-  const auto stream = chosen_stream(options);
+  const StreamType stream = chosen_stream(options);
   const bool is_watched = is_terminal(stdout);
   const auto writer = SampleWriter::make(
-      format_named(options.format), stream->info().name, shown_fields(*stream, options.fields),
+      format_named(options.format), stream.info().name, shown_fields(stream, options.fields),
       is_watched ? line_width() : 0, options.unix_time ? SampleKey::unix_time : SampleKey::time);
   std::signal(SIGPIPE, SIG_IGN);
   LineQueue lines;
@@ -157,7 +157,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
                                     : report_changes(client);
 
   const Subscription notices = client.on_notice([&](const Notice& notice) {
-    if (notice.kind != NoticeKind::unreadable || notice.command != stream->info().id) return;
+    if (notice.kind != NoticeKind::unreadable || notice.command != stream.info().id) return;
     remark("sbgc: {}\n", notice.message);
     has_unreadable = true;
   });
@@ -181,7 +181,7 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
     lines.put(writer->line(options.unix_time ? start_unix + time : time, sample));
   };
   Subscription samples =
-      ends ? stream->listen(client, take) : value_of(stream->start(client, interval, take));
+      ends ? stream.listen(client, take) : value_of(stream.start(client, interval, take));
   const auto end = options.time ? start + *options.time : Clock::time_point::max();
   // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
   const auto settled =

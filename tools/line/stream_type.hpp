@@ -3,13 +3,13 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
-#include <sbgc/meta.hpp>
 #include <sbgc/roles.hpp>
 
 #include "frames/sample.hpp"
@@ -24,13 +24,9 @@ class StreamType {
  public:
   /// The name is that of a message or of its command, in any case. Throws CommandError with
   /// suggestions.
-  static std::unique_ptr<StreamType> find(std::string_view name);
+  static StreamType find(std::string_view name);
 
-  StreamType(const StreamType&) = delete;
-  StreamType& operator=(const StreamType&) = delete;
-  virtual ~StreamType() = default;
-
-  virtual const MessageInfo& info() const = 0;
+  const MessageInfo& info() const { return *type_->info; }
 
   /// Configures what samples contain: "NAME=VALUE,…" sets fields of the request, and "A|B" its only
   /// set of flags. Throws CommandError.
@@ -44,18 +40,27 @@ class StreamType {
   bool lacks_flags() const;
 
   /// The fields of samples with this configuration, in wire order, without reserved ones.
-  virtual std::vector<StreamField> fields() const = 0;
+  std::vector<StreamField> fields() const;
 
   /// Takes the messages that arrive without a request, as from a capture.
-  virtual Subscription listen(ReconnectingClient& client, SampleHandler handler) const = 0;
+  Subscription listen(ReconnectingClient& client, SampleHandler handler) const {
+    return listen_(client, std::move(handler));
+  }
   /// Starts the stream.
-  virtual Result<Subscription> start(ReconnectingClient& client, std::chrono::milliseconds interval,
-                                     SampleHandler handler) const = 0;
+  Result<Subscription> start(ReconnectingClient& client, std::chrono::milliseconds interval,
+                             SampleHandler handler) const;
 
- protected:
-  StreamType() = default;
+ private:
+  template <class M>
+  explicit StreamType(Type<M> message);
 
-  roles::StreamRequest request{};
+  roles::StreamRequest with_interval(std::int64_t count) const;
+
+  const MessageType* type_;
+  AnyMessage request_;
+  Subscription (*listen_)(ReconnectingClient& client, SampleHandler handler);
+  Result<Subscription> (*start_)(ReconnectingClient& client, const roles::StreamRequest& request,
+                                 SampleHandler handler);
 };
 
 }  // namespace sbgc::tools

@@ -21,15 +21,6 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Closes a descriptor at the end of a scope.
-struct Closing {
-  int fd;
-  explicit Closing(int descriptor) noexcept : fd(descriptor) {}
-  Closing(const Closing&) = delete;
-  Closing& operator=(const Closing&) = delete;
-  ~Closing() { ::close(fd); }
-};
-
 /// How the guard starts: its end of the channel is its standard input; it has no terminal, no other
 /// file, and is in no group of processes that a signal for this one could reach.
 class GuardSetup {
@@ -73,8 +64,8 @@ Guard::Guard() {
   std::array<int, 2> ends{};
   const int failed = ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data());
   if (failed != 0) fail_to_start(errno);
-  channel_ = ends[0];
-  const Closing end_of_guard(ends[1]);
+  channel_ = io::detail::Descriptor(ends[0]);
+  const io::detail::Descriptor end_of_guard(ends[1]);
   const GuardSetup setup(ends[1]);
   // What `ps` shows.
   std::string name(guard_name);
@@ -84,30 +75,24 @@ Guard::Guard() {
   // process with threads can do next to nothing.
   const int error = ::posix_spawn(&process_, "/proc/self/exe", setup.files(), setup.attributes(),
                                   arguments.data(), environ);
-  if (error == 0) return;
-  ::close(channel_);
-  fail_to_start(error);
+  if (error != 0) fail_to_start(error);
 }
 
 Guard::~Guard() {
-  if (channel_ < 0) return;
+  if (!channel_) return;
   // It has nothing to do any more.
   ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
-  ::close(channel_);
 }
 
 void Guard::take(int line, AfterStop after) const {
-  if (!send_line(channel_, {line, after})) fail_to_start(errno);
+  if (!send_line(channel_.get(), {line, after})) fail_to_start(errno);
 }
 
-void Guard::leave_it_to_guard() {
-  ::close(channel_);
-  channel_ = -1;
-}
+void Guard::leave_it_to_guard() { channel_ = {}; }
 
 bool Guard::is_alive() const {
-  pollfd waiting{channel_, POLLIN, 0};  // it never writes
+  pollfd waiting{channel_.get(), POLLIN, 0};  // it never writes
   return ::poll(&waiting, 1, 0) == 0;
 }
 

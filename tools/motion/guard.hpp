@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
+
 namespace sbgc::tools {
 
 /// What the guard does after the stop.
@@ -29,10 +31,10 @@ class Guard {
   /// False once the guard has ended: from then on, nobody stops the camera if this process dies.
   bool is_alive() const;
   /// Becomes readable when the guard ends, for poll().
-  int descriptor() const noexcept { return channel_; }
+  int descriptor() const noexcept { return channel_.get(); }
 
  private:
-  int channel_ = -1;
+  io::detail::Descriptor channel_{};
   pid_t process_ = -1;
 };
 

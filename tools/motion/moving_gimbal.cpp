@@ -32,9 +32,8 @@ StaysAwake::~StaysAwake() {
 
 MovingGimbal::MovingGimbal(const GimbalOptions& options) {
   const auto keep_line = [&](std::unique_ptr<io::Transport> transport) {
-    if (line_ >= 0) ::close(line_);
-    line_ = ::fcntl(transport->native_handle(), F_DUPFD_CLOEXEC, 0);
-    if (line_ >= 0) return transport;
+    line_ = io::detail::Descriptor(::fcntl(transport->native_handle(), F_DUPFD_CLOEXEC, 0));
+    if (line_) return transport;
     throw CommandError("nothing can be moved over this line: no guard process can hold it (" +
                        transport->description() + ")");
   };
@@ -44,7 +43,7 @@ MovingGimbal::MovingGimbal(const GimbalOptions& options) {
 
 MovingGimbal::~MovingGimbal() {
   client_.reset();  // so that only the guard holds the line
-  if (line_ >= 0) ::close(line_);
+  line_ = {};
   if (motion_ == Motion::maybe) guard_->leave_it_to_guard();
 }
 
@@ -52,8 +51,8 @@ void MovingGimbal::begins_to_move(AfterStop after) {
   awake_.emplace();
   interruption_.emplace();
   guard_.emplace();
-  guard_->take(line_, after);
-  ::close(std::exchange(line_, -1));
+  guard_->take(line_.get(), after);
+  line_ = {};
   if (must_stop()) give_up({});
   motion_ = Motion::maybe;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/io/detail/descriptor.hpp>
 
 #include "board/connection.hpp"
 #include "command/interruption.hpp"
@@ -62,7 +63,7 @@ class MovingGimbal {
   std::optional<StaysAwake> awake_{};
   std::optional<Interruption> interruption_{};
   std::optional<Guard> guard_{};
-  int line_ = -1;  // a duplicate of the descriptor of the client, for the guard
+  io::detail::Descriptor line_{};  // a duplicate of the descriptor of the client, for the guard
   std::unique_ptr<Client> client_{};
   Motion motion_ = Motion::none;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -159,19 +159,19 @@ struct Place {
   std::string word{};
 };
 
-/// The kind of stream that the command line names; null if it names none.
-std::unique_ptr<StreamType> stream_of(const Place& place) {
-  if (place.arguments.empty()) return nullptr;
+/// The kind of stream that the command line names, if any.
+std::optional<StreamType> stream_of(const Place& place) {
+  if (place.arguments.empty()) return std::nullopt;
   try {
     return StreamType::find(place.arguments[0]);
   } catch (const CommandError&) {
-    return nullptr;
+    return std::nullopt;
   }
 }
 
 /// All fields that samples of a stream can have.
 Candidates sample_fields(const Place& place) {
-  const std::unique_ptr<StreamType> stream = stream_of(place);
+  std::optional<StreamType> stream = stream_of(place);
   if (!stream) return {};
   stream->configure_for("*");
   std::vector<std::string> paths;
@@ -181,7 +181,7 @@ Candidates sample_fields(const Place& place) {
 
 /// The flags that choose what samples contain.
 Candidates sample_flags(const Place& place) {
-  const std::unique_ptr<StreamType> stream = stream_of(place);
+  const std::optional<StreamType> stream = stream_of(place);
   return stream ? list_items(stream->flags(), place.word, ",|") : Candidates();
 }
 

@@ -46,7 +46,7 @@ Reaction set(RequestContext& context, Parameters& parameters,
 }
 
 /// The signal of an input in the widest range. Assumption: a missing one is reported as centered.
-msg::FineRcSignal fine_signal(std::optional<double> signal) {
+msg::FineRcSignal centred_signal(std::optional<double> signal) {
   return saturated<msg::FineRcSignal>(std::clamp(signal.value_or(0), -1.0, 1.0));
 }
 
@@ -107,11 +107,11 @@ Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& requ
   if (!analog || !table) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::AdjVarsState state = slots.state(remote, parameters, request.trigger_slot, 0);
   const auto trigger = slots.signal(remote, request.trigger_slot);
-  state.trigger_rc_data = msg::CentredRcSignal(fine_signal(trigger).raw());
+  state.trigger_rc_data = msg::CentredRcSignal(centred_signal(trigger).raw());
   state.analog_rc_data =
-      msg::CentredRcSignal(fine_signal(signal_of(remote, request.analog_src_id)).raw());
+      msg::CentredRcSignal(centred_signal(signal_of(remote, request.analog_src_id)).raw());
   state.analog_value = std::bit_cast<std::int32_t>(static_cast<float>(*analog));
-  state.lut_src_value = fine_signal(signal_of(remote, request.lut_src_id));
+  state.lut_src_value = centred_signal(signal_of(remote, request.lut_src_id));
   state.lut_var_value = static_cast<float>(*table);
   return context.answer(state);
 }

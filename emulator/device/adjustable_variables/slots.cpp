@@ -24,12 +24,8 @@ unsigned level_of(double signal) {
   return static_cast<unsigned>(std::clamp(std::floor(share * levels), 0.0, levels - 1.0));
 }
 
-bool is_used(const msg::TriggerSlot& slot) {
-  return slot.src_ch != msg::RcMap(msg::RcInput::input_no);
-}
-bool is_used(const msg::AnalogSlot& slot) {
-  return slot.src_ch != msg::RcMap(msg::RcInput::input_no);
-}
+/// Of a trigger or an analog slot.
+bool is_used(const auto& slot) { return slot.src_ch != msg::RcMap(msg::RcInput::input_no); }
 
 /// Assumption, because the formula is undocumented (E073): MIN_VAL and MAX_VAL divide the range of
 /// the variable into 255 parts, and the signal maps linearly between them. MIN_VAL above MAX_VAL

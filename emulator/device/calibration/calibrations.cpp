@@ -25,34 +25,34 @@ constexpr double rest_speed = 5;
 /// multiple of it.
 constexpr unsigned patience = 3;
 
-/// The duration on a real board. Assumption: the specification gives none.
-constexpr Duration length_of(Kind kind) {
-  switch (kind) {
-    case Kind::gyro: return seconds(4);
-    case Kind::acc: return seconds(3);
-    case Kind::gyro_temperature:
-    case Kind::acc_temperature: return seconds(240);
-    case Kind::gyro_from_sensor:
-    case Kind::acc_from_sensor:
-    case Kind::gyro_to_sensor:
-    case Kind::acc_to_sensor: return milliseconds(200);
-    case Kind::mag: return seconds(20);
-    case Kind::ext_gain: return seconds(5);
-    case Kind::poles: return seconds(10);
-    case Kind::encoder_offset: return seconds(1);
-    case Kind::encoder_field:
-    case Kind::orientation:
-    case Kind::momentum: return seconds(10);
-    case Kind::cogging: return seconds(20);
-    case Kind::acc_reference: return seconds(2);
-  }
-  return {};
-}
+/// What the board does during a calibration.
+struct KindFacts {
+  Kind kind;
+  msg::CalibMode mode;
+  Duration length;  ///< on a real board; assumption: the specification gives none
+  bool needs_rest = false;
+};
+constexpr KindFacts kinds[] = {
+    {Kind::gyro, msg::CalibMode::gyro, seconds(4), true},
+    {Kind::acc, msg::CalibMode::acc, seconds(3), true},
+    {Kind::gyro_temperature, msg::CalibMode::gyro_temp, seconds(240), true},
+    {Kind::acc_temperature, msg::CalibMode::acc_temp, seconds(240), true},
+    {Kind::gyro_from_sensor, msg::CalibMode::gyro, milliseconds(200)},
+    {Kind::acc_from_sensor, msg::CalibMode::acc, milliseconds(200)},
+    {Kind::gyro_to_sensor, msg::CalibMode::gyro, milliseconds(200)},
+    {Kind::acc_to_sensor, msg::CalibMode::acc, milliseconds(200)},
+    {Kind::mag, msg::CalibMode::mag, seconds(20)},
+    {Kind::ext_gain, msg::CalibMode::ext_gain, seconds(5)},
+    {Kind::poles, msg::CalibMode::poles, seconds(10)},
+    {Kind::encoder_offset, msg::CalibMode::encoder_offset, seconds(1)},
+    {Kind::encoder_field, msg::CalibMode::encoder_fld_offset, seconds(10)},
+    {Kind::orientation, msg::CalibMode::imu_orientation_corr, seconds(10)},
+    {Kind::cogging, msg::CalibMode::cogging, seconds(20)},
+    {Kind::acc_reference, msg::CalibMode::acc_ext_ref, seconds(2), true},
+    {Kind::momentum, msg::CalibMode::momentum, seconds(10)},
+};
 
-constexpr bool needs_rest(Kind kind) {
-  return kind == Kind::gyro || kind == Kind::acc || kind == Kind::gyro_temperature ||
-         kind == Kind::acc_temperature || kind == Kind::acc_reference;
-}
+const KindFacts& facts_of(Kind kind) { return *std::ranges::find(kinds, kind, &KindFacts::kind); }
 
 const Vector& gyro_of(const Sample& sample, std::size_t imu) {
   return imu == 0 ? sample.gyro : sample.frame_gyro;
@@ -144,7 +144,7 @@ bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
                          std::optional<Requester> requester, Instant now, Duration length) {
   if (run_ || parts.auto_tuning.is_running()) return false;
   Run run{.kind = kind, .imu = imu, .profile = parts.parameters.profile(), .requester = requester};
-  if (length == Duration{}) length = length_of(kind);
+  if (length == Duration{}) length = facts_of(kind).length;
   length = scaled(parts.options, length);
   const Duration cycle = Device::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
@@ -158,8 +158,8 @@ bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
   return true;
 }
 
-std::optional<Kind> Calibrations::under_way() const {
-  return run_ ? std::optional(run_->kind) : std::nullopt;
+msg::CalibMode Calibrations::mode() const {
+  return run_ ? facts_of(run_->kind).mode : msg::CalibMode::none;
 }
 
 Instant Calibrations::next() const { return run_ ? run_->due : Instant::never; }
@@ -171,7 +171,8 @@ void Calibrations::advance(Instant now, CalibrationParts& parts) {
     const int temperature = whole_celsius(temperature_of(sample, run_->imu));
     run_->temperature_min = std::min(run_->temperature_min, temperature);
     run_->temperature_max = std::max(run_->temperature_max, temperature);
-    const bool rests = !needs_rest(run_->kind) || length(gyro_of(sample, run_->imu)) <= rest_speed;
+    const bool rests =
+        !facts_of(run_->kind).needs_rest || length(gyro_of(sample, run_->imu)) <= rest_speed;
     run_->steps_at_rest = rests ? run_->steps_at_rest + 1 : 0;
     run_->due = at + run_->step;
     --run_->steps_left;
@@ -323,9 +324,7 @@ msg::CalibInfo Calibrations::info(const Memory& memory, Gimbal& gimbal, std::siz
         msg::Percent(static_cast<std::uint8_t>(100 * run_->steps_at_rest / run_->steps_needed));
   }
   info.imu_type = imu == 0 ? msg::SelectedImu::main : msg::SelectedImu::frame;
-  for (std::size_t i = 0; i < 3; ++i) {
-    info.acc_data[i] = saturated<msg::Acceleration>(acceleration[i]);
-  }
+  info.acc_data = saturated<msg::Acceleration>(acceleration);
   // Assumption: in the unit of the gyroscope, like GYRO_DATA of CMD_REALTIME_DATA_3.
   info.gyro_abs_val = saturated_raw<std::uint16_t>(length(gyro_of(sample, imu)) /
                                                    msg::GyroRate(1).degrees_per_second());

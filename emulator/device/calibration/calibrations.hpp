@@ -71,8 +71,9 @@ class Calibrations {
   /// `length` replaces the usual duration if it is not 0.
   bool start(CalibrationParts& parts, Kind kind, std::size_t imu,
              std::optional<Requester> requester, Instant now, Duration length = {});
+  bool under_way() const { return run_.has_value(); }
   /// The calibration in progress.
-  std::optional<Kind> under_way() const;
+  msg::CalibMode mode() const;
   /// Returns CMD_CALIB_INFO of this IMU. Precondition: the board has it.
   msg::CalibInfo info(const Memory& memory, Gimbal& gimbal, std::size_t imu, Instant now) const;
   /// ERR_CALIB_ACC and ERR_CALIB_POLES. A failed calibration sets its flag, a successful one clears

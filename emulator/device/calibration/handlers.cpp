@@ -144,8 +144,8 @@ Reaction carry_out(RequestContext& context, CalibrationParts& parts, const Senso
     case msg::CalibAction::disable_temperature:
       sensor.use_temperature(memory, false);
       return restart(context, parts);
+    default: return RequestContext::ignore();
   }
-  return RequestContext::ignore();
 }
 
 }  // namespace
@@ -176,8 +176,8 @@ Reaction handle(RequestContext& context, const msg::CalibMagExt& request, Calibr
     case msg::CalibAction::restore_factory:
     case msg::CalibAction::store_in_sensor:
       return context.refuse(msg::BoardErrorCode::not_supported);
+    default: return RequestContext::ignore();
   }
-  return RequestContext::ignore();
 }
 Reaction handle(RequestContext& context, const msg::CalibExtGain&, CalibrationParts& parts) {
   return begin_silently(context, parts, Kind::ext_gain);
@@ -195,8 +195,8 @@ Reaction handle(RequestContext& context, const msg::CalibCogging& request,
   switch (request.action) {
     case msg::CoggingAction::calibrate: return begin_silently(context, parts, Kind::cogging);
     case msg::CoggingAction::erase: return context.confirm();
+    default: return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  return context.refuse(msg::BoardErrorCode::wrong_params);
 }
 Reaction handle(RequestContext& context, const msg::CalibAccExtRef&, CalibrationParts& parts) {
   return begin_silently(context, parts, Kind::acc_reference);

@@ -154,17 +154,16 @@ Reaction handle(RequestContext& context, const msg::ControlQuatConfig& request,
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/, Gimbal& gimbal) {
+Reaction handle(RequestContext& context, const msg::GetAnglesRequest&, Gimbal& gimbal) {
   return context.answer(angles(gimbal, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/,
-                Gimbal& gimbal, const Imus& imus, const BoardOptions& options) {
+Reaction handle(RequestContext& context, const msg::GetAnglesExtRequest&, Gimbal& gimbal,
+                const Imus& imus, const BoardOptions& options) {
   return context.answer(angles(gimbal, knows_joints(options, imus), context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::MotorsOn& /*request*/, Tasks& tasks,
-                Gimbal& gimbal) {
+Reaction handle(RequestContext& context, const msg::MotorsOn&, Tasks& tasks, Gimbal& gimbal) {
   tasks.set_motors(gimbal, true, context.now);
   // An empty battery keeps the motors off.
   if (gimbal.stopped_by_battery()) return context.refuse(msg::BoardErrorCode::wrong_state);

@@ -30,16 +30,10 @@ std::optional<std::uint8_t> script_of(msg::MenuCommand action) {
                                    static_cast<unsigned>(msg::MenuCommand::run_script1));
 }
 
-/// Returns the current camera angles as start angles.
-Axes<msg::Angle14> present_angles(Device& device, Instant now) {
-  const Sample sample = device.gimbal.sample(now);
-  return {wire_angle(sample.angles.roll), wire_angle(sample.angles.pitch),
-          wire_angle(sample.angles.yaw)};
-}
-
+/// Makes the current camera angles the start angles.
 void set_angle(Device& device, bool is_saved, Instant now) {
   Parameters& parameters = device.parameters;
-  const Axes<msg::Angle14> angles = present_angles(device, now);
+  const Axes<msg::Angle14> angles = wire_angles(device.gimbal.sample(now).angles);
   const auto edit = [&](msg::ReadParams3& changed) { changed.rc_memory = angles; };
   if (is_saved) {
     // The length does not change, so the body fits.

@@ -25,11 +25,6 @@ std::array<float, 4> wire(const Quaternion& quaternion) {
   return out;
 }
 
-Xyz<msg::GyroRate> wire(const Vector& speed) {
-  return {saturated<msg::GyroRate>(speed.x), saturated<msg::GyroRate>(speed.y),
-          saturated<msg::GyroRate>(speed.z)};
-}
-
 /// The rotation in space that these derivatives of the Euler angles are.
 Vector speed_of(const Pose& pose, const Axes<double>& speeds) {
   return to_world(pose.rotation(), pose.rates(speeds));
@@ -125,11 +120,12 @@ msg::ControlQuatStatus QuaternionControl::status(Gimbal& gimbal, const Tuning& t
   if (fields.has(target_attitude)) status.target_attitude = wire(target);
   if (fields.has(setpoint_attitude)) status.setpoint_attitude = wire(setpoint);
   if (fields.has(actual_attitude)) status.actual_attitude = wire(actual);
-  if (fields.has(target_speed)) status.target_speed = wire(target_.speed);
+  if (fields.has(target_speed)) status.target_speed = saturated<msg::GyroRate>(target_.speed);
   if (fields.has(setpoint_speed)) {
-    status.setpoint_speed = wire(speed_of(setpoint_pose, sample.target_speeds));
+    status.setpoint_speed = saturated<msg::GyroRate>(speed_of(setpoint_pose, sample.target_speeds));
   }
-  if (fields.has(actual_speed)) status.actual_speed = wire(speed_of(actual_pose, sample.speeds));
+  if (fields.has(actual_speed))
+    status.actual_speed = saturated<msg::GyroRate>(speed_of(actual_pose, sample.speeds));
   if (fields.has(target_attitude_packed)) status.target_attitude_packed = packed(target);
   if (fields.has(setpoint_attitude_packed)) status.setpoint_attitude_packed = packed(setpoint);
   if (fields.has(actual_attitude_packed)) status.actual_attitude_packed = packed(actual);

@@ -22,8 +22,8 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
     case msg::ControlModeKind::rc_high_res: return AxisMode::signal;
     case msg::ControlModeKind::ignore: return AxisMode::remote;
     case msg::ControlModeKind::angle_shortest: return AxisMode::angle;
+    default: return {};
   }
-  return {};
 }
 
 /// Sets the signal of modes that control an axis like a receiver.

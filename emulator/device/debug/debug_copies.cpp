@@ -38,8 +38,7 @@ void DebugCopies::copy(Device& device, std::size_t port, const Frame& frame, boo
   for (std::size_t to = 0; to < filters_.size(); ++to) {
     if (to == port || !filters_[to] || is_filtered(*filters_[to], frame.id, is_to_host)) continue;
     msg::SetDebugPort copy;
-    copy.time_ms = msg::MillisecondClock(
-        static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+    copy.time_ms = device.clock(now);
     static_cast<void>(copy.port_and_dir.set_port(static_cast<std::uint8_t>(port)));
     copy.port_and_dir.set_direction(is_to_host);
     copy.cmd_id = frame.id;

@@ -51,6 +51,7 @@ void ExternalMotors::Motor::step(double seconds) {
           std::copysign(std::min(8 * std::abs(off), std::sqrt(acceleration * std::abs(off))), off);
       break;
     }
+    default: break;
   }
   wish = std::clamp(wish, -limit, limit);
   double change = (wish - speed) * (1 - std::exp(-seconds / with_power));
@@ -94,8 +95,8 @@ bool ExternalMotors::act(std::size_t motor, msg::ExtMotorActionKind action, Inst
       one.mode = Mode::position;
       one.goal = one.top = 0;
       return true;
+    default: return false;
   }
-  return false;
 }
 
 bool ExternalMotors::configure(std::size_t motor, const msg::ExtMotorsControlConfig& config,
@@ -128,6 +129,7 @@ void ExternalMotors::control(std::size_t motor, const Setpoint& setpoint, Instan
       one.top = setpoint.has_param ? std::abs(control_speed(setpoint.param)) : 0;
       break;
     }
+    default: break;
   }
 }
 

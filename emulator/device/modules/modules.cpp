@@ -59,8 +59,7 @@ msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTe
   constexpr double degrees_per_turn = 360;
   msg::CanDrvTelemetry data;
   data.drv_id = static_cast<std::uint8_t>(driver);
-  data.timestamp_ms = msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  data.timestamp_ms = device.clock(now);
   if (fields.has(can_bus_flags)) data.can_bus_flags = std::uint8_t{0};
   if (fields.has(can_bus_err_cnt)) data.can_bus_err_cnt = std::uint16_t{0};
   if (fields.has(temp_board)) data.temp_board = saturated<msg::Temperature>(sample.temperature + 2);

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 
 #include <sbgc/parameters.hpp>
 
@@ -15,15 +14,10 @@ namespace sbgc::emulator {
 
 namespace detail {
 
-template <class M, class List>
-inline constexpr bool is_one_of = false;
-template <class M, class... Others>
-inline constexpr bool is_one_of<M, TypeList<Others...>> = (std::is_same_v<M, Others> || ...);
-
 template <class Request, class Parameters>
-inline constexpr bool reads = is_one_of<Request, typename ParametersOf<Parameters>::Readers>;
+inline constexpr bool reads = ParametersOf<Parameters>::Readers::template contains<Request>;
 template <class Request, class Parameters>
-inline constexpr bool writes = is_one_of<Request, typename ParametersOf<Parameters>::Writers>;
+inline constexpr bool writes = ParametersOf<Parameters>::Writers::template contains<Request>;
 
 template <class Request, class List>
 inline constexpr bool accesses_one = false;

@@ -58,10 +58,7 @@ void set_sensors(msg::ReadParams3& out) {
 
 }  // namespace
 
-template <>
-msg::ReadParams3 factory_parameters(std::uint8_t copy) {
-  msg::ReadParams3 out;
-  out.profile_id = copy;
+void set_factory_values(msg::ReadParams3& out) {
   set_motors(out);
   set_remote_control(out);
   set_sensors(out);
@@ -76,14 +73,10 @@ msg::ReadParams3 factory_parameters(std::uint8_t copy) {
   out.adaptive_pid_rate = 10;
   out.adaptive_pid_recovery_factor = 5;
   out.cur_imu = msg::SelectedImu::main;
-  out.cur_profile_id = copy;
-  return out;
+  out.cur_profile_id = out.profile_id;
 }
 
-template <>
-msg::ReadParamsExt factory_parameters(std::uint8_t copy) {
-  msg::ReadParamsExt out;
-  out.profile_id = copy;
+void set_factory_values(msg::ReadParamsExt& out) {
   for (std::size_t axis = 0; axis < axes; ++axis) {
     out.lpf_freq[axis] = 120_Hz;
     out.filters_en[axis] = msg::FilterSwitch::lpf;
@@ -99,13 +92,9 @@ msg::ReadParamsExt factory_parameters(std::uint8_t copy) {
   out.mag_axis_right = msg::SensorAxis::x;
   out.mag_trust = 50;
   out.acc_lpf_freq = 5_Hz;
-  return out;
 }
 
-template <>
-msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
-  msg::ReadParamsExt2 out;
-  out.profile_id = copy;
+void set_factory_values(msg::ReadParamsExt2& out) {
   for (std::size_t axis = 0; axis < axes; ++axis) {
     out.motor_mag_link_fine[axis] = 100_value;
     out.pid_gain[axis] = 1_value;
@@ -118,13 +107,9 @@ msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
   out.auto_speed = 50;
   out.auto_acc_limiter = msg::AngularAcceleration(100);
   out.timelapse_time = msg::Seconds(60);
-  return out;
 }
 
-template <>
-msg::ReadParamsExt3 factory_parameters(std::uint8_t copy) {
-  msg::ReadParamsExt3 out;
-  out.profile_id = copy;
+void set_factory_values(msg::ReadParamsExt3& out) {
   for (std::size_t axis = 0; axis < axes; ++axis) {
     out.stab_threshold_angle[axis] = msg::SmallDegrees(30);
     out.enc_limit_return_speed[axis] = 50;
@@ -133,29 +118,17 @@ msg::ReadParamsExt3 factory_parameters(std::uint8_t copy) {
     out.ext_motor_drv_ids[motor] = static_cast<std::uint8_t>(motor + 1);
   }
   out.rc_deadband_pitch = out.rc_deadband_yaw = 10;
-  return out;
 }
 
-template <>
-msg::ReadProfileNames factory_parameters(std::uint8_t) {
-  msg::ReadProfileNames out;
+void set_factory_values(msg::ReadProfileNames& out) {
   std::size_t number = 1;
   for (auto& name : out.profile_name) {
     static_cast<void>(name.assign("Profile " + std::to_string(number++)));  // short enough
   }
-  return out;
 }
 
-template <>
-msg::ReadAdjVarsCfg factory_parameters(std::uint8_t) {
-  return {};
-}
-
-template <>
-msg::ReadExternalData factory_parameters(std::uint8_t) {
-  msg::ReadExternalData out;
+void set_factory_values(msg::ReadExternalData& out) {
   out.data.fill(0xFF);  // like erased memory
-  return out;
 }
 
 }  // namespace sbgc::emulator

@@ -9,14 +9,12 @@ namespace sbgc::emulator {
 std::array<std::uint8_t, 3> rotation_order_of(msg::EulerOrder order) {
   constexpr std::uint8_t roll = 0, pitch = 1, yaw = 2;
   switch (order) {
-    case msg::EulerOrder::pitch_roll_yaw:
-    case msg::EulerOrder::local_roll: break;
     case msg::EulerOrder::roll_pitch_yaw:
     case msg::EulerOrder::roll_local: return {roll, pitch, yaw};
     case msg::EulerOrder::yaw_roll_pitch: return {yaw, roll, pitch};
     case msg::EulerOrder::yaw_pitch_roll: return {yaw, pitch, roll};
+    default: return {pitch, roll, yaw};  // pitch_roll_yaw, local_roll
   }
-  return {pitch, roll, yaw};
 }
 
 namespace {

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "physics/quantities.hpp"
-
 namespace sbgc::emulator {
 
 Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs& outputs,
@@ -70,9 +68,7 @@ Reaction handle(RequestContext& context, const msg::ReadRcInputsRequest& request
                 const RemoteControl& remote) {
   msg::ReadRcInputs answer;
   for (const msg::RcMap source : request.rc_src) {
-    const auto signal = remote.signal(source);
-    answer.rc_val.push_back(signal ? saturated<msg::FineRcSignal>(*signal)
-                                   : msg::FineRcSignal(msg::RealtimeDataCustom::undefined));
+    answer.rc_val.push_back(fine_signal(remote.signal(source)));
   }
   return context.answer(answer);
 }

@@ -1,30 +1,20 @@
 #include "device/peripherals/i2c_bus.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
+
+#include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
 using Bus = I2cBus;
 
-/// The high and low byte of a 16-bit register. `value` saturates, as in a sensor.
-struct Word {
-  std::uint8_t high{}, low{};
-};
-Word word(double value) {
-  constexpr double lowest = std::numeric_limits<std::int16_t>::min();
-  constexpr double highest = std::numeric_limits<std::int16_t>::max();
-  const auto whole = static_cast<std::int32_t>(std::lround(std::clamp(value, lowest, highest)));
-  const auto bits = static_cast<std::uint32_t>(whole);
-  return {static_cast<std::uint8_t>(bits >> 8U), static_cast<std::uint8_t>(bits)};
-}
+/// Sets a register of 16 bits, whose high byte is first. `value` saturates, as in a sensor.
 void put(std::span<std::uint8_t> registers, std::size_t address, double value) {
-  const Word bytes = word(value);
-  registers[address] = bytes.high;
-  registers[address + 1] = bytes.low;
+  const auto bits = static_cast<std::uint16_t>(saturated_raw<std::int16_t>(value));
+  registers[address] = static_cast<std::uint8_t>(bits >> 8U);
+  registers[address + 1] = static_cast<std::uint8_t>(bits);
 }
 
 /// An IMU like the MPU-6050, with the ranges of the board: 16 g and 2000 deg/s.

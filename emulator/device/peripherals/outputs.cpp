@@ -74,10 +74,8 @@ std::optional<msg::BeepMode> sound_of(msg::BeeperMode event) {
     case msg::BeeperMode::calibrate: return msg::BeepMode::calibrate;
     case msg::BeeperMode::confirm: return msg::BeepMode::confirm;
     case msg::BeeperMode::error: return msg::BeepMode::error;
-    case msg::BeeperMode::alarm:
-    case msg::BeeperMode::by_motors: break;
+    default: return {};  // alarm, by_motors
   }
-  return {};
 }
 
 }  // namespace

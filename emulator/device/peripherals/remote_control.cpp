@@ -11,6 +11,7 @@
 
 #include "device/control/menu.hpp"
 #include "device/device.hpp"
+#include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -38,6 +39,11 @@ void mix_in(std::optional<double>& signal, msg::RcMix mix, std::size_t axis,
 }
 
 }  // namespace
+
+msg::FineRcSignal fine_signal(std::optional<double> signal) {
+  return signal ? saturated<msg::FineRcSignal>(*signal)
+                : msg::FineRcSignal(msg::RealtimeDataCustom::undefined);
+}
 
 double RemoteControl::shaped(const msg::ReadParams3& parameters, std::size_t axis, double signal) {
   if (parameters.rc[axis].rc_mode.inverted()) signal = -signal;

@@ -13,6 +13,9 @@
 
 namespace sbgc::emulator {
 
+/// A signal in the finest range, as hosts see it; UNDEFINED if there is none.
+msg::FineRcSignal fine_signal(std::optional<double> signal);
+
 class Gimbal;
 class Parameters;
 struct Device;

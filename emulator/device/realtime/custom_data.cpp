@@ -53,13 +53,6 @@ msg::SoftLimitDistances distances(const AxisTuning& tuning, double joint) {
   return out;
 }
 
-template <class Q>
-Axes<Q> axes_of(const Axes<double>& from, double factor = 1) {
-  Axes<Q> to;
-  for (std::size_t axis = 0; axis < to.size(); ++axis) to[axis] = saturated<Q>(factor * from[axis]);
-  return to;
-}
-
 }  // namespace
 
 msg::AhrsDebugInfo attitude_debug(const Sample& sample, const Imus& imus,
@@ -98,7 +91,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
     }
   }
   if (blocks.has(Flag::imu_angles_rad)) {
-    data.imu_angles_rad = axes_of<msg::Radians>(sample.angles, pi / 180);
+    data.imu_angles_rad = saturated<msg::Radians>(sample.angles, pi / 180);
   }
   // The emulated scripts have no variables.
   if (blocks.has(Flag::script_vars_float)) data.script_vars_float = std::array<float, 10>{};
@@ -106,13 +99,13 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::system_power_state)) data.system_power_state = power(device, sample);
   if (blocks.has(Flag::frame_cam_rate)) {
     const Axes<double> frame = turning(sample.frame_speed);
-    data.frame_cam_rate =
-        axes_of<msg::GyroRate>({sample.speeds.roll - frame.roll, sample.speeds.pitch - frame.pitch,
-                                sample.speeds.yaw - frame.yaw});
+    data.frame_cam_rate = saturated<msg::GyroRate>(Axes<double>{sample.speeds.roll - frame.roll,
+                                                                sample.speeds.pitch - frame.pitch,
+                                                                sample.speeds.yaw - frame.yaw});
   }
-  if (blocks.has(Flag::imu_angles_20)) data.imu_angles_20 = axes_of<msg::Angle20>(sample.angles);
+  if (blocks.has(Flag::imu_angles_20)) data.imu_angles_20 = saturated<msg::Angle20>(sample.angles);
   if (blocks.has(Flag::target_angles_20)) {
-    data.target_angles_20 = axes_of<msg::Angle20>(sample.targets);
+    data.target_angles_20 = saturated<msg::Angle20>(sample.targets);
   }
   if (blocks.has(Flag::comm_errors)) {
     msg::CommErrors& errors = data.comm_errors.emplace();
@@ -158,7 +151,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   }
   if (blocks.has(Flag::frame_cam_angle_20)) {
     data.frame_cam_angle_20 =
-        has_joints ? axes_of<msg::Angle20>(sample.joints) : Axes<msg::Angle20>{};
+        has_joints ? saturated<msg::Angle20>(sample.joints) : Axes<msg::Angle20>{};
   }
   if (blocks.has(Flag::main_imu_state)) {
     msg::MainImuState& state = data.main_imu_state.emplace();

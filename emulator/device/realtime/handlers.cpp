@@ -8,17 +8,15 @@ namespace sbgc::emulator {
 
 // Live data are measured by all parts.
 
-Reaction handle(RequestContext& context, const msg::RealtimeData& /*request*/, Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData&, Device& device) {
   return context.answer_anyway(realtime_data_3(device, context.port, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/,
-                Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData3Request&, Device& device) {
   return context.answer(realtime_data_3(device, context.port, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/,
-                Device& device) {
+Reaction handle(RequestContext& context, const msg::RealtimeData4Request&, Device& device) {
   return context.answer(realtime_data_4(device, context.port, context.now));
 }
 

@@ -36,11 +36,6 @@ msg::RcSignal controller_pulse(const RemoteControl& remote, msg::RcMap source) {
   return pulse(remote.signal(source));
 }
 
-msg::FineRcSignal fine(std::optional<double> signal) {
-  return signal ? saturated<msg::FineRcSignal>(*signal)
-                : msg::FineRcSignal(msg::RealtimeDataCustom::undefined);
-}
-
 Xyz<float> vector(const Vector& from) {
   return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
 }
@@ -62,30 +57,12 @@ Axes<std::int16_t> magnetometer(const Sample& sample) {
   return to;
 }
 
-/// The 16-bit clock wraps every 65.5 s.
-msg::MillisecondClock clock_of(const Device& device, Instant now) {
-  const Duration running = now - device.restarts.started();
-  return msg::MillisecondClock{static_cast<std::uint16_t>(running.us / 1000)};
-}
-
-Axes<msg::GyroRate> rates(const Axes<double>& from) {
-  Axes<msg::GyroRate> to;
-  for (std::size_t axis = 0; axis < to.size(); ++axis) {
-    to[axis] = saturated<msg::GyroRate>(from[axis]);
-  }
-  return to;
-}
-
-Axes<msg::Angle14> wire(const Axes<double>& from) {
-  return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
-}
-
 /// Sets the initial fields that both long messages share.
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   const Axes<msg::Acceleration> acceleration = accelerations(sample.acceleration);
-  const Axes<msg::GyroRate> gyro = rates(turning(sample.gyro));
+  const Axes<msg::GyroRate> gyro = saturated<msg::GyroRate>(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = acceleration[axis];
     data.axes[axis].gyro_data = gyro[axis];
@@ -100,9 +77,9 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
   data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
   data.ext_fc_roll = controller_pulse(device.remote, parameters.rc_map_fc_roll);
   data.ext_fc_pitch = controller_pulse(device.remote, parameters.rc_map_fc_pitch);
-  data.angle = wire(sample.angles);
-  data.rc_angle = wire(sample.targets);
-  if (device.imus.has_frame) data.frame_imu_angle = wire(sample.frame);
+  data.angle = wire_angles(sample.angles);
+  data.rc_angle = wire_angles(sample.targets);
+  if (device.imus.has_frame) data.frame_imu_angle = wire_angles(sample.frame);
   data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
   data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
   if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
@@ -138,11 +115,9 @@ msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now
   msg::RealtimeData4 data;
   const Sample sample = device.gimbal.sample(now);
   measure_common(device, port, now, sample, data);
-  if (knows_joints(device.options, device.imus)) data.rotor_angle = wire(sample.joints);
+  if (knows_joints(device.options, device.imus)) data.rotor_angle = wire_angles(sample.joints);
   data.mag_data = magnetometer(sample);
-  for (std::size_t axis = 0; axis < data.balance_error.size(); ++axis) {
-    data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
-  }
+  data.balance_error = saturated<msg::BalanceError>(sample.imbalance, 100);
   if (device.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
   }
@@ -160,7 +135,7 @@ msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now
     data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
   }
   data.calib_mode = calibration_mode(device);
-  data.actual_angle = wire(sample.angles);
+  data.actual_angle = wire_angles(sample.angles);
   data.system_state_flags = state_flags(device.gimbal, device.modes, device.tuning, now);
   return data;
 }
@@ -190,31 +165,32 @@ msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
   msg::RealtimeDataCustom data;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  data.timestamp_ms = clock_of(device, now);
+  data.timestamp_ms = device.clock(now);
   if (blocks.has(Flag::include_flags)) data.flags = blocks;
-  if (blocks.has(Flag::imu_angles)) data.imu_angles = wire(sample.angles);
-  if (blocks.has(Flag::target_angles)) data.target_angles = wire(sample.targets);
-  if (blocks.has(Flag::target_speed)) data.target_speed = rates(sample.target_speeds);
+  if (blocks.has(Flag::imu_angles)) data.imu_angles = wire_angles(sample.angles);
+  if (blocks.has(Flag::target_angles)) data.target_angles = wire_angles(sample.targets);
+  if (blocks.has(Flag::target_speed))
+    data.target_speed = saturated<msg::GyroRate>(sample.target_speeds);
   if (blocks.has(Flag::stator_rotor_angle)) {
-    data.stator_rotor_angle =
-        knows_joints(device.options, device.imus) ? wire(sample.joints) : Axes<msg::Angle14>{};
+    data.stator_rotor_angle = knows_joints(device.options, device.imus) ? wire_angles(sample.joints)
+                                                                        : Axes<msg::Angle14>{};
   }
-  if (blocks.has(Flag::gyro_data)) data.gyro_data = rates(turning(sample.gyro));
+  if (blocks.has(Flag::gyro_data)) data.gyro_data = saturated<msg::GyroRate>(turning(sample.gyro));
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine(device.remote.own(device.parameters, axis));
+      signals[axis] = fine_signal(device.remote.own(device.parameters, axis));
     }
-    signals[3] = fine(device.remote.signal(parameters.rc_map_cmd));
-    signals[4] = fine(device.remote.signal(parameters.rc_map_fc_roll));
-    signals[5] = fine(device.remote.signal(parameters.rc_map_fc_pitch));
+    signals[3] = fine_signal(device.remote.signal(parameters.rc_map_cmd));
+    signals[4] = fine_signal(device.remote.signal(parameters.rc_map_fc_roll));
+    signals[5] = fine_signal(device.remote.signal(parameters.rc_map_fc_pitch));
   }
   if (blocks.has(Flag::z1_h1_vectors)) {
     data.z1_vector = vector(sample.up);
     data.h1_vector = vector(sample.north);
   }
   // No receiver is connected.
-  if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
+  if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine_signal({}));
   if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample.acceleration);
   measure_later(device, port, blocks, now, data);
   return data;
@@ -226,13 +202,14 @@ msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2F
   msg::RealtimeDataCustom2 data;
   const Sample sample = device.gimbal.sample(now);
   const bool has_frame = device.imus.has_frame;
-  data.timestamp_ms = clock_of(device, now);
+  data.timestamp_ms = device.clock(now);
   if (blocks.has(Flag::include_flags)) data.flags = blocks;
   if (blocks.has(Flag::frame_imu_angles)) {
-    data.frame_imu_angles = has_frame ? wire(sample.frame) : Axes<msg::Angle14>{};
+    data.frame_imu_angles = has_frame ? wire_angles(sample.frame) : Axes<msg::Angle14>{};
   }
   if (blocks.has(Flag::frame_gyro)) {
-    data.frame_gyro = has_frame ? rates(turning(sample.frame_speed)) : Axes<msg::GyroRate>{};
+    data.frame_gyro =
+        has_frame ? saturated<msg::GyroRate>(turning(sample.frame_speed)) : Axes<msg::GyroRate>{};
   }
   if (blocks.has(Flag::frame_acc)) {
     // Only gravity: the frame does not accelerate.

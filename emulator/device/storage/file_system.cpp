@@ -25,8 +25,6 @@ constexpr std::size_t data_size = (Memory::eeprom_size - data_begin) / page_size
 
 static_assert(data_size < no_file, "a file size never equals the marker of an empty entry");
 
-std::uint32_t checksum(std::span<const std::uint8_t> bytes) { return sbgc::detail::crc32(bytes); }
-
 }  // namespace
 
 FileSystem::FileSystem(Memory& memory) : eeprom_(memory) {}
@@ -36,7 +34,7 @@ std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
   std::vector<File> files;
   if (std::ranges::all_of(table, [](std::uint8_t byte) { return byte == erased; })) return files;
   const auto sum = wire::load<std::uint32_t>(table.data() + entries_size);
-  if (sum != checksum(table.first(entries_size))) return std::nullopt;
+  if (sum != sbgc::detail::crc32(table.first(entries_size))) return std::nullopt;
   std::size_t at = 0;
   for (std::size_t i = 0; i < most_files; ++i) {
     const std::uint8_t* const entry = table.data() + i * entry_size;
@@ -67,7 +65,8 @@ void FileSystem::store(const std::vector<File>& files) {
     std::ranges::copy(file.content, data.begin() + static_cast<std::ptrdiff_t>(at));
     at += pages(file.content.size()) * page_size;
   }
-  wire::store(table.data() + entries_size, checksum(std::span(table).first(entries_size)));
+  wire::store(table.data() + entries_size,
+              sbgc::detail::crc32(std::span(table).first(entries_size)));
   eeprom_.write(layout::files, table);
   eeprom_.write(data_begin, data);
 }
@@ -79,7 +78,7 @@ FileSystem::Part FileSystem::read(std::uint16_t file, std::uint16_t page,
   const auto found = std::ranges::find(*files, file, &File::id);
   if (found == files->end()) return {.error = msg::FileError::file_not_found};
   const std::span content(found->content);
-  if (checksum(content) != found->checksum) return {.error = msg::FileError::crc};
+  if (sbgc::detail::crc32(content) != found->checksum) return {.error = msg::FileError::crc};
   Part part{.file_size = static_cast<std::uint16_t>(content.size())};
   const auto rest = content.subspan(std::min(content.size(), page * page_size));
   const auto data = rest.first(std::min(rest.size(), max_size));
@@ -103,13 +102,13 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
   if (begin > size || data.size() > size - begin) return msg::FileError::file_size;
   if (!is_present) {
     if (files->size() == most_files) return msg::FileError::fat_is_full;
-    found = files->insert(files->end(), File{.id = file, .checksum = checksum({})});
+    found = files->insert(files->end(), File{.id = file, .checksum = sbgc::detail::crc32({})});
   }
   // A new checksum would hide the remaining damaged bytes.
-  if (checksum(found->content) != found->checksum) return msg::FileError::crc;
+  if (sbgc::detail::crc32(found->content) != found->checksum) return msg::FileError::crc;
   found->content.resize(size);
   std::ranges::copy(data, found->content.begin() + static_cast<std::ptrdiff_t>(begin));
-  found->checksum = checksum(found->content);
+  found->checksum = sbgc::detail::crc32(found->content);
   std::size_t taken = 0;
   for (const File& each : *files) taken += pages(each.content.size());
   if (taken * page_size > data_size) return msg::FileError::no_free_space;

@@ -58,7 +58,7 @@ Reaction handle(RequestContext& context, const msg::WriteFile& request, FileSyst
   return confirm_result(context, error);
 }
 
-Reaction handle(RequestContext& context, const msg::FsClearAll& /*request*/, FileSystem& files) {
+Reaction handle(RequestContext& context, const msg::FsClearAll&, FileSystem& files) {
   return confirm_result(context, files.clear());
 }
 

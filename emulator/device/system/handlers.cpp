@@ -25,9 +25,8 @@ Reaction restart(RequestContext& context, Restarts& restarts, const Request& req
 
 }  // namespace
 
-Reaction handle(RequestContext& context, const msg::BoardInfoRequest& /*request*/,
-                const BoardOptions& options, Gimbal& gimbal, const Modes& modes,
-                const Tuning& tuning) {
+Reaction handle(RequestContext& context, const msg::BoardInfoRequest&, const BoardOptions& options,
+                Gimbal& gimbal, const Modes& modes, const Tuning& tuning) {
   msg::BoardInfo info;
   info.board_ver = options.board;
   info.firmware_ver = options.firmware;
@@ -45,9 +44,8 @@ Reaction handle(RequestContext& context, const msg::BoardInfoRequest& /*request*
   return context.answer(info);
 }
 
-Reaction handle(RequestContext& context, const msg::BoardInfo3Request& /*request*/,
-                const BoardOptions& options, const Memory& memory, const FileSystem& files,
-                const Parameters& parameters) {
+Reaction handle(RequestContext& context, const msg::BoardInfo3Request&, const BoardOptions& options,
+                const Memory& memory, const FileSystem& files, const Parameters& parameters) {
   msg::BoardInfo3 info;
   info.device_id = options.device_id;
   info.mcu_id = options.mcu_id;
@@ -92,8 +90,7 @@ Reaction handle(RequestContext& context, const msg::WriteStateVars& request,
   return context.confirm();
 }
 
-Reaction handle(RequestContext& context, const msg::PassProtectReadRequest& /*request*/,
-                const Memory& memory) {
+Reaction handle(RequestContext& context, const msg::PassProtectReadRequest&, const Memory& memory) {
   return context.answer(msg::PassProtectRead{.flags = msg::PassProtectFlags(memory.pass_protect)});
 }
 

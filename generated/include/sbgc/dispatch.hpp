@@ -10,6 +10,9 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/meta.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 /// All messages, in the order of the specification's families.
@@ -748,3 +751,5 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
 }
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

@@ -84,7 +84,7 @@ enum class CommandToBoard : std::uint8_t {
   calib_info = 49,
   /// CMD_SIGN_MESSAGE: Signature of a message.
   sign_message = 50,
-  sign_message_3 = sign_message,  ///< former name
+  sign_message_3 [[deprecated("use sign_message")]] = sign_message,
   /// CMD_BOOT_MODE_3: Enter the bootloader to load new firmware.
   boot_mode_3 = 51,
   /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
@@ -330,7 +330,7 @@ enum class CommandFromBoard : std::uint8_t {
   calib_info = 49,
   /// CMD_SIGN_MESSAGE: Signature of a message.
   sign_message = 50,
-  sign_message_3 = sign_message,  ///< former name
+  sign_message_3 [[deprecated("use sign_message")]] = sign_message,
   /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
   system_state = 52,
   /// CMD_READ_FILE: Part of a file.
@@ -766,7 +766,7 @@ enum class RcInput : std::uint8_t {
   adc3 = 35,
   /// ADC4: Analog input 4; EXT_FC_INPUT_PITCH on older boards.
   adc4 = 36,
-  ext_fc_input_pitch_analog = adc4,  ///< former name
+  ext_fc_input_pitch_analog [[deprecated("use adc4")]] = adc4,
 };
 
 /// Kind of signal selected by RC_MAP.
@@ -3161,7 +3161,7 @@ enum class ControlQuatFlag : std::uint8_t {
   /// ATTITUDE_REMOVE_ABSENT_AXES: By its name, axes without a motor are taken out of the attitude.
   /// Since firmware 2.74.1.
   attitude_remove_absent_axes = 0x08,
-  att_remove_absent_axes = attitude_remove_absent_axes,  ///< former name
+  att_remove_absent_axes [[deprecated("use attitude_remove_absent_axes")]] = attitude_remove_absent_axes,
   /// AUTO_TASK: For ATTITUDE: move as fast as automatic tasks do, and confirm when the attitude is
   /// reached within 1 degree. The motion ends after 10 s in any case.
   auto_task = 0x40,
@@ -3179,7 +3179,7 @@ enum class ControlQuatStatusFlag : std::uint16_t {
   attitude_limited_180 = 0x0004,
   /// ATTITUDE_REMOVE_ABSENT_AXES: Axes without a motor are taken out of the attitude.
   attitude_remove_absent_axes = 0x0008,
-  att_remove_absent_axes = attitude_remove_absent_axes,  ///< former name
+  att_remove_absent_axes [[deprecated("use attitude_remove_absent_axes")]] = attitude_remove_absent_axes,
   /// AUTO_TASK: The motion is an automatic task.
   auto_task = 0x0040,
 };

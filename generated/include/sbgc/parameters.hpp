@@ -8,6 +8,9 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/meta.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 /// How the settings in message M are read and stored: `Readers` and `Writers`, both with deprecated
@@ -168,3 +171,5 @@ struct ParametersOf<msg::ReadExternalData> {
 using ParameterMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadParamsExt3, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

@@ -36,17 +36,18 @@ enum class FramePart : std::uint8_t {
   frame_checksum,
 };
 
-/// How a checksum is computed: sum8 is the sum of all bytes modulo 256, crc16 a cyclic redundancy
-/// check.
-enum class ChecksumKind : std::uint8_t { sum8, crc16 };
+/// How a checksum is computed: as the sum of all bytes modulo 256 or 65536, as their exclusive or,
+/// or as a cyclic redundancy check.
+enum class ChecksumKind : std::uint8_t { sum8, sum16, xor8, crc8, crc16, crc32 };
 
-/// The parameters of a cyclic redundancy check of 16 bits, as catalogues list them.
-struct Crc16Parameters {
-  std::uint16_t polynomial{};
-  std::uint16_t initial{};
+/// The parameters of a cyclic redundancy check, as catalogues list them; Word has its width.
+template <class Word>
+struct CrcParameters {
+  Word polynomial{};
+  Word initial{};
   bool reflect_in{};
   bool reflect_out{};
-  std::uint16_t final_xor{};
+  Word final_xor{};
 };
 
 /// The facts of a framing: its start byte, the order of the parts around the body, and what the
@@ -94,7 +95,7 @@ struct FramingFacts<Framing::v2> {
   static constexpr ChecksumKind trailer_checksum = ChecksumKind::crc16;
   static constexpr auto trailer_checksum_covers =
       std::array{FramePart::id, FramePart::size, FramePart::header_checksum, FramePart::body};
-  static constexpr Crc16Parameters trailer_checksum_crc{
+  static constexpr CrcParameters<std::uint16_t> trailer_checksum_crc{
       .polynomial = 0x8005,
       .initial = 0x00,
       .reflect_in = true,
@@ -138,6 +139,25 @@ enum class Form : std::uint8_t {
   wide_register,
   all,
   selected,
+};
+
+/// What a request does. A request can have several effects, some of them only with certain values
+/// in its fields.
+enum class Effect : std::uint8_t {
+  /// Reads: changes nothing.
+  reads = 0x01,
+  /// Sets temporarily: a restart of the board discards the change.
+  sets = 0x02,
+  /// Writes memory: the change survives a power cycle.
+  stores = 0x04,
+  /// Moves: the camera can move, or the motors gain or lose power.
+  moves = 0x08,
+  /// Restarts the board: the motors lose power until it is up again.
+  restarts = 0x10,
+  /// Erases stored data.
+  erases = 0x20,
+  /// Unknown: the specification does not describe the command.
+  unknown = 0x40,
 };
 
 /// The newest firmware whose protocol is known as a whole, encoded as FIRMWARE_VER; 0 if unknown.

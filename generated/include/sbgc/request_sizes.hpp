@@ -9,6 +9,9 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/messages.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 /// Returns the size of the largest form of a request that a board with these versions has. The
@@ -216,3 +219,5 @@ constexpr std::size_t largest_request(
 }
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

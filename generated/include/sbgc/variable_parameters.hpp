@@ -11,6 +11,9 @@
 #include <sbgc/types.hpp>
 #include <sbgc/variable_scale.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 /// Returns the value of a variable according to the first setting that it controls; empty if it
@@ -504,3 +507,5 @@ constexpr bool set_variable([[maybe_unused]] Settings& settings, msg::VariableId
 }
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

@@ -28,13 +28,14 @@ from sbgcgen.model import (
     Until,
     Variable,
 )
-from sbgcgen.spec.load import MAIN_FILE
 
 
 def compare(old: Layout, new: Layout) -> list[Change]:
     """All changes, the worst first; those of equal severity are grouped by kind of entry."""
     changes = Changes(new.versions)
+    _compare_names(old, new, changes)
     _compare_framings(old, new, changes)
+    _compare_effect_kinds(old, new, changes)
     _compare_versions(old, new, changes)
     _compare_line(old, new, changes)
     _compare_directions(old, new, changes)
@@ -47,12 +48,40 @@ def compare(old: Layout, new: Layout) -> list[Change]:
     return sorted(changes.found, key=lambda change: rank.index(change.level))
 
 
+def _main(layout: Layout) -> Position:
+    """The place of facts of the whole protocol."""
+    return Position(f"spec/{layout.main_file}")
+
+
+def _compare_names(old: Layout, new: Layout, changes: Changes) -> None:
+    """Compare the names of the model's file, and of the namespace."""
+    at = _main(new)
+    if old.main_file:
+        changes.compare(SOURCE, "main file", old.main_file, new.main_file, at)
+    before, now = (layout.protocol.get("namespace", "sbgc") for layout in (old, new))
+    changes.compare(SOURCE, "namespace", before, now, at)
+    changes.compare(COMPATIBLE, "prefix of commands", old.command_prefix, new.command_prefix, at)
+
+
+def _compare_effect_kinds(old: Layout, new: Layout, changes: Changes) -> None:
+    now = {kind.word: kind for kind in new.effects}
+    for kind in old.effects:
+        what, other = f"effect {kind.word}", now.pop(kind.word, None)
+        if other is None:
+            changes.deleted(SOURCE, what, _main(new))
+            continue
+        changes.compare(MEANING, f"{what}: risk", kind.risk, other.risk, _main(new))
+        changes.compare(COMPATIBLE, f"{what}: summary", kind.summary, other.summary, _main(new))
+    for word in now:
+        changes.added(f"effect {word}", _main(new))
+
+
 def _compare_framings(old: Layout, new: Layout, changes: Changes) -> None:
-    at = Position(f"spec/{MAIN_FILE}")
+    at = _main(new)
     now = {framing.name: framing for framing in new.framings}
     for framing in old.framings:
         if framing.name in now:
-            _compare_framing(framing, now[framing.name], changes)
+            _compare_framing(framing, now[framing.name], at, changes)
         else:
             changes.deleted(WIRE, f"framing {framing.name}", at)
     known = [framing.name for framing in old.framings]
@@ -61,8 +90,7 @@ def _compare_framings(old: Layout, new: Layout, changes: Changes) -> None:
             changes.added(f"framing {name}", at)
 
 
-def _compare_framing(old: Framing, new: Framing, changes: Changes) -> None:
-    at = Position(f"spec/{MAIN_FILE}")
+def _compare_framing(old: Framing, new: Framing, at: Position, changes: Changes) -> None:
     framing = f"framing {new.name}"
     for key in ("start", "header", "trailer", "max_body"):
         changes.compare(WIRE, f"{framing}: {key}", getattr(old, key), getattr(new, key), at)
@@ -74,7 +102,7 @@ def _compare_framing(old: Framing, new: Framing, changes: Changes) -> None:
 
 
 def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
-    at = Position(f"spec/{MAIN_FILE}")
+    at = _main(new)
     for kind in ("firmware", "board"):
         before, now = (layout.versions.of(kind) for layout in (old, new))
         if before:
@@ -87,7 +115,7 @@ def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
 
 def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
     """Changed pauses and additional rates are compatible."""
-    at = new.line.at if new.line.at.file else Position(f"spec/{MAIN_FILE}")
+    at = new.line.at if new.line.at.file else _main(new)
     for key in ("baud_rates", "parities"):
         before, now = getattr(old.line, key), getattr(new.line, key)
         level = MEANING if set(before) - set(now) else COMPATIBLE
@@ -161,8 +189,8 @@ def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, s
                 changes.deleted(WIRE, what, command.at, command.id)
                 continue
             come.remove(now)
-            is_alias = command.identifier in {a.name for a in now.aliases}
-            level = COMPATIBLE if is_alias else SOURCE
+            is_known = command.identifier in {now.identifier, *(a.name for a in now.aliases)}
+            level = COMPATIBLE if is_known else SOURCE
             changes.add(level, f"{what}: name", command.name, now.name, now.at)
         same[command.name] = now.name
         _compare_command(what, command, now, changes)

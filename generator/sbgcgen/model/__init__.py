@@ -49,7 +49,16 @@ from sbgcgen.model.answers import (
     Result,
     Role,
 )
-from sbgcgen.model.effects import EFFECTS, Effect, EffectCase, StopPattern, StopValue
+from sbgcgen.model.effects import (
+    READS,
+    UNKNOWN,
+    USUAL_EFFECTS,
+    Effect,
+    EffectCase,
+    EffectKind,
+    StopPattern,
+    StopValue,
+)
 from sbgcgen.model.messages import (
     COMMAND_IDS,
     Command,

@@ -9,16 +9,33 @@ from typing import Any
 from sbgcgen.model.bodies import Type
 from sbgcgen.model.conditions import Condition
 
-# Every effect of the spec language, the most harmless first, with its description.
-EFFECTS: dict[str, str] = {
-    "reads": "Reads: changes nothing.",
-    "sets": "Sets temporarily: a restart of the board discards the change.",
-    "stores": "Writes memory: the change survives a power cycle.",
-    "moves": "Moves: the camera can move, or the motors gain or lose power.",
-    "restarts": "Restarts the board: the motors lose power until it is up again.",
-    "erases": "Erases stored data.",
-    "unknown": "Unknown: the specification does not describe the command.",
-}
+
+@dataclass(frozen=True)
+class EffectKind:
+    """What a request may do. It may set something or somebody in `motion`, or lose `data`."""
+
+    word: str
+    summary: str
+    risk: str = ""
+
+
+# The effects of every protocol: nothing, and what nobody knows.
+READS = EffectKind("reads", "Reads: changes nothing.")
+UNKNOWN = EffectKind("unknown", "Unknown: the specification does not describe the command.")
+# Those of a protocol that names no others, the most harmless first.
+USUAL_EFFECTS: tuple[EffectKind, ...] = (
+    READS,
+    EffectKind("sets", "Sets temporarily: a restart of the board discards the change."),
+    EffectKind("stores", "Writes memory: the change survives a power cycle."),
+    EffectKind("moves", "Moves: the camera can move, or the motors gain or lose power.", "motion"),
+    EffectKind(
+        "restarts",
+        "Restarts the board: the motors lose power until it is up again.",
+        "motion",
+    ),
+    EffectKind("erases", "Erases stored data.", "data"),
+    UNKNOWN,
+)
 
 
 @dataclass(frozen=True)
@@ -34,14 +51,20 @@ class Effect:
     """The effect of a request: the first case that holds. The last case always holds."""
 
     cases: tuple[EffectCase, ...]
+    known: tuple[EffectKind, ...] = USUAL_EFFECTS
 
     @property
     def words(self) -> tuple[str, ...]:
         """The effects of all cases; "reads" only if there is no other."""
         said = {word for case in self.cases for word in case.words}
         if len(said) > 1:
-            said.discard("reads")
-        return tuple(word for word in EFFECTS if word in said)
+            said.discard(READS.word)
+        return tuple(kind.word for kind in self.known if kind.word in said)
+
+    @property
+    def is_dangerous(self) -> bool:
+        """True if a request can set something in motion, so readers need a warning."""
+        return any(kind.risk == "motion" and kind.word in self.words for kind in self.known)
 
     def having(self, words: Sequence[str]) -> tuple[bool, tuple[Condition, ...]]:
         """Whether a request has one of these effects, and the conditions for the opposite.

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 
 from sbgcgen.model.values import Availability
 
 # Size of each kind of checksum in bytes.
-CHECKSUM_SIZES = {"sum8": 1, "crc16": 2}
+CHECKSUM_SIZES = {"sum8": 1, "sum16": 2, "xor8": 1, "crc8": 1, "crc16": 2, "crc32": 4}
 # The parts that are not checksums; each but the body has one byte.
 START, ID, SIZE, BODY = "start", "id", "size", "body"
 
 
 @dataclass(frozen=True)
 class Crc:
-    """The parameters of a cyclic redundancy check of 16 bits, as catalogues list them.
+    """The parameters of a cyclic redundancy check of `width` bits, as catalogues list them.
 
     `reflect_in`: each byte enters with its least significant bit first. `reflect_out`: the bits of
     the result are reversed, before `final_xor`. `check` is the value of the text "123456789"; None
@@ -28,13 +29,19 @@ class Crc:
     reflect_out: bool
     final_xor: int
     check: int | None = None
+    width: int = 16
 
     def value(self, data: bytes) -> int:
         """The value of `data`."""
         register = self.initial
         for byte in data:
-            register = register << 8 & 0xFFFF ^ self._of_byte[register >> 8 ^ self._entering[byte]]
-        return (_reversed(register, 16) if self.reflect_out else register) ^ self.final_xor
+            top = register >> self.width - 8
+            register = register << 8 & self._mask ^ self._of_byte[top ^ self._entering[byte]]
+        return (_reversed(register, self.width) if self.reflect_out else register) ^ self.final_xor
+
+    @property
+    def _mask(self) -> int:
+        return (1 << self.width) - 1
 
     @cached_property
     def _entering(self) -> list[int]:
@@ -44,9 +51,10 @@ class Crc:
     @cached_property
     def _of_byte(self) -> list[int]:
         """The remainder of each byte, computed bit by bit."""
-        table = [byte << 8 for byte in range(256)]
+        top = self.width - 1
+        table = [byte << self.width - 8 for byte in range(256)]
         for _ in range(8):
-            table = [(r << 1 ^ (self.polynomial if r >> 15 else 0)) & 0xFFFF for r in table]
+            table = [(r << 1 ^ (self.polynomial if r >> top else 0)) & self._mask for r in table]
         return table
 
 
@@ -59,7 +67,7 @@ def _reversed(value: int, width: int) -> int:
 class Checksum:
     """A checksum of a frame: its name as a part, its kind, and the parts that it covers.
 
-    `crc` has the parameters of the kind "crc16"; None for others.
+    `crc` has the parameters of a cyclic redundancy check; None for other kinds.
     """
 
     name: str
@@ -73,7 +81,11 @@ class Checksum:
 
     def value(self, data: bytes) -> int:
         """The checksum of the bytes that it covers."""
-        return self.crc.value(data) if self.crc else sum(data) % 256
+        if self.crc:
+            return self.crc.value(data)
+        if self.kind == "xor8":
+            return reduce(operator.xor, data, 0)
+        return sum(data) % (1 << 8 * self.size)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import Any
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import Identifier
+from sbgcgen.model.effects import USUAL_EFFECTS, EffectKind
 from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
@@ -54,7 +55,8 @@ class Layout:
     All framings are known; the first one is understood by every board. `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
     state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
     `synonyms` are groups of words for the same thing; `identifiers` are all words that become names
-    in code, including those of fields that could not be resolved.
+    in code, including those of fields that could not be resolved; `effects` are all that requests may
+    have; `main_file` is the name of the file that describes the protocol.
     """
 
     protocol: dict[str, str]
@@ -76,6 +78,14 @@ class Layout:
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
     identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)
+    effects: tuple[EffectKind, ...] = USUAL_EFFECTS
+    main_file: str = ""
+    command_prefix: str = "CMD_"
+
+    @property
+    def short_name(self) -> str:
+        """The name of the protocol in names of files: that of the main file."""
+        return self.main_file.removesuffix(".yaml")
 
     @property
     def framing(self) -> Framing:

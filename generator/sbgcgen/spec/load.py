@@ -23,7 +23,9 @@ try:
 except ImportError:  # a PyYAML without libyaml: slower, same result
     from yaml import SafeLoader as _SafeLoader  # type: ignore[assignment]
 
-MAIN_FILE = "simplebgc.yaml"
+# A key that only the main file has, at the start of a line.
+_MAIN_KEY = re.compile(rb"^(\xef\xbb\xbf)?(protocol|framings|families):", re.MULTILINE)
+_ERRATA = "errata.yaml"
 # Sections of a family file; each has one namespace across all files.
 SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
 
@@ -59,8 +61,18 @@ class Spec:
 
     main: Map
     families: dict[str, Map] = field(default_factory=dict)
-    errata: Map = field(default_factory=lambda: _empty(Position("spec/errata.yaml")))
+    errata: Map = field(default_factory=lambda: _empty(Position(f"spec/{_ERRATA}")))
     files: list[Path] = field(default_factory=list)
+
+    @property
+    def main_file(self) -> str:
+        """The name of the main file."""
+        return Path(self.main.position.file).name
+
+    @property
+    def command_prefix(self) -> str:
+        """What the names of all commands begin with."""
+        return str(self.main.get("protocol", {}).get("command_prefix", "CMD_"))
 
     @cached_property
     def maps(self) -> dict[str, list[Map]]:
@@ -221,6 +233,14 @@ def _position_of(name: str, before: bytes) -> Position:
     return Position(name, len(lines), len(lines[-1]) + 1)
 
 
+def _main_file(spec_dir: Path) -> str | None:
+    """The name of the file that describes the whole protocol."""
+    for path in sorted(spec_dir.glob("*.yaml")):
+        if path.name != _ERRATA and path.is_file() and _MAIN_KEY.search(path.read_bytes()):
+            return path.name
+    return None
+
+
 def load(spec_dir: Path, found: Diagnostics) -> Spec:
     """Read the main file, the families it lists and the errata; findings go into `found`."""
 
@@ -229,19 +249,28 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
         spec.files.append(path)
         return _read(path, f"{spec_dir.name}/{file}", found)
 
-    spec = Spec(main=_empty(Position(f"{spec_dir.name}/{MAIN_FILE}")))
-    spec.main = read(MAIN_FILE)
+    spec = Spec(main=_empty(Position(spec_dir.name)))
+    main_file = _main_file(spec_dir)
+    if main_file is None:
+        text, hint = (
+            "no file has the key 'protocol'",
+            "the main file describes the protocol with it",
+        )
+        found.add(spec.main.position, "SBGC001", text, hint)
+        return spec
+    spec.main = read(main_file)
     families = spec.main.get("families", [])
     for family in families if isinstance(families, list) else []:
         if isinstance(family, str) and family.isidentifier():
             spec.families[family] = read(f"{family}.yaml")
-    spec.errata = read("errata.yaml")
+    if (spec_dir / _ERRATA).exists():
+        spec.errata = read(_ERRATA)
     for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
         if path not in spec.files:
             found.add(
                 Position(f"{spec_dir.name}/{path.name}"),
                 "SBGC003",
-                f"the file is not listed under 'families' in {MAIN_FILE}",
+                f"the file is not listed under 'families' in {main_file}",
                 f"add '{path.stem}' there (files end in .yaml), or delete the file",
             )
     return spec

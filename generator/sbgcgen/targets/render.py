@@ -24,6 +24,7 @@ from sbgcgen.views.words import FILTERS, TESTS
 
 # The objects that placeholders such as @family@ in a path stand for.
 _EACH: dict[str, Callable[[Layout], Items]] = {
+    "protocol": lambda layout: [(layout.short_name, layout)],
     "family": lambda layout: [(f.name, f) for f in layout.families if f.messages or f.structs],
     "message": lambda layout: [(slug(m.name), m) for m in layout.definitions],
     "enum": lambda layout: [(slug(e.name), e) for e in layout.enums],

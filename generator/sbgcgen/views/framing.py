@@ -6,7 +6,14 @@ from dataclasses import dataclass
 
 from sbgcgen.model import BODY, ID, SIZE, START, Crc, Framing
 
-_KINDS = {"sum8": "the sum of {}, modulo 256", "crc16": "CRC-16 of {}"}
+_KINDS = {
+    "sum8": "the sum of {}, modulo 256",
+    "sum16": "the sum of {}, modulo 65536, the low byte first",
+    "xor8": "the exclusive or of {}",
+    "crc8": "CRC-8 of {}",
+    "crc16": "CRC-16 of {}",
+    "crc32": "CRC-32 of {}",
+}
 _ALL_BYTES = "all bytes of the body"
 
 
@@ -46,15 +53,16 @@ def checksum_text(framing: Framing, name: str) -> str:
 def crc_text(crc: Crc) -> str:
     """The definition of a cyclic redundancy check, as catalogues put it."""
     order = {True: "least", False: "most"}
+    digits = crc.width // 4
     words = [
-        f"CRC-16 with the polynomial 0x{crc.polynomial:04X}",
-        f"initial value 0x{crc.initial:04X}",
+        f"CRC-{crc.width} with the polynomial 0x{crc.polynomial:0{digits}X}",
+        f"initial value 0x{crc.initial:0{digits}X}",
         f"bytes {order[crc.reflect_in]} significant bit first",
         f"result {'' if crc.reflect_out else 'not '}reflected",
-        f"final XOR 0x{crc.final_xor:04X}",
+        f"final XOR 0x{crc.final_xor:0{digits}X}",
     ]
     check = crc.check if crc.check is not None else crc.value(b"123456789")
-    return f"{', '.join(words)}; the check value of \"123456789\" is 0x{check:04X}"
+    return f"{', '.join(words)}; the check value of \"123456789\" is 0x{check:0{digits}X}"
 
 
 def part_name(part: str) -> str:

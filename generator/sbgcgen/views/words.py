@@ -9,12 +9,10 @@ from functools import cache
 from typing import Any
 
 from sbgcgen.model import (
-    EFFECTS,
     Announced,
     Availability,
     AxisDirection,
     Blob,
-    Effect,
     Enum,
     Field,
     Leaf,
@@ -72,11 +70,6 @@ def versions(since: Availability) -> str:
     return ", ".join(f"{kind} {text}" for kind, text in since.words)
 
 
-def effect_text(word: str) -> str:
-    """The description of an effect of a request."""
-    return EFFECTS[word]
-
-
 def stop_text(message: Message) -> str:
     """When a request stops all motion: "Stops all motion if `cmd_id` is `MOTOR_OFF`."; or ""."""
     if not message.stops:
@@ -101,11 +94,6 @@ def _name(type_: Any, number: Any) -> str:
     """The name of an enum value, or else the number."""
     values = type_.values if isinstance(type_, Enum) else ()
     return next((f"`{v.name}`" for v in values if v.value == number), f"{number:g}")
-
-
-def is_dangerous(effect: Effect | None) -> bool:
-    """True if a request can move the camera or restart the board, so readers need a warning."""
-    return effect is not None and not {"moves", "restarts"}.isdisjoint(effect.words)
 
 
 def hexadecimal(value: int, digits: int = 2) -> str:
@@ -178,9 +166,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "to_json": to_json,
     "number": number,
     "versions": versions,
-    "effect_text": effect_text,
     "stop_text": stop_text,
-    "is_dangerous": is_dangerous,
     "hex": hexadecimal,
     "slug": slug,
     "title_of": title_of,

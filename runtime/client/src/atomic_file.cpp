@@ -12,8 +12,18 @@
 #include <unistd.h>
 
 #include <sbgc/client/atomic_file.hpp>
+#include <sbgc/io/detail/descriptor.hpp>
 
 namespace sbgc::detail {
+
+bool is_at(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         ::lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
 namespace {
 
 ClientError io_error(const std::string& what, const std::filesystem::path& file, int number) {
@@ -22,24 +32,7 @@ ClientError io_error(const std::string& what, const std::filesystem::path& file,
   return {code, fmt::format("{} {}: {}", what, file.string(), reason), number};
 }
 
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) noexcept : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() {
-    if (is_open()) ::close(number_);
-  }
-
-  [[nodiscard]] int number() const noexcept { return number_; }
-  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
-
- private:
-  int number_;
-};
+using io::detail::Descriptor;
 
 /// Unlinks a file on destruction, unless it was renamed.
 class TemporaryFile {
@@ -81,15 +74,6 @@ bool is_temporary(std::string_view name) {
     return is_there;
   };
   return drop_number_after('-') && drop_number_after('.') && !name.empty();
-}
-
-/// True if the open file is regular and still has this path.
-bool is_at(int descriptor, const std::filesystem::path& path) {
-  struct stat opened {};
-  struct stat named {};
-  return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
-         ::lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
 }
 
 /// Creates a file next to `file`. Returns its descriptor, or -1. A name may already exist, left by
@@ -147,7 +131,7 @@ int move_without_replacing(const std::filesystem::path& from, const std::filesys
 /// Flushes the entries of a folder to disk.
 Result<void> sync_folder(const std::filesystem::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!opened.is_open() || ::fsync(opened.number()) != 0) {
+  if (!opened || ::fsync(opened.get()) != 0) {
     return io_error("cannot flush to disk:", folder, errno);
   }
   return {};
@@ -180,13 +164,13 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   remove_leftovers(folder_of(file));
   std::filesystem::path path;
   const Descriptor opened(open_beside(file, path));
-  if (!opened.is_open()) return io_error("cannot write", file, errno);
+  if (!opened) return io_error("cannot write", file, errno);
   const TemporaryFile temporary(path);
-  if (existing == Existing::replace) keep_rights(opened.number(), file);
+  if (existing == Existing::replace) keep_rights(opened.get(), file);
   // Some file systems report errors only on close. The lock lasts until the last descriptor is
   // closed.
-  const bool is_written = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
-                          ::close(::dup(opened.number())) == 0;
+  const bool is_written = write_all(opened.get(), content) && ::fsync(opened.get()) == 0 &&
+                          ::close(::dup(opened.get())) == 0;
   if (!is_written) return io_error("cannot write", file, errno);
   const bool replaces = existing == Existing::replace;
   const int error = !replaces                                   ? move_without_replacing(path, file)
@@ -206,24 +190,24 @@ void remove_leftovers(const std::filesystem::path& folder) {
     const std::filesystem::path& path = entry->path();
     if (!is_temporary(path.filename().string())) continue;
     const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (!opened.is_open() || !is_at(opened.number(), path)) continue;
-    if (::flock(opened.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+    if (!opened || !is_at(opened.get(), path)) continue;
+    if (::flock(opened.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
   }
 }
 
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {
   // Nonblocking, because opening a named pipe waits for a writer.
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!opened.is_open()) return io_error("cannot read", file, errno);
+  if (!opened) return io_error("cannot read", file, errno);
   struct stat about {};
-  if (::fstat(opened.number(), &about) != 0) return io_error("cannot read", file, errno);
+  if (::fstat(opened.get(), &about) != 0) return io_error("cannot read", file, errno);
   if (!S_ISREG(about.st_mode)) {
     return ClientError{ErrorCode::bad_file, fmt::format("{} is not a regular file", file.string())};
   }
   std::string content;
   std::array<char, 65536> block{};
   while (true) {
-    const ssize_t size = ::read(opened.number(), block.data(), block.size());
+    const ssize_t size = ::read(opened.get(), block.data(), block.size());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) return io_error("cannot read", file, errno);
     if (size == 0) return content;

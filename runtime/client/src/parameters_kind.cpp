@@ -2,30 +2,16 @@
 
 #include <algorithm>
 #include <optional>
-#include <type_traits>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
-#include <sbgc/message.hpp>
+#include <sbgc/explain.hpp>
+#include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
 
 namespace sbgc::detail {
 namespace {
-
-template <class M>
-std::vector<std::uint8_t> bytes_of(const M& message) {
-  std::vector<std::uint8_t> bytes(max_body_size);
-  bytes.resize(encode(message, bytes).size);
-  return bytes;
-}
-
-template <class M>
-M message_of(Body body) {
-  M message{};
-  static_cast<void>(decode(body, message));  // problem() has checked this
-  return message;
-}
 
 /// Returns a mask with 1 bits in the fields of this role.
 std::vector<std::uint8_t> mask_of(const MessageType& type, FieldRole role) {
@@ -36,49 +22,18 @@ std::vector<std::uint8_t> mask_of(const MessageType& type, FieldRole role) {
   return mask;
 }
 
-/// Calls `use(Type<Request>{})` for the first request that the board supports.
-template <class... Requests, class Use>
-bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& use) {
-  return ((is_supported<Requests>(versions) && (use(Type<Requests>{}), true)) || ...);
+/// Returns the first request that the board supports; null if there is none.
+const MessageType* supported(const std::vector<const MessageType*>& requests,
+                             const Availability& versions) {
+  const auto found = std::ranges::find_if(requests, [&](const MessageType* request) {
+    return objection_to(*request->info, versions).empty();
+  });
+  return found != requests.end() ? *found : nullptr;
 }
 
-template <class M, class Request>
-Task<Result<std::vector<std::uint8_t>>> read_with(std::uint8_t copy, CallOptions options) {
-  Request request{};
-  if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(request) = copy;
-  const Result<M> answer = co_await tasks::call(request, options);
-  if (!answer) co_return answer.error();
-  co_return bytes_of(*answer);
-}
-
-template <class M>
-Task<Result<std::vector<std::uint8_t>>> read_parameters_of(std::uint8_t copy, CallOptions options) {
-  const TaskMachine& task = co_await tasks::this_task();
-  std::optional<Task<Result<std::vector<std::uint8_t>>>> reading;
-  with_supported(
-      typename ParametersOf<M>::Readers{}, task.identity().versions(),
-      [&]<class Request>(Type<Request>) { reading.emplace(read_with<M, Request>(copy, options)); });
-  if (reading) co_return co_await std::move(*reading);
-  co_return ClientError{ErrorCode::unsupported,
-                        fmt::format("this board cannot report {}", ParametersOf<M>::name)};
-}
-
-template <class M, class Request>
-Task<Result<void>> write_with(std::vector<std::uint8_t> body, CallOptions options) {
-  co_return co_await tasks::call(Request{message_of<M>(body)}, options);
-}
-
-template <class M>
-Task<Result<void>> write_parameters_of(std::vector<std::uint8_t> body, CallOptions options) {
-  const TaskMachine& task = co_await tasks::this_task();
-  std::optional<Task<Result<void>>> writing;
-  with_supported(typename ParametersOf<M>::Writers{}, task.identity().versions(),
-                 [&]<class Request>(Type<Request>) {
-                   writing.emplace(write_with<M, Request>(body, options));
-                 });
-  if (writing) co_return co_await std::move(*writing);
-  co_return ClientError{ErrorCode::unsupported,
-                        fmt::format("this board cannot store {}", ParametersOf<M>::name)};
+template <class... Ms>
+std::vector<const MessageType*> types_in(TypeList<Ms...>) {
+  return {find_message(Meta<Ms>::info.name)...};
 }
 
 /// A value as text, for comparison.
@@ -114,16 +69,8 @@ ParametersKind parameters_kind_of() {
       .copies = ParametersOf<M>::copies,
       .state_mask = mask_of(type, FieldRole::state),
       .general_mask = mask_of(type, FieldRole::general),
-      .is_readable =
-          [](const Availability& versions) {
-            return with_supported(typename ParametersOf<M>::Readers{}, versions, [](auto) {});
-          },
-      .is_writable =
-          [](const Availability& versions) {
-            return with_supported(typename ParametersOf<M>::Writers{}, versions, [](auto) {});
-          },
-      .read = read_parameters_of<M>,
-      .write = write_parameters_of<M>,
+      .readers = types_in(typename ParametersOf<M>::Readers{}),
+      .writers = types_in(typename ParametersOf<M>::Writers{}),
   };
 }
 
@@ -161,6 +108,51 @@ std::string ParametersKind::problem(Body body, std::uint8_t copy) const {
     result = fmt::format("the body is of profile {}", leaf.integer + 1);
   });
   return result;
+}
+
+bool ParametersKind::is_readable(const Availability& versions) const {
+  return supported(readers, versions) != nullptr;
+}
+
+bool ParametersKind::is_writable(const Availability& versions) const {
+  return supported(writers, versions) != nullptr;
+}
+
+Task<Result<std::vector<std::uint8_t>>> ParametersKind::read(std::uint8_t copy,
+                                                             CallOptions options) const {
+  const TaskMachine& task = co_await tasks::this_task();
+  const MessageType* const reader = supported(readers, task.identity().versions());
+  if (reader == nullptr) {
+    co_return ClientError{ErrorCode::unsupported,
+                          fmt::format("this board cannot report {}", name())};
+  }
+  AnyMessage request = reader->make();
+  for (const FieldType& field : reader->fields()) {
+    if (field.info->role != FieldRole::copy) continue;
+    request.assign(field.name, fmt::format("raw:{}", copy), false);
+  }
+  const auto answer = co_await tasks::call(request, options);
+  if (!answer) co_return answer.error();
+  if (!*answer || &(*answer)->type() != type) {
+    co_return ClientError{ErrorCode::bad_response, fmt::format("the board sent no {}", name())};
+  }
+  std::vector<std::uint8_t> body(max_body_size);
+  body.resize((*answer)->encode(body).size);
+  co_return body;
+}
+
+Task<Result<void>> ParametersKind::write(std::vector<std::uint8_t> body,
+                                         CallOptions options) const {
+  const TaskMachine& task = co_await tasks::this_task();
+  const MessageType* const writer = supported(writers, task.identity().versions());
+  if (writer == nullptr) {
+    co_return ClientError{ErrorCode::unsupported,
+                          fmt::format("this board cannot store {}", name())};
+  }
+  AnyMessage request = writer->make();
+  static_cast<void>(request.decode(body));  // problem() has checked this
+  const auto done = co_await tasks::call(request, options);
+  co_return done ? Result<void>() : done.error();
 }
 
 AnyMessage ParametersKind::message(Body body) const {

@@ -26,10 +26,14 @@ struct ParametersKind {
   /// 1 bits where a body holds general parameters.
   std::vector<std::uint8_t> general_mask;
 
-  bool (*is_readable)(const Availability& versions);
-  bool (*is_writable)(const Availability& versions);
-  Task<Result<std::vector<std::uint8_t>>> (*read)(std::uint8_t copy, CallOptions options);
-  Task<Result<void>> (*write)(std::vector<std::uint8_t> body, CallOptions options);
+  /// The requests, deprecated ones last.
+  std::vector<const MessageType*> readers;
+  std::vector<const MessageType*> writers;
+
+  bool is_readable(const Availability& versions) const;
+  bool is_writable(const Availability& versions) const;
+  Task<Result<std::vector<std::uint8_t>>> read(std::uint8_t copy, CallOptions options) const;
+  Task<Result<void>> write(std::vector<std::uint8_t> body, CallOptions options) const;
 
   std::string name() const { return type->info->name; }
   /// Returns why the body does not hold parameters of this copy; "" if it does.

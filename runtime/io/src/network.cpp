@@ -15,10 +15,9 @@
 #include <sys/socket.h>
 
 #include <sbgc/detail/compiler.hpp>
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/network.hpp>
-
-#include "descriptor.hpp"
 
 namespace sbgc::io {
 

@@ -8,12 +8,12 @@
 
 #include <sys/stat.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/network.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/io/serial.hpp>
 
-#include "descriptor.hpp"
 #include "termios.hpp"
 
 namespace sbgc::io {

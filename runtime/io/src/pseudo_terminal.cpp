@@ -7,10 +7,10 @@
 #include <asio/posix/stream_descriptor.hpp>
 #include <fcntl.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "descriptor.hpp"
 #include "termios.hpp"
 
 namespace sbgc::io {

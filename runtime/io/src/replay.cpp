@@ -15,9 +15,8 @@
 #include <sys/stat.h>
 
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/replay.hpp>
-
-#include "descriptor.hpp"
 
 namespace sbgc::io {
 

@@ -15,11 +15,11 @@
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/ports.hpp>
 #include <sbgc/io/serial.hpp>
 
-#include "descriptor.hpp"
 #include "termios.hpp"
 
 namespace sbgc::io {

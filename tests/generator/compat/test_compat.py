@@ -36,6 +36,16 @@ def test_a_change_is_found_and_put_into_its_class(name: str, tmp_path: Path) -> 
     assert [level for level, _ in found[:1]] == worst, f"it breaks more than it should: {found}"
 
 
+def test_another_prefix_of_commands_breaks_no_program(tmp_path: Path) -> None:
+    new = write_spec(tmp_path / "new", OLD)
+    for path in new.iterdir():
+        text = path.read_text(encoding="utf-8").replace("CMD_", "CM_")
+        path.write_text(text.replace("protocol:", "protocol:\n  command_prefix: CM_"), "utf-8")
+    found = changes_between(old_spec(tmp_path / "old"), new)
+    assert {level for level, _ in found} == {Level.COMPATIBLE}
+    assert any("prefix of commands: CMD_ → CM_" in text for _, text in found)
+
+
 def test_what_was_appended_must_stay_optional(tmp_path: Path) -> None:
     case = CASES["field appended"]
     without = [(a, b.replace("since: {firmware: 2.59}, ", "")) for a, b in case.edits]

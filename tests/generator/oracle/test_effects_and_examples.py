@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sbgcgen.build import load_protocol
-from sbgcgen.model import EFFECTS
+from sbgcgen.model import USUAL_EFFECTS
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import example_of
 from sbgcgen.oracle.vectors import typical_vector, vectors_of
@@ -190,10 +190,11 @@ def test_history_names_what_came(tmp_path: Path) -> None:
 
 
 def test_the_words_for_effects_are_the_same_everywhere() -> None:
+    words = [kind.word for kind in USUAL_EFFECTS]
     schema = json.loads((GENERATOR / "schema" / "sbgc-spec.schema.json").read_text("utf-8"))
-    assert schema["$defs"]["effect"]["anyOf"][0]["enum"] == list(EFFECTS)
-    header = (PROJECT / "runtime/core/include/sbgc/meta.hpp").read_text("utf-8")
-    enum = header[header.index("enum class Effect ") : header.index("using Effects")]
-    assert re.findall(r"^  (\w+) = 0x", enum, re.MULTILINE) == list(EFFECTS)
+    assert schema["$defs"]["effect_word"]["examples"] == words
+    header = (PROJECT / "generated/include/sbgc/protocol.hpp").read_text("utf-8")
+    enum = header[header.index("enum class Effect ") :].partition("};")[0]
+    assert re.findall(r"^  (\w+) = 0x", enum, re.MULTILINE) == words
     guide = (PROJECT / "docs/2-safety.md").read_text("utf-8")
-    assert re.findall(r"^\| ([a-z]+) \| [A-Z]", guide, re.MULTILINE) == list(EFFECTS)
+    assert re.findall(r"^\| ([a-z]+) \| [A-Z]", guide, re.MULTILINE) == words

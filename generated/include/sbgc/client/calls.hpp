@@ -8,6 +8,9 @@
 #include <sbgc/client/call_result.hpp>
 #include <sbgc/client/options.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 // Only declared: a program that makes a call must include its message.
@@ -1530,3 +1533,5 @@ class Calls {
 };
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

@@ -13,6 +13,9 @@
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc::msg {
 
 static_assert(codec_version == 3, "generated code and runtime do not match");
@@ -325,7 +328,7 @@ struct ReadParams3Request {
 ///
 /// CMD_READ_PARAMS (82), to the board; 1 byte. Effect: reads. Deprecated: use CMD_READ_PARAMS_3.
 /// Source: Outgoing commands L652-L660.
-struct ReadParams {
+struct [[deprecated("use CMD_READ_PARAMS_3")]] ReadParams {
   static constexpr CommandToBoard command = CommandToBoard::read_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
@@ -770,7 +773,7 @@ struct WriteParams3 : ReadParams3 {
 ///
 /// CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more. Effect:
 /// stores, moves. Deprecated: use CMD_WRITE_PARAMS_3. Source: Outgoing commands L662-L668.
-struct WriteParams : ReadParams3 {
+struct [[deprecated("use CMD_WRITE_PARAMS_3")]] WriteParams : ReadParams3 {
   static constexpr CommandToBoard command = CommandToBoard::write_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
@@ -835,3 +838,5 @@ struct WriteProfileNames : ReadProfileNames {
 };
 
 }  // namespace sbgc::msg
+
+#pragma GCC diagnostic pop

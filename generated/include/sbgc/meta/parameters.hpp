@@ -8,6 +8,9 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/units.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc {
 
 template <>
@@ -1476,3 +1479,5 @@ struct Meta<msg::WriteProfileNames> : Meta<msg::ReadProfileNames> {
 };
 
 }  // namespace sbgc
+
+#pragma GCC diagnostic pop

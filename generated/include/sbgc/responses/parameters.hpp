@@ -8,6 +8,9 @@
 #include <sbgc/response_policy.hpp>
 #include <sbgc/messages/parameters.hpp>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace sbgc::msg {
 
 constexpr ResponsePolicy response_policy(const ReadParams3Request& request) noexcept {
@@ -162,3 +165,5 @@ constexpr ResponsePolicy response_policy(const UseDefaults&) noexcept {
 }
 
 }  // namespace sbgc::msg
+
+#pragma GCC diagnostic pop

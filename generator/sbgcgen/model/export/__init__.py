@@ -65,6 +65,10 @@ def _model(layout: Layout) -> dict[str, Any]:
         "families": [
             {"name": family.name, "summary": family.summary} for family in layout.families
         ],
+        "effects": [
+            {"name": kind.word, "summary": kind.summary, "risk": kind.risk or None}
+            for kind in layout.effects
+        ],
         "timeouts": {"errata": list(layout.timeout_errata)},
         "commands": [_command(command) for command in layout.commands],
         "messages": [message_json(message) for message in layout.messages],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.model import EFFECTS, Effect, Layout, Message
+from sbgcgen.model import READS, UNKNOWN, Effect, Layout, Message
 
 
 def lint_effects(layout: Layout, found: Diagnostics) -> None:
@@ -25,7 +25,7 @@ def lint_effects(layout: Layout, found: Diagnostics) -> None:
                 hint = "'effect' belongs to 'to_board'"
         elif message.effect is None:
             text = f"{message.name} does not state its effect on the board"
-            hint = f"say 'effect:' with one or more of: {', '.join(EFFECTS)}"
+            hint = f"say 'effect:' with one or more of: {', '.join(kind.word for kind in layout.effects)}"
         else:
             text, hint = _problem(message, message.effect, message.command in undocumented)
         if text:
@@ -42,17 +42,17 @@ def _problem(message: Message, effect: Effect, is_undocumented: bool) -> tuple[s
         if not is_last and case.when is None:
             text = f"a case of the effect of {message.name} has no condition"
             return text, "every case but the last needs a 'when'"
-        for word in ("reads", "unknown"):
+        for word in (READS.word, UNKNOWN.word):
             if word in case.words and len(case.words) > 1:
                 text = f"{message.name} combines '{word}' with another effect"
                 return text, f"'{word}' excludes all others"
     if _overlap(effect):
         text = f"cases of the effect of {message.name} overlap"
         return text, "several cases need different values of one field"
-    if message.stops and "moves" not in effect.words:
-        text = f"{message.name} stops all motion, but its effect is not 'moves'"
+    if message.stops and not effect.is_dangerous:
+        text = f"{message.name} stops all motion, but its effect has no 'risk: motion'"
         return text, "what stops the motors moves them"
-    if "unknown" in effect.words and not is_undocumented:
+    if UNKNOWN.word in effect.words and not is_undocumented:
         text = f"{message.name} is described, so its effect is known"
         return text, "'unknown' is for commands with 'undocumented: true'"
     return "", ""

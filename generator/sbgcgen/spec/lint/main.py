@@ -27,7 +27,7 @@ def _check_units(spec: Spec, found: Diagnostics) -> None:
     for _, name, node, _ in spec.entries("quantities"):
         unit = node.get("unit")
         if known and unit is not None and str(unit) not in known:
-            hint = did_you_mean(str(unit), known) or "add it to 'units' in simplebgc.yaml"
+            hint = did_you_mean(str(unit), known) or f"add it to 'units' in {spec.main_file}"
             found.add(node.at("unit"), "SBGC065", f"{name} has the unknown unit '{unit}'", hint)
 
 

@@ -20,7 +20,12 @@ _SIMILAR = 0.85
 
 
 def lint_spelling(spec: Spec, found: Diagnostics) -> None:
-    """Check the names of fields and of named values; findings go into `found`."""
+    """Check the names of commands, fields and named values; findings go into `found`."""
+    for _, name, _, at in spec.entries("commands"):
+        if not name.startswith(spec.command_prefix):
+            text = f"the command {name} does not begin with '{spec.command_prefix}'"
+            hint = "the 'command_prefix' of the protocol is not a part of names in code"
+            found.add(at, "SBGC054", text, hint)
     leaf_types = {*COMMAND_IDS.values(), VARIABLE_ID}
     for section in ("quantities", "enums", "flags", "packed"):
         leaf_types.update(name for _, name, _, _ in spec.entries(section))

@@ -16,7 +16,6 @@ _TYPES = {
     "packed": "packed integer",
     "structs": "struct",
 }
-_COMMAND = re.compile(r"\bCMD_[A-Z0-9_]*[A-Z0-9]\b")
 _NAME = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*\b")
 
 
@@ -83,9 +82,10 @@ def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
     """Summaries and descriptions must only mention existing commands."""
     commands = {name for _, name, _, _ in spec.entries("commands")}
     fields = {node["name"] for node in nodes if _is_text(node, "name")}
+    command = re.compile(rf"\b{spec.command_prefix}[A-Z0-9_]*[A-Z0-9]\b")
     for node in nodes:
         for key in ("summary", "description", "preparation"):
-            for name in _COMMAND.findall(node[key]) if _is_text(node, key) else ():
+            for name in command.findall(node[key]) if _is_text(node, key) else ():
                 if name not in commands | fields:
                     message = f"the {key} mentions {name}, which does not exist"
                     hint = did_you_mean(name, commands) or "name a command of this protocol"

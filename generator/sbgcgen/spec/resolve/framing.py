@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sbgcgen.model import BODY, ID, SIZE, START, Checksum, Crc, Framing, Position
+from sbgcgen.model import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing, Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.entries import Entries
@@ -69,15 +69,22 @@ def _framing(name: str, node: Map, entries: Entries, found: Diagnostics) -> Fram
 
 def _checksum(name: str, node: Map, found: Diagnostics) -> Checksum:
     kind, covers = str(node["kind"]), tuple(str(part) for part in node["covers"])
-    if kind != "crc16":
+    if not kind.startswith("crc"):
         for key in _CRC_KEYS:
             if key in node:
-                text = f"'{name}' has '{key}', but is no crc16"
-                found.add(node.at(key), "SBGC069", text, f"delete it, or say 'kind: crc16'")
+                text = f"'{name}' has '{key}', but is no cyclic redundancy check"
+                found.add(node.at(key), "SBGC069", text, "delete it, or say 'kind: crc16'")
         return Checksum(name, kind, covers)
     if "polynomial" not in node:
-        text = f"'{name}' is a crc16 without a polynomial"
+        text = f"'{name}' is a {kind} without a polynomial"
         found.add(node.at("kind"), "SBGC069", text, "add 'polynomial', such as 0x8005")
+    width = 8 * CHECKSUM_SIZES[kind]
+    for key in _CRC_KEYS:
+        if int(node.get(key, 0)) >> width:
+            text = f"'{key}' of '{name}' has more than {width} bits"
+            hint = "leave out the highest power of the polynomial"
+            found.add(node.at(key), "SBGC069", text, hint)
+            return Checksum(name, kind, covers)
     crc = Crc(
         polynomial=int(node.get("polynomial", 0)),
         initial=int(node.get("initial", 0)),
@@ -85,9 +92,10 @@ def _checksum(name: str, node: Map, found: Diagnostics) -> Checksum:
         reflect_out=bool(node.get("reflect_out", False)),
         final_xor=int(node.get("final_xor", 0)),
         check=int(node["check"]) if "check" in node else None,
+        width=width,
     )
     if crc.check is not None and crc.check != crc.value(_CHECK_TEXT):
-        text = f"the check value of '{name}' is 0x{crc.value(_CHECK_TEXT):04X}"
+        text = f"the check value of '{name}' is 0x{crc.value(_CHECK_TEXT):0{width // 4}X}"
         hint = "correct the parameters, or 'check', the value of the text 123456789"
         found.add(node.at("check"), "SBGC069", text, hint)
     return Checksum(name, kind, covers, crc)

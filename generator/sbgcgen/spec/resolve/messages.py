@@ -9,8 +9,6 @@ from sbgcgen.model import (
     Availability,
     Command,
     Context,
-    Effect,
-    EffectCase,
     Field,
     Message,
     Position,
@@ -22,6 +20,7 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
+from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.leaves import leaves
 from sbgcgen.spec.resolve.sizes import max_size, min_size, total_size
@@ -45,7 +44,11 @@ class _Draft:
 
     def get(self, key: str, default: Any = None) -> Any:
         """A property of the form, or else of its direction."""
-        return self.node.get(key, self.parent.get(key, default))
+        return self.owner(key).get(key, default)
+
+    def owner(self, key: str) -> Map:
+        """The node with a property: that of the form, or else of its direction."""
+        return self.node if key in self.node else self.parent
 
 
 class MessageResolver:
@@ -56,8 +59,10 @@ class MessageResolver:
         types: TypeResolver,
         fields: FieldResolver,
         answers: AnswerResolver,
+        effects: EffectResolver,
         found: Diagnostics,
     ) -> None:
+        self.effects = effects
         self.types = types
         self.fields = fields
         self.answers = answers
@@ -82,7 +87,7 @@ class MessageResolver:
     def _draft(self, command: Command, direction: str, node: Map) -> None:
         side = node[direction]
         forms = side.get("forms", {None: side})
-        base = camel_case(command.name.removeprefix("CMD_"))
+        base = camel_case(command.name.removeprefix(self.types.spec.command_prefix))
         answers_itself = direction == "to_board" and "from_board" in node
         shared = any("same_as" in node.get(d, {}) for d in DIRECTIONS)
         if answers_itself and not (shared and self._is_own_body(node, base)):
@@ -218,7 +223,7 @@ class MessageResolver:
             else None,
             "role": self.answers.roles.role(draft.get("role"), draft.direction, fields),
             "stores": str(draft.get("stores", "")),
-            "effect": self._effect(draft.get("effect"), fields),
+            "effect": self.effects.effect(draft.owner("effect"), fields),
             "stops": examples.stops(fields, draft.get("stops"), name),
             "example": {
                 **(original.example if original else {}),
@@ -226,27 +231,12 @@ class MessageResolver:
             },
         }
 
-    def _effect(self, node: Any, fields: tuple[Field, ...]) -> Effect | None:
-        """Resolve the value of `effect:`, which is one word, several, or cases."""
-        if node is None:
-            return None
-        listed = node if isinstance(node, list) else [node]
-        if not isinstance(listed[0], Map):
-            return Effect((EffectCase(None, tuple(listed)),))
-        cases = []
-        for case in listed:
-            does = case["does"]
-            when = self.fields.references.condition(case, list(fields), ())
-            cases.append(EffectCase(when, tuple(does if isinstance(does, list) else [does])))
-        return Effect(tuple(cases))
-
     def _until(self, draft: _Draft) -> Until | None:
         """The first firmware that no longer accepts the message, and the form that replaces it."""
         node = draft.get("until")
         if not isinstance(node, Map):
             return None
-        owner = draft.node if "until" in draft.node else draft.parent
-        versions = self.types.availability(owner, "until")
+        versions = self.types.availability(draft.owner("until"), "until")
         wanted = str(node.get("instead", ""))
         forms = {
             d.form: d.name

@@ -17,6 +17,7 @@ from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
+from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.framing import framings_of
 from sbgcgen.spec.resolve.line import line_of
@@ -37,7 +38,8 @@ class _Resolver:
         self.answers = AnswerResolver(spec, self.types, self.fields, found)
         self.line = line_of(spec.main.get("line"), self.types, found)
         self.commands = [self._command(*entry) for entry in spec.entries("commands")]
-        self.messages = MessageResolver(self.types, self.fields, self.answers, found)
+        effects = EffectResolver(spec, self.fields.references, found)
+        self.messages = MessageResolver(self.types, self.fields, self.answers, effects, found)
 
     def run(self) -> Layout:
         for command, (_, _, node, _) in zip(self.commands, self.spec.entries("commands")):
@@ -75,6 +77,9 @@ class _Resolver:
             directions=self.fields.directions.directions,
             timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
             identifiers=tuple(self.types.identifiers),
+            effects=self.messages.effects.kinds,
+            main_file=self.spec.main_file,
+            command_prefix=self.spec.command_prefix,
         )
 
     def _revisions(self, messages: list[Message]) -> Iterator[Revision]:
@@ -108,7 +113,7 @@ class _Resolver:
     def _command(self, family: str, name: str, node: Map, at: Position) -> Command:
         return Command(
             name=name,
-            identifier=str(node.get("as", snake_case(name.removeprefix("CMD_")))),
+            identifier=str(node.get("as", snake_case(name.removeprefix(self.spec.command_prefix)))),
             id=node["id"],
             family=family,
             summary=self.types.summary(node, at, name),
@@ -116,7 +121,7 @@ class _Resolver:
             errata=self.types.errata(node),
             since=self.types.availability(node),
             undocumented=bool(node.get("undocumented", False)),
-            aliases=self.types.aliases(node, "CMD_"),
+            aliases=self.types.aliases(node, self.spec.command_prefix),
             unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )

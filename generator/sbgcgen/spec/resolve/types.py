@@ -111,7 +111,7 @@ class TypeResolver(Entries):
         for _, name, value, at in self.spec.entries("commands"):
             if value["id"] is None or direction not in directions_of(value):
                 continue
-            usual = snake_case(name.removeprefix("CMD_"))
+            usual = snake_case(name.removeprefix(self.spec.command_prefix))
             identifier = self.identifier(str(value.get("as", usual)), at)
             summary = str(value.get("summary", ""))
             values.append(
@@ -121,7 +121,7 @@ class TypeResolver(Entries):
                     value["id"],
                     summary,
                     at=at,
-                    aliases=self.aliases(value, "CMD_"),
+                    aliases=self.aliases(value, self.spec.command_prefix),
                 )
             )
         return Enum(

@@ -7,7 +7,15 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import Field, Quantity, constants, copy_field, largest_forms, scalar_of
+from sbgcgen.model import (
+    Field,
+    Message,
+    Quantity,
+    constants,
+    copy_field,
+    largest_forms,
+    scalar_of,
+)
 from sbgcgen.targets.cpp.flag_unit import flag_units
 
 LINE = 100  # columns
@@ -65,6 +73,18 @@ def narrow_range(field: Field) -> str:
     return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
 
 
+def attribute(message: Message) -> str:
+    """The attribute of a message that is deprecated in every firmware.
+
+    Members have none: g++ warns where an object is made, even if nothing uses the member.
+    """
+    mark = message.deprecated
+    if mark is None or mark.since:
+        return ""
+    reason = f"({c_string(f'use {mark.replaced_by}')})" if mark.replaced_by else ""
+    return f"[[deprecated{reason}]] "
+
+
 def unit_name(quantity: Quantity) -> str:
     """The unit of a quantity as a part of names: deg/s^2 is deg_per_s2."""
     words = {"/": "_per_", "^": "", " ": "_", "%": "percent", "°": "deg", "µ": "u"}
@@ -83,6 +103,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "narrow_range": narrow_range,
     "unit_name": unit_name,
     "units": units,
+    "attribute": attribute,
     "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,

@@ -90,6 +90,14 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
             text = f"'{part.name}' is a member that every packed integer has"
             found.add(part.at, "SBGC022", text, "give the part another name")
     _check_flags(layout.enums, types, found)
+    protocol = spec.main["protocol"]
+    if not can_be_a_name(str(protocol.get("namespace", "sbgc"))):
+        text = f"'{protocol['namespace']}' cannot be a name in C++"
+        found.add(protocol.at("namespace"), "SBGC022", text, "choose another namespace")
+    for kind in layout.effects:
+        if not can_be_a_name(kind.word):
+            text = f"'{kind.word}' cannot be a name in C++"
+            found.add(spec.main["effects"].at(kind.word), "SBGC022", text, "choose another word")
     for framing in () if found.any_of(("SBGC069",)) else layout.framings:
         _check_framing(framing, spec.main["framings"], found)
 
@@ -209,10 +217,12 @@ def _check_framing(framing: Framing, nodes: Map, found: Diagnostics) -> None:
         found.add(node.at("trailer"), "SBGC069", text, hint)
         return
     trailer = framing.checksum(framing.trailer[0])
-    covered = {"sum8": (BODY,), "crc16": (ID, SIZE, "header_checksum", BODY)}
-    if trailer and trailer.covers != covered[trailer.kind]:
-        text = f"'{trailer.name}' does not cover {', '.join(covered[trailer.kind])}, in this order"
-        found.add(node["checksums"].at(trailer.name), "SBGC069", text, hint)
-    elif trailer and trailer.crc and framing.header[1:3] != (ID, SIZE):
-        text = f"'{trailer.name}' covers the header in another order than that on the line"
-        found.add(node.at("header"), "SBGC069", text, hint)
+    parts = (*framing.header, BODY)
+    if trailer and trailer.covers != parts[-len(trailer.covers) :]:
+        text = f"'{trailer.name}' does not cover the body, or the parts from one on up to the body"
+        found.add(
+            node["checksums"].at(trailer.name),
+            "SBGC069",
+            text,
+            f"their order is {', '.join(parts)}",
+        )

@@ -17,7 +17,11 @@ class SingleHeader(Target):
     file = "sbgc.hpp"
 
     def view(self, layout: Layout, project: Path) -> View:
+        namespace = layout.protocol.get("namespace", "sbgc")
         parts = library.parts(project, library.ENTRIES)
+        for part in parts:
+            part.header = library.in_namespace(part.header, namespace)
+            part.body = library.in_namespace(part.body, namespace)
         return View(
             names={
                 "version": library.version(project),

@@ -235,7 +235,7 @@ class _Prose:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
         pages.update({e.number: f"errata.html#{e.number}" for e in layout.errata})
         self.pages = pages
-        self.known = re.compile(r"\b(CMD_[A-Z0-9_]+|E[0-9]{3})\b")
+        self.known = re.compile(rf"\b({layout.command_prefix}[A-Z0-9_]+|E[0-9]{{3}})\b")
 
     def __call__(self, text: str, root: str) -> Markup:
         parts = self.known.split(text)

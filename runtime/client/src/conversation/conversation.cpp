@@ -61,15 +61,15 @@ Result<Reply> Conversation::call(Result<Request> request, const CallOptions& opt
 }
 
 Subscription Conversation::subscribe(MessageKey key, MessageHandler handler) const {
-  return state_->subscribe(key, std::move(handler));
+  return Subscription(state_->delivery().subscribe(key, std::move(handler)));
 }
 
 Subscription Conversation::on_notice(std::function<void(const Notice&)> handler) const {
-  return state_->on_notice(std::move(handler));
+  return Subscription(state_->delivery().on_notice(std::move(handler)));
 }
 
 Subscription Conversation::on_frame(std::function<void(const BoardFrame&)> handler) const {
-  return state_->on_frame(std::move(handler));
+  return Subscription(state_->delivery().on_frame(std::move(handler)));
 }
 
 CallId Conversation::start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,

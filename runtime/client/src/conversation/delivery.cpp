@@ -6,21 +6,6 @@
 
 namespace sbgc::detail {
 
-std::unique_ptr<Subscription::Registration> Delivery::subscribe(
-    MessageKey key, Conversation::MessageHandler handler) {
-  return messages_->add(key, std::move(handler));
-}
-
-std::unique_ptr<Subscription::Registration> Delivery::on_notice(
-    std::function<void(const Notice&)> handler) {
-  return notices_->add({}, std::move(handler));
-}
-
-std::unique_ptr<Subscription::Registration> Delivery::on_frame(
-    std::function<void(const BoardFrame&)> handler) {
-  return frames_->add({}, std::move(handler));
-}
-
 void Delivery::deliver(const Frame& frame) {
   const auto use = [&]<class M>(Type<M>) {
     const MessageKey key{frame.id, M::form};

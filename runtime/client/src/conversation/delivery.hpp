@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/dispatch.hpp>
@@ -18,12 +19,16 @@ namespace sbgc::detail {
 /// Subscribing is thread-safe. Everything else requires the strand of the conversation.
 class Delivery {
  public:
-  std::unique_ptr<Subscription::Registration> subscribe(MessageKey key,
-                                                        Conversation::MessageHandler handler);
-  std::unique_ptr<Subscription::Registration> on_notice(std::function<void(const Notice&)> handler);
-
-  std::unique_ptr<Subscription::Registration> on_frame(
-      std::function<void(const BoardFrame&)> handler);
+  using Registration = std::unique_ptr<Subscription::Registration>;
+  Registration subscribe(MessageKey key, Conversation::MessageHandler handler) {
+    return messages_->add(key, std::move(handler));
+  }
+  Registration on_notice(std::function<void(const Notice&)> handler) {
+    return notices_->add({}, std::move(handler));
+  }
+  Registration on_frame(std::function<void(const BoardFrame&)> handler) {
+    return frames_->add({}, std::move(handler));
+  }
 
   /// Decodes a message once, if a subscriber or a context needs it.
   void deliver(const Frame& frame);

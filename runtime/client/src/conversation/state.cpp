@@ -123,18 +123,6 @@ bool Conversation::State::is_stuck() const {
   return since != Instant::never && io::now() - since > longest_handler;
 }
 
-Subscription Conversation::State::subscribe(MessageKey key, MessageHandler handler) {
-  return Subscription(delivery_.subscribe(key, std::move(handler)));
-}
-
-Subscription Conversation::State::on_notice(std::function<void(const Notice&)> handler) {
-  return Subscription(delivery_.on_notice(std::move(handler)));
-}
-
-Subscription Conversation::State::on_frame(std::function<void(const BoardFrame&)> handler) {
-  return Subscription(delivery_.on_frame(std::move(handler)));
-}
-
 /// Keeps a data stream running as long as it lives.
 class Conversation::State::StreamHold : public Subscription::Registration {
  public:

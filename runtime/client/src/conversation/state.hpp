@@ -61,9 +61,8 @@ class Conversation::State : public Channel::User,
   /// a handler may block the strand.
   void end_overdue(CallId id);
 
-  Subscription subscribe(MessageKey key, MessageHandler handler);
-  Subscription on_notice(std::function<void(const Notice&)> handler);
-  Subscription on_frame(std::function<void(const BoardFrame&)> handler);
+  /// For subscriptions.
+  Delivery& delivery() noexcept { return delivery_; }
   Instant start_stream(CallId id, StreamRequests requests, MessageKey key, MessageHandler handler,
                        const CallOptions& options, StreamHandler done);
 

@@ -1,4 +1,4 @@
-/// The checksum of the protocol: the sum of all bytes modulo 256.
+/// Checksums that combine the bytes by addition or exclusive or.
 #pragma once
 
 #include <cstddef>
@@ -94,4 +94,40 @@ class ByteSum {
 };
 
 }  // namespace detail
+
+/// Accumulates the sum of all bytes, modulo 256 or 65536, over several ranges.
+template <class Integer>
+class Sum {
+ public:
+  using Word = Integer;
+
+  constexpr Sum& add(const std::uint8_t* bytes, std::size_t size) noexcept {
+    if constexpr (sizeof(Word) == 1) {
+      value_ = static_cast<Word>(value_ + byte_sum(bytes, size));
+    } else {
+      for (std::size_t i = 0; i < size; ++i) value_ = static_cast<Word>(value_ + bytes[i]);
+    }
+    return *this;
+  }
+  constexpr Word value() const noexcept { return value_; }
+
+ private:
+  Word value_{};
+};
+
+/// Accumulates the exclusive or of all bytes over several ranges.
+class ExclusiveOr {
+ public:
+  using Word = std::uint8_t;
+
+  constexpr ExclusiveOr& add(const std::uint8_t* bytes, std::size_t size) noexcept {
+    for (std::size_t i = 0; i < size; ++i) value_ = static_cast<Word>(value_ ^ bytes[i]);
+    return *this;
+  }
+  constexpr Word value() const noexcept { return value_; }
+
+ private:
+  Word value_{};
+};
+
 }  // namespace sbgc

@@ -58,11 +58,11 @@ constexpr decltype(auto) with_framing(Framing framing, Function&& function) {
   return detail::with_framing<0>(framing, function);
 }
 
-/// True if damage is detected only by sums of bytes. Damage that does not change the sums passes:
-/// two opposite bits of the same place, for example, or a byte lost and an equal one doubled.
+/// True if damage is detected only by combining bytes, as in a sum. Damage that does not change the
+/// sums passes: two opposite bits of the same place, for example, or a byte lost and an equal one
+/// doubled.
 constexpr bool has_only_sums(Framing framing) noexcept {
-  return with_framing(
-      framing, [](auto f) { return FramingFacts<f()>::trailer_checksum == ChecksumKind::sum8; });
+  return with_framing(framing, [](auto f) { return !is_crc(FramingFacts<f()>::trailer_checksum); });
 }
 
 /// Returns the size of a frame with a body of `body_size` bytes.

@@ -10,11 +10,14 @@
 #include <utility>
 
 #include <sbgc/checksum.hpp>
-#include <sbgc/crc16.hpp>
+#include <sbgc/crc.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {
+
+/// True for cyclic redundancy checks, which detect nearly all damage.
+constexpr bool is_crc(ChecksumKind kind) noexcept { return kind >= ChecksumKind::crc8; }
 
 /// The result of inspecting a position in the stream.
 enum class Verdict : std::uint8_t {
@@ -42,6 +45,18 @@ consteval bool are(const std::array<FramePart, n>& parts, const std::array<Frame
   return true;
 }
 
+/// True if the trailer's checksum covers all parts of the header from one on, and the body.
+template <class Facts>
+consteval bool covers_all_from(std::size_t part) {
+  for (const FramePart covered : Facts::trailer_checksum_covers) {
+    if (covered != (part < Facts::header.size() ? Facts::header[part] : FramePart::body)) {
+      return false;
+    }
+    ++part;
+  }
+  return true;
+}
+
 /// Headers are alike in all framings, so that id and size are known before the framing is.
 template <Framing framing>
 consteval bool has_usual_header() {
@@ -52,49 +67,68 @@ consteval bool has_usual_header() {
          are(Facts::header_checksum_covers, covered);
 }
 
-/// The checksum in the trailer: a sum of the body, or a cyclic redundancy check of header and body
-/// without the start byte.
-template <Framing framing, CrcTable table, ChecksumKind = FramingFacts<framing>::trailer_checksum>
-struct Trailer {
-  static_assert(are(FramingFacts<framing>::trailer_checksum_covers, std::array{FramePart::body}),
-                "another sum requires another Trailer");
-  using Sum = std::uint8_t;
-
-  static constexpr Sum sum(const std::uint8_t*, const std::uint8_t* content,
-                           std::size_t size) noexcept {
-    return byte_sum(content, size);
+/// Returns how a checksum of a kind in the trailer is computed.
+template <class Facts, CrcTable table>
+consteval auto trailer_check() {
+  if constexpr (Facts::trailer_checksum == ChecksumKind::sum8) {
+    return Sum<std::uint8_t>{};
+  } else if constexpr (Facts::trailer_checksum == ChecksumKind::sum16) {
+    return Sum<std::uint16_t>{};
+  } else if constexpr (Facts::trailer_checksum == ChecksumKind::xor8) {
+    return ExclusiveOr{};
+  } else {
+    return Crc<Facts::trailer_checksum_crc, table>{};
   }
-  static constexpr bool matches(const std::uint8_t* frame, std::size_t body_size) noexcept {
-    const std::uint8_t* const content = frame + frame_header_size;
-    return byte_sum(content, body_size) == content[body_size];
-  }
-  static constexpr void write(std::uint8_t* place, Sum sum) noexcept { *place = sum; }
-};
+}
 
+/// The checksum in the trailer, little-endian. It covers the body, or all bytes from a part of the
+/// header on.
 template <Framing framing, CrcTable table>
-struct Trailer<framing, table, ChecksumKind::crc16> {
+struct Trailer {
   using Facts = FramingFacts<framing>;
-  static_assert(are(Facts::trailer_checksum_covers,
-                    std::array{FramePart::id, FramePart::size, FramePart::header_checksum,
-                               FramePart::body}),
-                "another check requires another Trailer");
-  using Sum = std::uint16_t;
-  using Crc = Crc16<Facts::trailer_checksum_crc, table>;
+  using Check = decltype(trailer_check<Facts, table>());
+  using Word = typename Check::Word;
+  using Bytes = std::make_index_sequence<sizeof(Word)>;
+  static_assert(Facts::trailer_size == sizeof(Word));
 
-  static constexpr Sum sum(const std::uint8_t* frame, const std::uint8_t* content,
-                           std::size_t size) noexcept {
-    return Crc{}.add(frame + 1, frame_header_size - 1).add(content, size).value();
+  /// Of the first byte that it covers.
+  static constexpr std::size_t offset =
+      frame_header_size + 1 - Facts::trailer_checksum_covers.size();
+  static_assert(covers_all_from<Facts>(offset), "another coverage requires another Trailer");
+
+  static constexpr Word sum(const std::uint8_t* frame, const std::uint8_t* content,
+                            std::size_t size) noexcept {
+    Check check{};
+    if constexpr (offset != frame_header_size) {
+      check.add(frame + offset, frame_header_size - offset);
+    }
+    return check.add(content, size).value();
   }
   static constexpr bool matches(const std::uint8_t* frame, std::size_t body_size) noexcept {
-    const std::uint8_t* const trailer = frame + frame_header_size + body_size;
-    return Crc{}.add(frame + 1, frame_header_size - 1 + body_size).value() ==
-           (trailer[0] | trailer[1] << 8);
+    const std::size_t size = frame_header_size - offset + body_size;
+    return Check{}.add(frame + offset, size).value() ==
+           read(frame + frame_header_size + body_size, Bytes{});
   }
-  static constexpr void write(std::uint8_t* place, Sum sum) noexcept {
-    place[0] = static_cast<std::uint8_t>(sum);
-    place[1] = static_cast<std::uint8_t>(sum >> 8);
+  static constexpr void write(std::uint8_t* place, Word sum) noexcept {
+    write(place, sum, Bytes{});
+  }
+
+ private:
+  template <std::size_t... i>
+  static constexpr Word read(const std::uint8_t* place, std::index_sequence<i...>) noexcept {
+    return static_cast<Word>(((std::uint32_t{place[i]} << (8 * i)) | ...));
+  }
+  template <std::size_t... i>
+  static constexpr void write(std::uint8_t* place, Word sum, std::index_sequence<i...>) noexcept {
+    ((place[i] = static_cast<std::uint8_t>(std::uint32_t{sum} >> (8 * i))), ...);
   }
 };
+
+/// True if the trailer is the sum of the bytes of the body.
+template <Framing framing>
+inline constexpr bool has_body_sum =
+    FramingFacts<framing>::trailer_checksum ==
+    ChecksumKind::sum8&& FramingFacts<framing>::trailer_checksum_covers.size() == 1;
 
 /// Returns true if the frame_header_size bytes from a start byte on are a valid header.
 constexpr bool is_header(const std::uint8_t* bytes) noexcept {
@@ -119,7 +153,7 @@ template <Framing framing, CrcTable table = CrcTable::slices>
 struct FrameFormat {
   using Facts = FramingFacts<framing>;
   static_assert(detail::has_usual_header<framing>() && Facts::trailer.size() == 1,
-                "another header or trailer in spec/simplebgc.yaml requires another is_header(), "
+                "another header or trailer in the spec requires another is_header(), "
                 "skip_blocks() and finish()");
 
   static constexpr std::uint8_t start = Facts::start;
@@ -151,7 +185,7 @@ struct FrameFormat {
   /// As above, for a body whose sum is already known.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       std::uint8_t sum) noexcept
-      requires(Facts::trailer_checksum == ChecksumKind::sum8) {
+      requires(detail::has_body_sum<framing>) {
     write_header(frame, id, body_size);
     Trailer::write(frame + frame_header_size + body_size, sum);
     return frame_size<framing>(body_size);

@@ -59,8 +59,7 @@ SBGC_ALWAYS_INLINE constexpr std::size_t finish_frame_of(const M& message, std::
   // To sum the values of a small message is faster than to sum its bytes: they may still be in
   // registers, and reading back members that were just set one by one would stall.
   constexpr bool is_small = is_of_fixed_size<M> && fixed_size<M> <= 24;
-  if constexpr (FramingFacts<framing>::trailer_checksum == ChecksumKind::sum8 &&
-                !prefers_small_code) {
+  if constexpr (has_body_sum<framing> && !prefers_small_code) {
     using Format = FrameFormat<framing>;
     if constexpr (is_small) {
       return Format::finish(frame, id, body_size, static_cast<std::uint8_t>(sum_of_value(message)));

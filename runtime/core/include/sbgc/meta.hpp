@@ -141,17 +141,6 @@ struct FieldInfo {
   const AlternativeUnit* alternative{};
 };
 
-/// What a request does to the board. A request can have several effects, some of them only with
-/// certain values in its fields.
-enum class Effect : std::uint8_t {
-  reads = 0x01,     ///< changes nothing
-  sets = 0x02,      ///< makes changes that are lost when the board restarts
-  stores = 0x04,    ///< makes changes that survive a restart
-  moves = 0x08,     ///< the camera can move, or the motors gain or lose power
-  restarts = 0x10,  ///< restarts the board; its motors have no power until it is up again
-  erases = 0x20,    ///< erases stored data
-  unknown = 0x40,   ///< the specification only names the command
-};
 using Effects = Flags<Effect>;
 
 /// One body layout of a command.

@@ -119,6 +119,20 @@ std::string to_string(const T& message) {
 
 inline std::string to_string(Rule rule) { return name(rule); }
 
+namespace detail {
+
+/// Writes a version in the notation of the protocol, if that has one.
+template <class Version>
+inline void put_version(TextOutput& out, double version) {
+  if constexpr (std::is_integral_v<Version>) {
+    put_limit(out, version, nullptr);
+  } else {
+    out.put(to_string(Version(static_cast<typename Version::raw_type>(version))));
+  }
+}
+
+}  // namespace detail
+
 /// Writes the predicate of a sentence about the value: "is above 720 deg".
 inline void put_violation(TextOutput& out, const Violation& violation) {
   const bool is_below = violation.value < violation.limit;
@@ -139,11 +153,10 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
       return out.put(violation.other->name);
     case Rule::firmware:
       out.put("needs firmware ");
-      return out.put(
-          to_string(VersionTypes::Firmware(static_cast<std::uint16_t>(violation.limit))));
+      return detail::put_version<VersionTypes::Firmware>(out, violation.limit);
     case Rule::board:
       out.put("needs board ");
-      return out.put(to_string(VersionTypes::Board(static_cast<std::uint8_t>(violation.limit))));
+      return detail::put_version<VersionTypes::Board>(out, violation.limit);
   }
 }
 inline std::string violation_text(const Violation& violation) {

@@ -14,6 +14,9 @@ namespace sbgc::detail {
 /// unchanged.
 std::filesystem::path target_of(std::filesystem::path file);
 
+/// True if the open file is regular and still has this path.
+bool is_at(int descriptor, const std::filesystem::path& path);
+
 /// Writes to a temporary file in the same directory, flushes it to disk and renames it. If `name`
 /// is a symbolic link, its target is replaced. The new file keeps the mode of the old one and, if
 /// permitted, its owner and group. A killed call leaves the old file and perhaps its temporary one,

@@ -16,6 +16,7 @@
 /// Such a coroutine takes its parameters by value: a reference may dangle when the task resumes.
 #pragma once
 
+#include <concepts>
 #include <coroutine>
 #include <cstdint>
 #include <deque>
@@ -86,9 +87,11 @@ class TaskMachine {
   Framing framing() const noexcept { return framing_; }
 
   /// Starts a call that runs concurrently with the task.
-  template <Message M>
+  template <Callable M>
   CallId begin(const M& request, const CallOptions& options) {
-    static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    if constexpr (!std::same_as<M, AnyMessage>) {
+      static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    }
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
   /// True if the call was confirmed at least once.
@@ -252,8 +255,11 @@ struct Waiting {
   }
 };
 
-template <Message M>
+/// With a constructor, because g++ 12 copies the bytes of a temporary aggregate.
+template <Callable M>
 struct Calling {
+  Calling(const M& to_send, const CallOptions& with) : request(to_send), options(with) {}
+
   M request;
   CallOptions options;
   TaskMachine* machine{};
@@ -285,7 +291,7 @@ namespace tasks {
 inline detail::ThisTask this_task() noexcept { return {}; }
 
 /// Like Client::call(), but never calls CallOptions::on_confirmation.
-template <Message M>
+template <Callable M>
 detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
   return {request, options};
 }

@@ -112,7 +112,7 @@ struct Fixed {
 
   // If members are copied in blocks, the first member of each block copies the whole block.
 
-  template <bool in_blocks, Place place, class M, class T>
+  template <bool in_blocks, MemberPlace place, class M, class T>
   static constexpr void get_member(const std::uint8_t* from, M& out, T& member) noexcept {
     if (in_blocks && place.same && !detail::is_constant_evaluated()) {
       if constexpr (place.block != 0) {
@@ -124,7 +124,7 @@ struct Fixed {
       get(from + place.wire, member);
     }
   }
-  template <bool in_blocks, Place place, class M, class T>
+  template <bool in_blocks, MemberPlace place, class M, class T>
   static constexpr void put_member(std::uint8_t* to, const M& in, const T& member) noexcept {
     if (in_blocks && place.same && !detail::is_constant_evaluated()) {
       if constexpr (place.block != 0) {

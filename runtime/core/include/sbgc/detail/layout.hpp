@@ -13,7 +13,7 @@
 namespace sbgc::detail {
 
 /// The offsets of one fixed-offset member.
-struct Place {
+struct MemberPlace {
   std::size_t wire{};    ///< its offset in the body
   std::size_t memory{};  ///< its offset in the struct
   /// The size of the block that begins with this member: a run of members laid out in memory as on
@@ -26,7 +26,7 @@ struct Place {
 /// copies themselves.
 template <std::size_t n>
 struct Layout {
-  std::array<Place, n> places{};
+  std::array<MemberPlace, n> places{};
   bool in_blocks{};
   bool only_blocks{};                   ///< true if every member is in a block
   std::size_t block_count{};            ///< used elements of `blocks`
@@ -47,11 +47,11 @@ consteval auto layout_of(TypeList<T...>) noexcept {
   std::size_t others = 0;
   std::size_t numbers = 0;
   bool is_packed = false;
-  Place* block = nullptr;
+  MemberPlace* block = nullptr;
   for (std::size_t i = 0; i < count; ++i) {
     if (alignments[i] > alignof(M)) is_packed = true;
     memory = (memory + alignments[i] - 1) / alignments[i] * alignments[i];
-    Place& place = layout.places[i];
+    MemberPlace& place = layout.places[i];
     place = {wire, memory, 0, same[i]};
     const bool goes_on = block != nullptr && memory - wire == block->memory - block->wire;
     if (!same[i]) {

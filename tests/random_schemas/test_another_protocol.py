@@ -1,0 +1,123 @@
+"""A protocol of another vendor: the folder, the commands and the program of docs/15-another-protocol.md."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from random_schemas import ROOT, WARNINGS, Trial, options_of
+from sbgcgen.cli import main
+
+COMPILER = os.environ.get("CXX", "g++")
+LAUNCHER = os.environ.get("SBGC_LAUNCHER", "")
+
+
+def blocks(language: str) -> list[str]:
+    """Returns the fenced blocks of the guide in this language."""
+    text = (ROOT / "docs/15-another-protocol.md").read_text(encoding="utf-8")
+    return re.findall(rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+
+
+@pytest.fixture(scope="module", name="lamp")
+def made_by_the_guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the guide, after its commands."""
+    folder = tmp_path_factory.mktemp("lamp")
+    (folder / "spec").mkdir()
+    main_file, lights = blocks("yaml")
+    for name, text in (("lamp", main_file), ("lights", lights)):
+        (folder / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    (commands,) = blocks("sh")
+    for command in commands.splitlines():
+        words = shlex.split(command.replace("~/lamp", str(folder)))
+        assert main(words[words.index("sbgcgen") + 1 :]) == 0
+    return folder
+
+
+def run(source: str, folder: Path) -> str:
+    """Compiles a program that includes the single header; returns what it prints."""
+    (folder / "program.cpp").write_text(source, encoding="utf-8")
+    includes = [folder, ROOT / "generated/include", *ROOT.glob("runtime/*/include")]
+    command = [*shlex.split(LAUNCHER), COMPILER, "-std=c++20", *WARNINGS]
+    command += [f"-I{path}" for path in includes]
+    subprocess.run([*command, "program.cpp", "-o", "program"], cwd=folder, check=True)
+    done = subprocess.run([folder / "program"], capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def test_the_program_of_the_guide(lamp: Path) -> None:
+    (program,) = blocks("c++")
+    assert run(program, lamp) == "-30.00 deg\n"
+    assert not re.search(r"\bsbgc::|namespace sbgc", (lamp / "lamp.hpp").read_text("utf-8"))
+
+
+def test_frames_are_as_described_and_both_protocols_fit_into_a_program(lamp: Path) -> None:
+    """The expected bytes are made by hand: start, size, id, their sum, -3000, 1, CRC-8/DVB-S2."""
+    covered = bytes.fromhex("030205" + "48f401")
+    crc = 0
+    for byte in covered:
+        crc ^= byte
+        for _ in range(8):
+            crc = (crc << 1 ^ (0xD5 if crc & 0x80 else 0)) & 0xFF
+    program = """#include <lamp.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+#include <cstdio>
+template <class Result>
+void print(const std::uint8_t* bytes, Result result) {
+  for (std::size_t i = 0; i < result.size; ++i) std::printf("%02x", bytes[i]);
+  std::printf("\\n");
+}
+int main() {
+  std::uint8_t bytes[300];
+  lamp::msg::Turn turn;
+  turn.tilt = lamp::msg::Tilt(-3000);
+  turn.lit = 1;
+  print(bytes, lamp::encode_frame(turn, bytes));
+  print(bytes, sbgc::encode_frame(sbgc::msg::GetAnglesRequest{}, bytes));
+}
+"""
+    assert run(program, lamp).splitlines() == [f"a5{covered.hex()}{crc:02x}", "3e49004900"]
+
+
+def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
+    """All vectors, frames, and random messages in both directions."""
+    trial = Trial(1, lamp, options_of(["--compiler", COMPILER, "--launcher", LAUNCHER]))
+    messages, lines = trial.generate()
+    assert messages == 3 and lines > 100
+    trial.compile(COMPILER)
+    trial.compare()
+
+
+def test_names_are_those_of_the_protocol(lamp: Path) -> None:
+    model = json.loads((lamp / "generated/lamp.json").read_text(encoding="utf-8"))
+    assert [command["name"] for command in model["commands"]] == ["LAMP_STATE", "LAMP_TURN"]
+    assert [m["name"] for m in model["messages"]] == ["State", "StateRequest", "Turn"]
+    assert [e["name"] for e in model["effects"]] == ["reads", "dims", "turns", "unknown"]
+    assert [m["effect"] and m["effect"]["does"] for m in model["messages"]] == [
+        None,
+        ["reads"],
+        ["turns"],
+    ]
+    policies = (lamp / "generated/include/sbgc/responses/lights.hpp").read_text(encoding="utf-8")
+    assert policies.count(".moves = true") == 1
+
+
+def test_the_site_is_about_the_protocol(lamp: Path) -> None:
+    pages = {p.relative_to(lamp / "site").as_posix(): p for p in (lamp / "site").rglob("*.html")}
+    assert {"messages/turn.html", "messages/state.html", "framing.html"} <= set(pages)
+    assert (lamp / "site/lamp.json").is_file()
+    text = {name: page.read_text(encoding="utf-8") for name, page in pages.items()}
+    assert "The head of the lamp can move" in text["messages/turn.html"].replace(
+        "the head", "The head"
+    )
+    assert "CRC-8 with the polynomial 0xD5" in text["framing.html"]
+    for name, page in text.items():
+        assert "<b>Lamp</b>" in page and "SimpleBGC" not in page and "CMD_" not in page, name
+        for link in re.findall(r'href="([^"#:]+)', page):
+            assert (pages[name].parent / link).exists(), f"{name}: {link}"
