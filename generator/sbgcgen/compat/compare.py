@@ -12,6 +12,7 @@ from sbgcgen.compat.types import (
     same_enum,
     same_packed,
     same_quantity,
+    unit_of,
 )
 from sbgcgen.model import (
     Answer,
@@ -457,7 +458,7 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
     pair.compare(
         MEANING,
         "unit",
-        lambda v: v.quantity and (v.quantity.unit, v.quantity.scale, v.quantity.offset),
+        lambda v: v.quantity and unit_of(v.quantity),
         added=COMPATIBLE,
     )
     narrowed = new.minimum > old.minimum or new.maximum < old.maximum

@@ -43,11 +43,12 @@ def pair_named(
 
 def same_quantity(old: Quantity, new: Quantity) -> bool:
     """True if two quantities differ only in their names."""
-    return (old.scalar, _unit(old), old.summary) == (new.scalar, _unit(new), new.summary)
+    return (old.scalar, unit_of(old), old.summary) == (new.scalar, unit_of(new), new.summary)
 
 
-def _unit(quantity: Quantity) -> tuple[object, ...]:
-    return (quantity.unit, quantity.scale, quantity.offset)
+def unit_of(quantity: Quantity) -> tuple[object, ...]:
+    """Unit and conversion of a quantity."""
+    return (quantity.unit, quantity.scale, quantity.offset, quantity.ratio, quantity.over)
 
 
 def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
@@ -61,7 +62,7 @@ def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
 
 def compare_unit(quantities: Pair) -> None:
     """Compare the conversions of raw values."""
-    for key in ("unit", "scale", "offset"):
+    for key in ("unit", "scale", "offset", "ratio", "over"):
         quantities.compare(MEANING, key)
 
 

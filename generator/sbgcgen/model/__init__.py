@@ -30,6 +30,7 @@ from sbgcgen.model.bodies import (
     Context,
     Field,
     FieldRule,
+    Later,
     Leaf,
     Special,
     Struct,

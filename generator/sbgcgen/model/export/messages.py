@@ -28,7 +28,15 @@ from sbgcgen.model import (
     element_of,
     field_rules,
 )
-from sbgcgen.model.export.types import deprecation, former_names, given, number, version
+from sbgcgen.model.export.types import (
+    deprecation,
+    exponential,
+    former_names,
+    given,
+    later_json,
+    number,
+    version,
+)
 
 # Forms that readers of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
@@ -100,7 +108,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
     }
     if quantity:
         result.update(quantity=quantity.name, scale_exact=str(quantity.scale))
-        result.update(given(add=number(quantity.offset) or None))
+        result.update(given(add=number(quantity.offset) or None), **exponential(quantity))
     if field.directions is not None:
         result["positive"] = leaf.direction and leaf.direction.positive
     return result | given(
@@ -124,6 +132,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         when=_condition(leaf.when),
         alternative=_alternative(field.alternative, leaf.path),
         since=version(field.since),
+        later=later_json(field.later),
         typical=None if field.typical is None else element_of(field.typical, leaf.path),
         deprecated=deprecation(field.deprecated),
         default=field.default or None,

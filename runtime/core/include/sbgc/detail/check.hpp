@@ -55,7 +55,11 @@ class Check {
   template <class T>
   SBGC_ALWAYS_INLINE constexpr void variable(T value, const VariableInfo& variable,
                                              const Place& place) {
-    in_range(static_cast<double>(value), variable.range, place, &variable.unit);
+    if (variable.later.empty() || is_silent) {
+      return in_range(static_cast<double>(value), variable.range, place, &variable.unit);
+    }
+    const UnitInfo unit = variable.unit_in(versions_);
+    in_range(static_cast<double>(value), variable.range, place, &unit);
   }
   SBGC_ALWAYS_INLINE constexpr void counter(const Counter& counter, const Place& place) {
     limited(counter.count, place);
@@ -164,7 +168,8 @@ class Check {
     failures_ = 1;
     const FieldInfo& field = place.field;
     const bool has_unit = field.alternative == nullptr && breach.rule != Rule::count;
-    const UnitInfo* const unit = has_unit ? field.unit : nullptr;
+    const LaterMeaning* const later = meaning_in(field.later, versions_);
+    const UnitInfo* const unit = !has_unit ? nullptr : later != nullptr ? later->unit : field.unit;
     report_(Violation{place.path, field, breach.value, breach.limit, breach.rule,
                       breach.unit != nullptr ? breach.unit : unit, breach.named, breach.other});
   }
@@ -205,7 +210,12 @@ class Check {
   SBGC_ALWAYS_INLINE constexpr void limited(Raw raw, const Place& place) {
     exists(place.field.since, raw == 0, static_cast<double>(raw), place);
     if constexpr (std::is_integral_v<Raw>) aligned(raw, place);
-    if (place.field.range != nullptr) in_range(raw, *place.field.range, place);
+    const Range* range = place.field.range;
+    if (!place.field.later.empty()) {
+      const LaterMeaning* const later = meaning_in(place.field.later, versions_);
+      if (later != nullptr && later->range != nullptr) range = later->range;
+    }
+    if (range != nullptr) in_range(raw, *range, place);
   }
   template <class Raw>
   SBGC_NOINLINE constexpr void limited_apart(Raw raw, const Place& place) {
