@@ -89,6 +89,9 @@ std::string versions_text(const Availability& since) {
   if (since.board != 0) {
     result += (result.empty() ? "board " : ", board ") + to_string(msg::BoardVersion(since.board));
   }
+  if (since.features != 0) {
+    result += (result.empty() ? "feature " : ", feature ") + feature_names(since.features);
+  }
   return result;
 }
 

@@ -187,6 +187,7 @@ def _compare_command(what: str, old: Command, new: Command, changes: Changes) ->
     if old.name == new.name:
         pair.compare(SOURCE, "C++ name", "identifier")
     pair.compare_since()
+    pair.compare_needs()
     for key in ("undocumented", "unconfirmed", "summary"):
         pair.compare(COMPATIBLE, key)
 
@@ -271,6 +272,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     _compare_roles(pair)
     pair.mark(MEANING, "stores", renamed.get(old.stores, old.stores), new.stores)
     pair.compare_since()
+    pair.compare_needs()
     ends = [_until_words(m.until, renamed if m is old else {}, changes) for m in (old, new)]
     pair.mark(MEANING, "until", *ends)
     pair.compare(COMPATIBLE, "deprecated", lambda message: bool(message.deprecated))

@@ -381,6 +381,7 @@ def _compare_field(
     pair.compare(MEANING, "reserved")
     pair.compare(MEANING if old.directions else COMPATIBLE, "directed", _directed)
     pair.compare_since()
+    pair.compare_needs()
     pair.compare(COMPATIBLE, "deprecated", lambda field: bool(field.deprecated))
     pair.compare(COMPATIBLE, "summary")
 

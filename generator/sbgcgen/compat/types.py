@@ -119,6 +119,7 @@ def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes)
     pair.compare(WIRE, "type it names", "wire", added=COMPATIBLE)
     pair.compare(COMPATIBLE if old.number is None else MEANING, "number")
     pair.compare_since()
+    pair.compare_needs()
     level = MEANING if new.former else COMPATIBLE
     pair.compare(level, "before", lambda value: value.former and value.former.summary)
     pair.compare(COMPATIBLE, "unconfirmed")

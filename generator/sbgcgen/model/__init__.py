@@ -11,6 +11,7 @@ from sbgcgen.model.values import (
     AxisDirection,
     Enum,
     EnumValue,
+    Feature,
     Former,
     Identifier,
     Packed,

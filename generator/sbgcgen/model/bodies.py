@@ -197,6 +197,7 @@ class Field:
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
     the `axis`, or of the index. `later` are the meanings that later firmware gives it, the first one first.
+    `needs` is the feature of boards that have it.
     An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
@@ -239,6 +240,7 @@ class Field:
     directions: tuple[AxisDirection, ...] | None = None
     axis: str = ""
     later: tuple[Later, ...] = ()
+    needs: str = ""
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     def direction(self, element: str) -> AxisDirection | None:

@@ -107,6 +107,14 @@ class Availability:
 
 
 @dataclass(frozen=True)
+class Feature:
+    """Something that only some boards have: a flag of what they report. `mask` is its bit among all."""
+
+    name: str
+    mask: int
+
+
+@dataclass(frozen=True)
 class Until:
     """The first versions that no longer accept a message, and the message that replaces it."""
 
@@ -202,7 +210,7 @@ class EnumValue:
 
     If the value names a type, `wire` is that wire type. `number` is any other number that the value
     stands for, such as a baud rate. `aliases` are former names. An `unconfirmed` fact comes from a
-    single source or is contradicted by another.
+    single source or is contradicted by another. `needs` is the feature of boards that know it.
     """
 
     name: str
@@ -218,6 +226,7 @@ class EnumValue:
     aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     former: Former | None = None
+    needs: str = ""
 
 
 @dataclass(frozen=True)

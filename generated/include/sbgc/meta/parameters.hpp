@@ -14,19 +14,22 @@ template <>
 struct Meta<msg::AxisPid> {
   static constexpr Range p_range{0, 255};
   static constexpr LaterMeaning p_later[] = {
-      {.since = {.firmware = 2731},
+      {.since = {.firmware = 2731}
+  ,
        .unit = &UnitMeta<msg::LogarithmicGain>::info,
        .summary = "Proportional gain."},
   };
   static constexpr Range i_range{0, 255};
   static constexpr LaterMeaning i_later[] = {
-      {.since = {.firmware = 2731},
+      {.since = {.firmware = 2731}
+  ,
        .unit = &UnitMeta<msg::LogarithmicGain>::info,
        .summary = "Integral gain."},
   };
   static constexpr Range d_range{0, 255};
   static constexpr LaterMeaning d_later[] = {
-      {.since = {.firmware = 2731},
+      {.since = {.firmware = 2731}
+  ,
        .unit = &UnitMeta<msg::LogarithmicGain>::info,
        .summary = "Derivative gain."},
   };
@@ -934,7 +937,8 @@ struct Meta<msg::ReadParamsExt2> {
   };
   static constexpr Range pid_gain_range{0, 255};
   static constexpr LaterMeaning pid_gain_later[] = {
-      {.since = {.firmware = 2731},
+      {.since = {.firmware = 2731}
+  ,
        .unit = &UnitMeta<msg::LogarithmicGain>::info,
        .summary = "Factor for P, I and D of each axis."},
   };

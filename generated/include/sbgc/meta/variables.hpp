@@ -12,62 +12,74 @@ namespace sbgc {
 namespace detail {
 
 inline constexpr LaterMeaning p_roll_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Proportional gain."},
 };
 inline constexpr LaterMeaning p_pitch_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Proportional gain."},
 };
 inline constexpr LaterMeaning p_yaw_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Proportional gain."},
 };
 inline constexpr LaterMeaning i_roll_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Integral gain."},
 };
 inline constexpr LaterMeaning i_pitch_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Integral gain."},
 };
 inline constexpr LaterMeaning i_yaw_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Integral gain."},
 };
 inline constexpr LaterMeaning d_roll_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Derivative gain."},
 };
 inline constexpr LaterMeaning d_pitch_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Derivative gain."},
 };
 inline constexpr LaterMeaning d_yaw_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Derivative gain."},
 };
 inline constexpr LaterMeaning pid_gain_roll_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Factor for P, I and D of each axis."},
 };
 inline constexpr LaterMeaning pid_gain_pitch_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Factor for P, I and D of each axis."},
 };
 inline constexpr LaterMeaning pid_gain_yaw_later[] = {
-    {.since = {.firmware = 2731},
+    {.since = {.firmware = 2731}
+,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
      .summary = "Factor for P, I and D of each axis."},
 };

@@ -65,6 +65,7 @@ def _value(value: EnumValue) -> dict[str, Any]:
     } | given(
         formerly=former_names(value.aliases),
         unconfirmed=value.unconfirmed or None,
+        needs=value.needs or None,
         before={**(version(former.firmware) or {}), "summary": former.summary} if former else None,
     )
 

@@ -249,6 +249,7 @@ class TypeResolver(Entries):
             aliases=self.aliases(content, prefix),
             unconfirmed=bool(content.get("unconfirmed", False)),
             former=self._former(content),
+            needs=self.needs(content),
         )
 
     def _former(self, content: Map) -> Former | None:

@@ -29,6 +29,13 @@ struct ValueInfo {
   bool unconfirmed{};  ///< from a single source, or contradicted by another
 };
 
+/// Something that only some boards have: a flag of what they report, and its mask in an
+/// Availability.
+struct FeatureInfo {
+  const char* name = "";
+  std::uint64_t mask{};
+};
+
 /// An enum or a flag set.
 struct EnumInfo {
   const char* name = "";
