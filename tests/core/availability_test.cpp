@@ -71,7 +71,7 @@ TEST(Availability, OfBoardsWithAFeature) {
 TEST(Availability, OfAFieldThatNeedsAFeature) {
   Availability versions{.firmware = 2745, .board = 36};
   versions.features = lacking_features(msg::BoardInfo3{});
-  msg::SetDebugPort message;
+  msg::SetDebugPortRequest message;
   std::string said;
   const auto report = [&](const Violation& violation) { said += to_string(violation); };
   EXPECT_TRUE(validate(message, versions, report));

@@ -99,7 +99,8 @@ class Variable:
     @property
     def later(self) -> tuple[Later, ...]:
         """The meanings that later firmware gives its values: those of its settings, in its own range."""
-        limits = {"minimum": Fraction(self.minimum), "maximum": Fraction(self.maximum)}
+        low, high = Fraction(self.minimum), Fraction(self.maximum)
         return tuple(
-            replace(l, **limits) for l in (self.settings[0].later if self.settings else ())
+            replace(one, minimum=low, maximum=high, summary=one.summary or self.summary)
+            for one in (self.settings[0].later if self.settings else ())
         )

@@ -15,73 +15,73 @@ inline constexpr LaterMeaning p_roll_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Proportional gain."},
+     .summary = "Proportional gain of roll."},
 };
 inline constexpr LaterMeaning p_pitch_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Proportional gain."},
+     .summary = "Proportional gain of pitch."},
 };
 inline constexpr LaterMeaning p_yaw_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Proportional gain."},
+     .summary = "Proportional gain of yaw."},
 };
 inline constexpr LaterMeaning i_roll_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Integral gain."},
+     .summary = "Integral gain of roll."},
 };
 inline constexpr LaterMeaning i_pitch_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Integral gain."},
+     .summary = "Integral gain of pitch."},
 };
 inline constexpr LaterMeaning i_yaw_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Integral gain."},
+     .summary = "Integral gain of yaw."},
 };
 inline constexpr LaterMeaning d_roll_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Derivative gain."},
+     .summary = "Derivative gain of roll."},
 };
 inline constexpr LaterMeaning d_pitch_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Derivative gain."},
+     .summary = "Derivative gain of pitch."},
 };
 inline constexpr LaterMeaning d_yaw_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Derivative gain."},
+     .summary = "Derivative gain of yaw."},
 };
 inline constexpr LaterMeaning pid_gain_roll_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Factor for P, I and D of each axis."},
+     .summary = "Factor for P, I and D of roll."},
 };
 inline constexpr LaterMeaning pid_gain_pitch_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Factor for P, I and D of each axis."},
+     .summary = "Factor for P, I and D of pitch."},
 };
 inline constexpr LaterMeaning pid_gain_yaw_later[] = {
     {.since = {.firmware = 2731}
 ,
      .unit = &UnitMeta<msg::LogarithmicGain>::info,
-     .summary = "Factor for P, I and D of each axis."},
+     .summary = "Factor for P, I and D of yaw."},
 };
 
 }  // namespace detail

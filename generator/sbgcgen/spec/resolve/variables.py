@@ -141,7 +141,10 @@ def _setting(
         scale=scales[0] / scales[1],
         offset=(offsets[0] - offsets[1]) / scales[1],
         direction=leaf.direction,
-        later=leaf.field.later,
+        later=tuple(
+            replace(one, summary="" if one.summary == leaf.field.summary else one.summary)
+            for one in leaf.field.later
+        ),
     )
     if setting.later and (setting.scale != 1 or setting.offset != 0):
         problem = f"'{text}' has another meaning in later firmware"

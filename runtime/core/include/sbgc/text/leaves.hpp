@@ -176,9 +176,8 @@ class LeafWalk {
   SBGC_NOINLINE void scalar(const T& value, const Place& place) {
     using Raw = RawOf<T>;
     ScalarInfo info = scalar_info<T>();
-    if (const LaterMeaning* const later = meaning_in(place.field.later, versions_)) {
-      info = {later->unit, later->names, later->packed};
-    }
+    const LaterMeaning* assumed = nullptr;
+    if (!place.field.later.empty()) assumed = change(info, place.field.later);
     if (info.unit != nullptr) info.unit = unit_in_force(*info.unit, place);
     if constexpr (std::is_floating_point_v<Raw>) {
       add({.path = place.path,
@@ -186,19 +185,19 @@ class LeafWalk {
            .kind = LeafKind::real,
            .real = static_cast<double>(raw_of(value)),
            .unit = info.unit,
-           .assumed_before = first_unknown(place.field.later),
+           .assumed_before = assumed,
            .size = wire_size<T>});
     } else {
       integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, info,
-              std::is_same_v<Raw, std::uint64_t>, first_unknown(place.field.later));
+              std::is_same_v<Raw, std::uint64_t>, assumed);
     }
   }
   template <class T>
   void variable(T value, const VariableInfo& variable, const Place& place) {
-    const LaterMeaning* const later = meaning_in(variable.later, versions_);
-    integer(static_cast<std::int64_t>(value), place, wire_size<T>,
-            {.unit = later != nullptr ? later->unit : &variable.unit}, false,
-            first_unknown(variable.later));
+    ScalarInfo info{.unit = &variable.unit};
+    const LaterMeaning* assumed = nullptr;
+    if (!variable.later.empty()) assumed = change(info, variable.later);
+    integer(static_cast<std::int64_t>(value), place, wire_size<T>, info, false, assumed);
   }
   void counter(const Counter& counter, const Place& place) {
     add({.path = place.path,
@@ -271,9 +270,15 @@ class LeafWalk {
          .assumed_before = assumed_before,
          .size = size});
   }
-  /// Returns the first meaning that a field may have, if the firmware is not known.
-  const LaterMeaning* first_unknown(std::span<const LaterMeaning> later) const {
-    return versions_.firmware != 0 || later.empty() ? nullptr : &later.front();
+  /// Changes what a value means to what it does on the board. Returns the meaning before which that
+  /// is, if the firmware is not known.
+  SBGC_NOINLINE const LaterMeaning* change(ScalarInfo& info,
+                                           std::span<const LaterMeaning> later) const {
+    if (versions_.firmware == 0) return &later.front();
+    if (const LaterMeaning* const found = meaning_in(later, versions_)) {
+      info = {found->unit, found->names, found->packed};
+    }
+    return nullptr;
   }
   void add(Leaf leaf) {
     leaf.offset = offset_;
