@@ -134,6 +134,15 @@ TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
   EXPECT_FALSE(client.identity().details);
 }
 
+TEST_F(Call, NeedsTheFeatureThatTheCommandNeeds) {
+  Client client = connect_to_firmware(2700, 30);
+  const auto result = client.can_device_scan();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::unsupported);
+  EXPECT_EQ(result.error().message,
+            "CMD_CAN_DEVICE_SCAN needs BOARD_FEATURE_CAN_PORT, which this board does not report");
+}
+
 TEST_F(Call, SendsTheLengthThatTheFirmwareExpects) {
   msg::EncodersCalibOffset4 request;
   {

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/explain.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/text.hpp>
 #include <sbgc/validate.hpp>
 
 namespace sbgc {
@@ -43,6 +45,41 @@ TEST(Availability, OfMessages) {
   EXPECT_TRUE(is_supported<msg::Control>(board(10, 2200)));
   EXPECT_TRUE(is_supported<msg::RealtimeData4>(board(30, 2400)));
   EXPECT_FALSE(is_supported<msg::RealtimeData4>(board(10, 2400)));
+}
+
+TEST(Availability, OfBoardsWithAFeature) {
+  msg::BoardInfo info = board(36, 2745);
+  EXPECT_FALSE(is_supported<msg::BodeTestStartStopRequest>(info));
+  info.board_features = msg::BoardFeature::bode_test;
+  EXPECT_TRUE(is_supported<msg::BodeTestStartStopRequest>(info));
+  EXPECT_FALSE(is_supported<msg::ReadStateVarsRequest>(info));
+  info.board_features_ext = msg::BoardFeaturesExtBit::state_vars;
+  EXPECT_TRUE(is_supported<msg::ReadStateVarsRequest>(info));
+
+  // CMD_BOARD_INFO_3 has this one.
+  EXPECT_TRUE(is_supported<msg::ExtMotorsAction>(info));
+  msg::BoardInfo3 details;
+  Availability versions = versions_of(info);
+  versions.features |= lacking_features(details);
+  EXPECT_FALSE(is_supported<msg::ExtMotorsAction>(versions));
+  details.board_features_ext2 = msg::BoardFeaturesExt2Bit::ext_motors;
+  versions.features = lacking_features(details);
+  EXPECT_TRUE(is_supported<msg::ExtMotorsAction>(versions));
+  EXPECT_EQ(objection_to(Meta<msg::ControlQuatConfig>::info, versions), "needs QUAT_CONTROL");
+}
+
+TEST(Availability, OfAFieldThatNeedsAFeature) {
+  Availability versions{.firmware = 2745, .board = 36};
+  versions.features = lacking_features(msg::BoardInfo3{});
+  msg::SetDebugPortRequest message;
+  std::string said;
+  const auto report = [&](const Violation& violation) { said += to_string(violation); };
+  EXPECT_TRUE(validate(message, versions, report));
+  message.cmd_filter = decltype(message.cmd_filter)(1);
+  EXPECT_TRUE(validate(message, report));
+  EXPECT_FALSE(validate(message, versions, report));
+  EXPECT_NE(said.find("cmd_filter: "), std::string::npos) << said;
+  EXPECT_NE(said.find("needs PLUS_VER"), std::string::npos) << said;
 }
 
 static_assert(is_supported<msg::BeepSound>(Availability{2590, 30}));

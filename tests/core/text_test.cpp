@@ -195,7 +195,7 @@ TEST(Text, TheValueOfAVariableHasItsUnit) {
   set.params.push_back({msg::VariableId::p_roll, 5});
   EXPECT_EQ(to_string(set),
             "SetAdjVarsVal{params[0].param_id = LPF_FREQ_ROLL, params[0].param_value = 120 Hz, "
-            "params[1].param_id = P_ROLL, params[1].param_value = 5}");
+            "params[1].param_id = P_ROLL, params[1].param_value = 5 (before firmware 2.73.1)}");
 }
 
 TEST(Text, NumbersOf24Bits) {

@@ -13,6 +13,7 @@ import pytest
 
 from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
+from sbgcgen.model import Quantity
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -165,6 +166,10 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert words[1] == "mode.flags has CONTROL_FLAG_HIGH_RES_SPEED"
     asked = {leaf.path: leaf.when.words for leaf in made[15].leaves if leaf.when}
     assert asked["axes.yaw.level"] == "data_set has YAW_SPEED"
+    (later,) = fields["16.fade"].later
+    assert isinstance(later.type, Quantity) and later.since.firmware_text == "2.74"
+    assert float(later.type.real(70)) == pytest.approx(5 * 52 ** (70 / 255) - 5)
+    assert fields["17.motor"].needs == "EXT_MOTORS" and layout.feature_mask("EXT_MOTORS") == 1 << 34
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former

@@ -116,7 +116,23 @@ class FieldMaker(TypeMaker):
             of, flag = self.random.choice(scope.flags)
             other = self.random.choice(others).name
             node["alternative"] = {"type": other, "of": of, "flag": flag}
+        elif kind.number in SIZES and "constant" not in node and self.chance(0.2):
+            node["later"] = self.later(node, kind)
         return self.said(node)
+
+    def later(self, node: Node, kind: Kind) -> list[Node]:
+        """Returns what a number means in later firmware."""
+        pools = (self.quantities, self.enums, self.flag_sets, self.packed)
+        types = [k.name for pool in pools for k in pool if k.number == kind.number != kind.name]
+        types = [name for name in types if name != kind.name]
+        first: Node = {"firmware": "2.70", "summary": "Another meaning."}
+        if types:
+            first["type"] = self.random.choice(types)
+        second: Node = {"firmware": "2.73", "summary": "Yet another one."}
+        if kind.number in INTEGERS and "special" not in node:
+            low, high = INTEGERS[kind.number]
+            second["range"] = f"{low // 2}..{high // 3}"
+        return [first, second][: self.random.choice((1, 2))]
 
     def grow(self, node: Node, kind: Kind) -> None:
         """Adds what later firmware says about a field: a default, a former name, doubts."""

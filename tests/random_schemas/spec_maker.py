@@ -38,8 +38,40 @@ class SpecMaker(MessageMaker):
         self.use_structs()
         self.drop_unused()
         self.mark_spelling()
+        self.features = self.add_features()
         files = {f"{name}.yaml": content for name, content in self.families.items()}
         return {**files, "simplebgc.yaml": self.main_file(), "errata.yaml": self.errata_file()}
+
+    def add_features(self) -> list[str]:
+        """Lets fields and values need features, and returns the flag sets of these."""
+        sets = {
+            name: node
+            for content in self.families.values()
+            for name, node in content.get("flags", {}).items()
+            if "extends" not in node
+        }
+        told = {
+            field["type"]
+            for node in _nodes(self.families)
+            for side in ("from_board", "to_board")
+            for field in node.get(side, {}).get("fields", ())
+            if field.get("type") in sets and field["name"].isidentifier()
+            if not {"when", "since", "fits"} & set(field)
+        }
+        chosen = self.random.sample(sorted(told), min(len(told), 2))
+        names = [
+            name
+            for one in chosen
+            for name, value in sets[one]["values"].items()
+            if value["value"] > 0 and re.fullmatch("[A-Z][A-Z0-9_]*", name)
+        ]
+        nodes = _nodes(self.families)
+        able = [node for node in nodes if "value" in node and "summary" in node]
+        able += [field for node in nodes for field in node.get("fields", ()) if "name" in field]
+        for node in able:
+            if names and self.chance(0.05):
+                node["needs"] = self.random.choice(names)
+        return chosen
 
     def use_structs(self) -> None:
         """Adds a message with the structs that no other message has."""
@@ -100,6 +132,7 @@ class SpecMaker(MessageMaker):
             "protocol": {"name": "Random", "revision": "1"},
             "framings": self.framings(),
             "versions": {"firmware": "FirmwareVersion", "board": "BoardVersion"},
+            **({"features": self.features} if self.features else {}),
             "indices": {"axis": ["ROLL", "PITCH", "YAW"], "xyz": ["X", "Y", "Z"]},
             "families": list(self.families),
         }

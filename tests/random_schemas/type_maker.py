@@ -126,6 +126,10 @@ class TypeMaker:
             "scale": self.random.choice(scales),
             "offset": self.random.choice(offsets),
         }
+        if number in INTEGERS and SIZES[number] <= 2 and self.chance(0.3):
+            steps = ((52, 255), ("3/2", 40)) if SIZES[number] == 1 else (("3/2", 40000), (7, 65535))
+            ratio, over = self.random.choice(steps)
+            node["exponential"] = {"ratio": ratio, "over": over}
         self.section(self.any_family(), "quantities")[name] = self.said(node)
         size = SIZES.get(number, 8)
         return Kind(name, size, size, number=number, is_quantity=True, unit=unit)

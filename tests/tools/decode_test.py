@@ -101,6 +101,22 @@ def test_values_that_are_not_allowed() -> None:
         }
 
 
+def test_what_a_firmware_changed() -> None:
+    """P of roll as an adjustable variable: its scale is another one from firmware 2.73.1 on."""
+    variable = frame(31, bytes.fromhex("010046000000")).hex()
+    info = bytearray(18)
+    info[1:3] = (2745).to_bytes(2, "little")
+
+    def text(stdin: str, *options: str) -> str:
+        return run("decode", *options, stdin=stdin).text
+
+    assert "70 (before firmware 2.73.1)" in text(variable)
+    for firmware, shown in (("2.73", "70"), ("2.74.5", "9.79157")):
+        line = next(x for x in text(variable, "--firmware", firmware).splitlines() if "value" in x)
+        assert shown in line and "before" not in line, line
+    assert "9.79157" in text(frame(86, bytes(info)).hex() + variable)
+
+
 def test_fields_nest_as_the_struct_does() -> None:
     control = frame(67, bytes([0, 1, 2]) + struct.pack("<6h", 1, -2, 3, -4, 5, -6))
     assert decode_one(control)["fields"] == {

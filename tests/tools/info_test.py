@@ -47,6 +47,8 @@ def test_text_and_json() -> None:
     assert "BOARD_FEATURE_ENCODERS" in info["features"]
     assert "CMD_CONTROL_CONFIG" in info["unsupported_commands"]
     assert "CMD_CONTROL" not in info["unsupported_commands"]
+    lacks_can = "BOARD_FEATURE_CAN_PORT" in info["missing_features"]
+    assert ("CMD_CAN_DEVICE_SCAN" in info["unsupported_commands"]) == lacks_can
     words = text.split()
     for name in (*info["missing_features"], *info["unsupported_commands"]):
         assert name in words or name + "," in words

@@ -71,6 +71,17 @@ def test_show_lists_the_parameters_in_their_units(board: str) -> None:
     assert params(board, "show", "nonsense").status == 1
 
 
+def test_values_are_those_of_the_firmware() -> None:
+    """The gains are logarithmic from firmware 2.73.1 on: 5 * 52^(raw / 255) - 5."""
+    for firmware, raw, shown in (("2.73", 20, "20"), ("2.74.5", 104, "20.0513")):
+        with emulated_gimbal("--firmware", firmware) as gimbal:
+            text = good(gimbal.address, "set", "pitch.p=20", "--yes")
+            assert f" -> {shown}\n" in text
+            assert body_of(gimbal.address, 0)["axes"]["pitch"]["p"] == raw
+            assert f"axes.pitch.p = {shown}\n" in good(gimbal.address, "get", "pitch.p")
+            assert params(gimbal.address, "set", "pitch.p=300", "--yes").status == 2
+
+
 def test_every_name_of_the_model_is_found(board: str) -> None:
     """Each path of the message can be read, and has the value of the frame."""
     shown = json.loads(good(board, "show", "ReadParams3.", "--format", "json"))

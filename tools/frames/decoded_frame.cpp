@@ -114,6 +114,7 @@ struct FrameDecoder::Taker {
   template <class M>
   void operator()(const M& message) const {
     decoder.contexts_.learn(without_surplus(message));
+    if constexpr (requires { versions_of(message); }) decoder.seen_ = versions_of(message);
     if (decoder.wanted_.json) {
       decoder.json_.clear();
       StringOutput out(decoder.json_);
@@ -122,7 +123,8 @@ struct FrameDecoder::Taker {
       result.fields = decoder.json_;
     }
     if (decoder.wanted_.rows || decoder.versions_) {
-      decoder.rows_.assign(message, decoder.versions_.value_or(newest));
+      decoder.rows_.assign(message, decoder.versions_.value_or(newest),
+                           decoder.versions_.value_or(decoder.seen_));
       result.rows = decoder.rows_.rows();
     }
   }

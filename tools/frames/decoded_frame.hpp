@@ -77,6 +77,7 @@ class FrameDecoder {
 
   Wanted wanted_;
   std::optional<Availability> versions_;
+  Availability seen_{};  // of the board that the last frame with versions is from
   Contexts contexts_{};
   std::string json_{};
   ValueRows rows_{};

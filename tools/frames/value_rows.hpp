@@ -81,14 +81,15 @@ class Rows {
 /// The values of one message after another. Keeps its memory.
 class ValueRows {
  public:
-  /// Replaces the rows by those of a message, without reserved values that are 0.
+  /// Replaces the rows by those of a message, without reserved values that are 0. They mean what
+  /// they do on a board of the versions `meant`; objections are those of the versions `allowed`.
   template <class M>
-  void assign(const M& message, const Availability& versions) {
+  void assign(const M& message, const Availability& allowed, const Availability& meant) {
     begin(Meta<M>::info);
     StringOutput out(text_);
-    for_each_leaf(message, Adder{*this, out});
+    for_each_leaf(message, Adder{*this, out}, meant);
     out.finish();
-    validate(message, versions, Objector{*this});
+    validate(message, allowed, Objector{*this});
   }
 
   /// Returns the rows, valid until the next message.

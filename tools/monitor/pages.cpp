@@ -201,7 +201,7 @@ std::size_t limit_scroll(const Screen& screen, View& view, std::size_t lines) {
 void draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
   if (!gimbal.message) return;
   ValueRows values;
-  std::visit([&](const auto& message) { values.assign(message, newest); }, *gimbal.message);
+  std::visit([&](const auto& message) { values.assign(message, newest, newest); }, *gimbal.message);
   const Rows rows = values.rows();
   const auto count = static_cast<std::size_t>(rows.end() - rows.begin());
   const std::size_t columns = std::max<std::size_t>(screen.width() / 66, 1);

@@ -196,6 +196,10 @@ Json to_json(const std::vector<ParametersChange>& changes) {
   return {{"format", "sbgc-diff"}, {"version", 1}, {"changes", std::move(list)}};
 }
 
+std::vector<ParametersChange> changes_of(const Backup& before, const Backup& after) {
+  return diff(before.parameters, after.parameters, before.board.versions(), after.board.versions());
+}
+
 int report_changes(const DiffOptions& options, const std::vector<ParametersChange>& changes,
                    const std::string& before, const std::string& after) {
   if (options.format == "json") {
@@ -239,7 +243,9 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
     value_of(defaults.put(block));
     value_of(present.put(*before.parameters.find(block.id)));
   }
-  return report_changes(options, diff(defaults, present), "the factory defaults", profile.text());
+  const Availability versions = before.board.versions();
+  return report_changes(options, diff(defaults, present, versions, versions),
+                        "the factory defaults", profile.text());
 }
 
 int compare(const DiffOptions& options, const CommandContext& context) {
@@ -257,7 +263,7 @@ int compare(const DiffOptions& options, const CommandContext& context) {
   for (const std::string& mismatch : mismatches(after.board, before.board)) {
     remark("note: {}\n", mismatch);
   }
-  return report_changes(options, diff(before.parameters, after.parameters), options.files[0], name);
+  return report_changes(options, changes_of(before, after), options.files[0], name);
 }
 
 int compare_or_tell(const DiffOptions& options, const CommandContext& context) {
@@ -347,7 +353,7 @@ int reset_parameters(const ResetChoice& options, const CommandContext& context) 
     if (options.all || i == profile.index) profiles.push_back(i);
   }
   const Backup after = reset_profiles(client, profiles, save_to, context);
-  const std::string changes = changes_text(diff(before.parameters, after.parameters));
+  const std::string changes = changes_text(changes_of(before, after));
   fmt::print("{}", changes.empty() ? "the parameters already had their defaults\n" : changes);
   return success;
 }

@@ -103,9 +103,10 @@ std::string ShownParameter::short_text() const {
   return fmt::format("{}… ({} bytes)", raw.substr(0, 2 * shown), bytes);
 }
 
-std::vector<ShownParameter> shown_parameters(const Parameters& block) {
+std::vector<ShownParameter> shown_parameters(const Parameters& block,
+                                             const Availability& versions) {
   std::vector<ShownParameter> result;
-  message_in(block).for_each_leaf([&](const Leaf& leaf) {
+  auto add = [&](const Leaf& leaf) {
     if (!is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
     ShownParameter shown{.message = block.id.message,
                          .path = to_string(leaf.path),
@@ -123,7 +124,8 @@ std::vector<ShownParameter> shown_parameters(const Parameters& block) {
     if (leaf.kind == LeafKind::bytes) shown.bytes = leaf.bytes.size();
     if (leaf.unit != nullptr) shown.unit = leaf.unit->name;
     result.push_back(std::move(shown));
-  });
+  };
+  message_in(block).for_each_leaf(add, versions);
   return result;
 }
 

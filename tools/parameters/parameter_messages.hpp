@@ -66,7 +66,7 @@ struct ShownParameter {
 };
 
 /// Returns the parameters in a block, without reserved ones.
-std::vector<ShownParameter> shown_parameters(const Parameters& block);
+std::vector<ShownParameter> shown_parameters(const Parameters& block, const Availability& versions);
 
 Json to_json(const ShownParameter& parameter);
 

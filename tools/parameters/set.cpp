@@ -46,6 +46,12 @@ struct MessageValues {
   }
 };
 
+/// True if what is written has another meaning on later boards.
+bool depends_on_firmware(const FieldValue& value) {
+  const FieldInfo* const info = value.field.type->innermost().info;
+  return info != nullptr && !info->later.empty();
+}
+
 /// Returns the values by message. Reads each on a new message first, so that most mistakes are
 /// found without a board. Throws ValueError.
 std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments, bool no_validate) {
@@ -65,8 +71,10 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
   }
   for (const MessageValues& one : result) {
     AnyMessage message = one.message->type->make();
-    set_values(message, one.values);
-    if (!no_validate) check_ranges(message, one.values);
+    std::vector<FieldValue> certain = one.values;
+    std::erase_if(certain, depends_on_firmware);
+    set_values(message, certain);
+    if (!no_validate) check_ranges(message, certain);
   }
   return result;
 }
@@ -155,7 +163,7 @@ int set_parameters(const SetOptions& options, const CommandContext& context) {
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
       for (const FieldValue& value : here) check_presence(message, value);
       try {
-        set_values(message, here);
+        set_values(message, here, client.identity().versions());
         value_of(wanted.put(block_of(block.id, message)));
       } catch (const CommandError&) {
         throw;

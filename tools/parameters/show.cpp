@@ -88,7 +88,7 @@ int show(const ShowOptions& options, const CommandContext& context) {
   });
   std::vector<ShownParameter> parameters;
   for (const Parameters& block : set.all()) {
-    for (ShownParameter& parameter : shown_parameters(block)) {
+    for (ShownParameter& parameter : shown_parameters(block, client.identity().versions())) {
       if (fits(parameter, options.filter)) parameters.push_back(std::move(parameter));
     }
   }
@@ -131,7 +131,7 @@ int get(const ShowOptions& options, const CommandContext& context) {
     const std::uint8_t copy = one.message->copies == 1 ? std::uint8_t{0} : profile.index;
     const Parameters* const block = set.find({message, copy});
     if (block == nullptr) throw CommandError(fmt::format("this board does not have {}", message));
-    const std::vector<ShownParameter> all = shown_parameters(*block);
+    const std::vector<ShownParameter> all = shown_parameters(*block, client.identity().versions());
     for (const FoundField& field : one.fields) {
       const std::string path = steps_text(field.steps);
       const std::size_t before = parameters.size();

@@ -54,23 +54,31 @@ const VariableInfo& variable_named(const std::string& name) {
                      wrong_usage);
 }
 
-/// The variable as a field, for the reading of values.
-FieldType field_of(const VariableInfo& variable, FieldInfo& info) {
+/// The variable as a field with this unit, for the reading of values.
+FieldType field_of(const VariableInfo& variable, const UnitInfo& unit, FieldInfo& info) {
   info.range = &variable.range;
   return {.info = &info,
           .shape = FieldShape::integer,
           .lowest = static_cast<std::int64_t>(variable.range.lowest),
           .highest = static_cast<std::int64_t>(variable.range.highest),
-          .unit = &variable.unit};
+          .unit = &unit};
 }
 
-std::string value_in_unit(const VariableInfo& variable, double value) {
-  return detail::unit_text(value, variable.unit);
-}
-
-std::string range_of(const VariableInfo& variable) {
+std::string range_of(const VariableInfo& variable, const UnitInfo& unit) {
   FieldInfo info;
-  return range_text(field_of(variable, info));
+  return range_text(field_of(variable, unit, info));
+}
+
+/// Returns the raw value that a text means on a board with these versions, in the unit. Throws
+/// ValueError.
+double read_value(const VariableInfo& variable, const std::string& text,
+                  const Availability& versions) {
+  FieldInfo info;
+  const UnitInfo unit = variable.unit_in(versions);
+  const ParsedValue parsed = parse_value(field_of(variable, unit, info), &unit, text);
+  if (!parsed) throw ValueError(fmt::format("{}: {}", variable.name, parsed.problem));
+  const auto* const raw = std::get_if<std::int64_t>(&parsed.value);
+  return unit.real(raw != nullptr ? static_cast<double>(*raw) : std::get<double>(parsed.value));
 }
 
 /// Returns the variables that this firmware has.
@@ -90,6 +98,7 @@ int print_variables(const VariablesToShow& options, const CommandContext& contex
   for (const std::string& name : options.names) wanted.push_back(&variable_named(name));
   Client client = connect(context.gimbal);
   if (wanted.empty()) wanted = variables_of(client.identity());
+  const Availability versions = client.identity().versions();
   std::vector<std::string> names;
   std::size_t width = 0;
   for (const VariableInfo* const variable : wanted) {
@@ -101,20 +110,22 @@ int print_variables(const VariablesToShow& options, const CommandContext& contex
     Json list = Json::array();
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const VariableInfo& variable = *wanted[i];
+      const UnitInfo unit = variable.unit_in(versions);
       list.push_back({{"name", variable.name},
                       {"id", static_cast<int>(variable.id)},
                       {"value", values[i]},
-                      {"unit", *variable.unit.name == '\0' ? Json() : Json(variable.unit.name)},
-                      {"min", variable.unit.real(variable.range.lowest)},
-                      {"max", variable.unit.real(variable.range.highest)}});
+                      {"unit", *unit.name == '\0' ? Json() : Json(unit.name)},
+                      {"min", unit.real(variable.range.lowest)},
+                      {"max", unit.real(variable.range.highest)}});
     }
     const Json document{{"format", "sbgc-variables"}, {"version", 1}, {"variables", list}};
     fmt::print("{}\n", detail::json_text(document, 2));
     return success;
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    fmt::print("{:<{}}  {:<14}  {}\n", names[i], width, value_in_unit(*wanted[i], values[i]),
-               range_of(*wanted[i]));
+    const UnitInfo unit = wanted[i]->unit_in(versions);
+    fmt::print("{:<{}}  {:<14}  {}\n", names[i], width, detail::unit_text(values[i], unit),
+               range_of(*wanted[i], unit));
   }
   return success;
 }
@@ -134,20 +145,16 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
   std::vector<VariableValue> values;
   std::vector<const VariableInfo*> wanted;
   std::vector<std::string> names;
+  std::vector<Assignment> assignments;
   try {
-    for (const Assignment& assignment : parse_assignments(options.values)) {
+    assignments = parse_assignments(options.values);
+    for (const Assignment& assignment : assignments) {
       const VariableInfo& variable = variable_named(assignment.name);
-      FieldInfo info;
-      const FieldType field = field_of(variable, info);
       if (std::ranges::find(wanted, &variable) != wanted.end()) {
         throw ValueError(fmt::format("{} is set twice", variable.name));
       }
-      const ParsedValue parsed = parse_value(field, &variable.unit, assignment.value);
-      if (!parsed) throw ValueError(fmt::format("{}: {}", variable.name, parsed.problem));
-      const auto* const raw = std::get_if<std::int64_t>(&parsed.value);
-      values.push_back(
-          {variable.name, variable.unit.real(raw != nullptr ? static_cast<double>(*raw)
-                                                            : std::get<double>(parsed.value))});
+      // Most mistakes are found without a board.
+      if (variable.later.empty()) read_value(variable, assignment.value, {});
       wanted.push_back(&variable);
       names.emplace_back(variable.name);
     }
@@ -155,6 +162,17 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
     throw CommandError(clipped(error.what()), wrong_usage);
   }
   Client client = connect(context.gimbal);
+  const Availability versions = client.identity().versions();
+  try {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      values.push_back({names[i], read_value(*wanted[i], assignments[i].value, versions)});
+    }
+  } catch (const ValueError& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+  const auto value_in_unit = [&](const VariableInfo& variable, double value) {
+    return detail::unit_text(value, variable.unit_in(versions));
+  };
   const std::vector<double> before = value_of(client.get_variables(names));
   std::vector<VariableValue> changed;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -103,12 +103,14 @@ std::vector<FieldValue> find_values(const MessageType& type,
   return result;
 }
 
-void set_values(AnyMessage& message, const std::vector<FieldValue>& values) {
+void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
+                const Availability& versions) {
   reject_gaps(message, values);
   for (const bool in_unit : {false, true}) {  // last what other values select the unit of
     for (const FieldValue& value : values) {
       if (is_in_unit(*value.field.type) != in_unit) continue;
-      const std::string problem = message.assign(steps_text(value.field.steps), value.text, false);
+      const std::string problem =
+          message.assign(steps_text(value.field.steps), value.text, false, versions);
       if (!problem.empty()) throw ValueError(problem);
     }
   }

@@ -36,8 +36,10 @@ std::vector<FieldValue> find_values(const MessageType& type,
                                     const std::vector<Assignment>& assignments);
 
 /// Sets the values, also those that the specification does not allow. A quantity is read in the
-/// unit that the other values of the message select. Throws ValueError, which names the field.
-void set_values(AnyMessage& message, const std::vector<FieldValue>& values);
+/// unit that the other values of the message select, and that it has on a board with these
+/// versions. Throws ValueError, which names the field.
+void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
+                const Availability& versions = {});
 
 /// find_values() and set_values() in one step.
 void assign(AnyMessage& message, const std::vector<Assignment>& assignments);

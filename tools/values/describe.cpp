@@ -360,7 +360,10 @@ void print_variable(const Page& page, const VariableInfo& variable) {
   page.heading(variable.name,
                fmt::format("  adjustable variable {}", static_cast<int>(variable.id)));
   page.paragraph(variable.summary, 2);
-  const FieldInfo info{.range = &variable.range, .directed = variable.directed};
+  const FieldInfo info{.summary = variable.summary,
+                       .range = &variable.range,
+                       .directed = variable.directed,
+                       .later = variable.later};
   const FieldType field{.info = &info,
                         .shape = FieldShape::integer,
                         .lowest = static_cast<std::int64_t>(variable.range.lowest),

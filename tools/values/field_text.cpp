@@ -21,6 +21,10 @@ std::string in_unit_of(double raw, const UnitInfo* unit) {
 std::string scale_text(const UnitInfo& unit) {
   if (unit.is_plain()) return "";
   const double step = unit.numerator / unit.denominator;
+  if (unit.growth != 0) {
+    return fmt::format("{:g} * {:g}^raw, from {}", step, unit.growth,
+                       detail::unit_text(unit.offset, unit));
+  }
   std::string result = detail::unit_text(step, unit) + " each";
   if (step == 1) result = *unit.name == '\0' ? "" : unit.name;
   if (unit.offset != 0) {
@@ -61,6 +65,22 @@ std::string names_or_reference(const EnumInfo& info) {
   return fmt::format("{} names, see `sbgc describe {}`", info.values.size(), info.name);
 }
 
+/// What a field means from a firmware on: "from firmware 2.73.1 on: 5 * 1.01562^raw, from -5".
+std::string later_text(const FieldType& type, const LaterMeaning& later) {
+  const std::string since = versions_text(later.since);
+  const FieldInfo info{.range = later.range != nullptr ? later.range : type.info->range};
+  const FieldType meant{.info = &info, .shape = type.shape, .unit = later.unit};
+  std::string what = later.unit != nullptr ? scale_text(*later.unit) : "";
+  if (later.names != nullptr) what = names_or_reference(*later.names);
+  if (later.packed != nullptr) what = later.packed->name;
+  const auto add = [&](const std::string& fact) {
+    if (!fact.empty()) what += (what.empty() ? "" : "; ") + fact;
+  };
+  add(range_text(meant));
+  if (std::string_view(later.summary) != type.info->summary) add(later.summary);
+  return fmt::format("from {} on: {}", since, what.empty() ? "a plain number" : what);
+}
+
 }  // namespace
 
 std::string versions_text(const Availability& since) {
@@ -68,6 +88,9 @@ std::string versions_text(const Availability& since) {
   if (since.firmware != 0) result = "firmware " + to_string(msg::FirmwareVersion(since.firmware));
   if (since.board != 0) {
     result += (result.empty() ? "board " : ", board ") + to_string(msg::BoardVersion(since.board));
+  }
+  if (since.features != 0) {
+    result += (result.empty() ? "feature " : ", feature ") + feature_names(since.features);
   }
   return result;
 }
@@ -132,6 +155,7 @@ std::vector<std::string> field_facts(const FieldType& field) {
     if (other != nullptr) {
       add(fmt::format("with {:#x} in {}: {}", other->mask, other->of, scale_text(*other->unit)));
     }
+    for (const LaterMeaning& later : type.info->later) add(later_text(type, later));
     if (type.info->is_variable_value) add("in the unit of the variable");
     if (type.info->align != 1) add(fmt::format("a multiple of {}", type.info->align));
     if (type.info->role == FieldRole::general) add("general: the same in all profiles");

@@ -79,9 +79,12 @@ Json leaf_json(const Leaf& leaf) {
     json["real"] = *real;
   }
   const bool is_named = leaf.unit == nullptr || special_meaning(leaf) != nullptr;
-  if (std::string meaning = is_named ? meaning_text(leaf) : ""; !meaning.empty()) {
+  Leaf certain = leaf;
+  certain.assumed_before = nullptr;
+  if (std::string meaning = is_named ? meaning_text(certain) : ""; !meaning.empty()) {
     json["text"] = meaning;
   }
+  if (leaf.assumed_before != nullptr) json["assumes"] = assumption_text(leaf);
   return json;
 }
 

@@ -34,19 +34,19 @@ constexpr std::size_t largest_request(
     case 25:  // CMD_REALTIME_DATA_4
       return 0;
     case 26:  // CMD_ENCODERS_CALIB_OFFSET_4
-      if (is_supported<msg::EncodersCalibOffset4>(versions) && is_available({.firmware = 2687},
+      if (is_supported<msg::EncodersCalibOffset4>(versions) && is_available({.firmware = 2687} ,
           versions)) return 1;
       return 0;
     case 27:  // CMD_ENCODERS_CALIB_FLD_OFFSET_4
-      if (is_supported<msg::EncodersCalibFldOffset4>(versions) && is_available({.firmware = 2708},
+      if (is_supported<msg::EncodersCalibFldOffset4>(versions) && is_available({.firmware = 2708} ,
           versions)) return 14;
-      if (is_supported<msg::EncodersCalibFldOffset4>(versions) && is_available({.firmware = 2626},
+      if (is_supported<msg::EncodersCalibFldOffset4>(versions) && is_available({.firmware = 2626} ,
           versions)) return 6;
       return 0;
     case 28:  // CMD_READ_PROFILE_NAMES
       return 0;
     case 32:  // CMD_SAVE_PARAMS_3
-      if (is_supported<msg::SaveParams3>(versions) && is_available({.firmware = 2689}, versions))
+      if (is_supported<msg::SaveParams3>(versions) && is_available({.firmware = 2689} , versions))
           return max_body_size;
       return 0;
     case 33:  // CMD_READ_PARAMS_EXT
@@ -208,7 +208,7 @@ constexpr std::size_t largest_request(
     case 249:  // CMD_SET_DEBUG_PORT
       return 16;
     case 253:  // CMD_DEBUG_VARS_INFO_3
-      if (is_supported<msg::DebugVarsInfo3Request>(versions) && is_available({.firmware = 2720},
+      if (is_supported<msg::DebugVarsInfo3Request>(versions) && is_available({.firmware = 2720} ,
           versions)) return 1;
       return 0;
     case 254:  // CMD_DEBUG_VARS_3

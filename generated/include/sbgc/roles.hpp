@@ -158,11 +158,26 @@ constexpr bool is_introduction([[maybe_unused]] const Frame& frame) noexcept {
 
 }  // namespace roles
 
-/// Returns the versions in the introduction of a board.
+/// Returns the features that a board lacks, of those that the message reports.
+template <class Message>
+  requires std::is_same_v<Message, msg::BoardInfo>
+constexpr std::uint64_t lacking_features(const Message& message) noexcept {
+  return (std::uint64_t{0xFFFF} & ~std::uint64_t{message.board_features.raw()}) |
+         (std::uint64_t{0xFD} & ~std::uint64_t{message.board_features_ext.raw()}) << 16;
+}
+
+/// Returns the features that a board lacks, of those that the message reports.
+template <class Message>
+  requires std::is_same_v<Message, msg::BoardInfo3>
+constexpr std::uint64_t lacking_features(const Message& message) noexcept {
+  return (std::uint64_t{0x1F} & ~std::uint64_t{message.board_features_ext2.raw()}) << 32;
+}
+
+/// Returns the versions in the introduction of a board, and the features that it lacks.
 template <class Info>
   requires std::is_same_v<Info, roles::Introduction>
 constexpr Availability versions_of(const Info& info) noexcept {
-  return {info.firmware_ver.raw(), info.board_ver.raw()};
+  return {info.firmware_ver.raw(), info.board_ver.raw(), lacking_features(info)};
 }
 
 }  // namespace sbgc

@@ -336,6 +336,17 @@ class PidGain
   using Quantity::Quantity;
 };
 
+/// Gain of a PID controller, 0 to 255, in fine steps where it is small.
+/// Unit: none, the value is 5 * 52^(raw / 255) - 5.
+class LogarithmicGain
+    : public detail::Quantity<LogarithmicGain, std::uint8_t, unit::value, 5, 1, -5, 1>,
+      public unit::value::Accessors<LogarithmicGain> {
+ public:
+  using Quantity::Quantity;
+  /// The factor between adjacent values.
+  static constexpr double growth = 1.0156157445197571;
+};
+
 /// Gain in decibels.
 /// Unit: dB.
 class Decibels

@@ -117,6 +117,10 @@ class Pair:
         """Record a change unless both values, which are facts about the object, are equal."""
         self.changes.compare(level, f"{self.what}: {label}", old, new, self.at)
 
+    def compare_needs(self) -> None:
+        """Compare the feature of boards; one that was not needed before breaks the meaning."""
+        self.compare(MEANING if self.new.needs else COMPATIBLE, "needs")
+
     def compare_since(self) -> None:
         """Compare the availability; only a later version than before breaks the meaning."""
         level = MEANING if self.new.since.is_after(self.old.since) else COMPATIBLE

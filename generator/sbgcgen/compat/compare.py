@@ -12,6 +12,7 @@ from sbgcgen.compat.types import (
     same_enum,
     same_packed,
     same_quantity,
+    unit_of,
 )
 from sbgcgen.model import (
     Answer,
@@ -214,6 +215,7 @@ def _compare_command(what: str, old: Command, new: Command, changes: Changes) ->
     if old.name == new.name:
         pair.compare(SOURCE, "C++ name", "identifier")
     pair.compare_since()
+    pair.compare_needs()
     for key in ("undocumented", "unconfirmed", "summary"):
         pair.compare(COMPATIBLE, key)
 
@@ -298,6 +300,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     _compare_roles(pair)
     pair.mark(MEANING, "stores", renamed.get(old.stores, old.stores), new.stores)
     pair.compare_since()
+    pair.compare_needs()
     ends = [_until_words(m.until, renamed if m is old else {}, changes) for m in (old, new)]
     pair.mark(MEANING, "until", *ends)
     pair.compare(COMPATIBLE, "deprecated", lambda message: bool(message.deprecated))
@@ -485,7 +488,7 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
     pair.compare(
         MEANING,
         "unit",
-        lambda v: v.quantity and (v.quantity.unit, v.quantity.scale, v.quantity.offset),
+        lambda v: v.quantity and unit_of(v.quantity),
         added=COMPATIBLE,
     )
     narrowed = new.minimum > old.minimum or new.maximum < old.maximum

@@ -22,6 +22,7 @@ from sbgcgen.model import (
     Condition,
     Enum,
     Field,
+    Later,
     Packed,
     Part,
     Quantity,
@@ -373,12 +374,25 @@ def _compare_field(
     pair.compare(COMPATIBLE, "unconfirmed")
     _compare_limits(pair)
     _compare_alternatives(pair, names)
+    pair.compare(
+        MEANING, "later", lambda field: [_later(field, one, changes) for one in field.later]
+    )
     pair.compare(MEANING, "variable")
     pair.compare(MEANING, "reserved")
     pair.compare(MEANING if old.directions else COMPATIBLE, "directed", _directed)
     pair.compare_since()
+    pair.compare_needs()
     pair.compare(COMPATIBLE, "deprecated", lambda field: bool(field.deprecated))
     pair.compare(COMPATIBLE, "summary")
+
+
+def _later(field: Field, later: Later, changes: Changes) -> str:
+    """A later meaning: "firmware 2.73.1: Gain (u8), 0..200, How strong it is."."""
+    words = [type_text(later.type)] if later.type != field.type else []
+    if (later.minimum, later.maximum) != (field.minimum, field.maximum):
+        words.append(f"{later.minimum}..{later.maximum}")
+    words += [later.summary] if later.summary != field.summary else []
+    return f"{changes.versions(later.since)}: {', '.join(words)}"
 
 
 def _directed(field: Field) -> str:

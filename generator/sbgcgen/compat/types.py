@@ -43,11 +43,12 @@ def pair_named(
 
 def same_quantity(old: Quantity, new: Quantity) -> bool:
     """True if two quantities differ only in their names."""
-    return (old.scalar, _unit(old), old.summary) == (new.scalar, _unit(new), new.summary)
+    return (old.scalar, unit_of(old), old.summary) == (new.scalar, unit_of(new), new.summary)
 
 
-def _unit(quantity: Quantity) -> tuple[object, ...]:
-    return (quantity.unit, quantity.scale, quantity.offset)
+def unit_of(quantity: Quantity) -> tuple[object, ...]:
+    """Unit and conversion of a quantity."""
+    return (quantity.unit, quantity.scale, quantity.offset, quantity.ratio, quantity.over)
 
 
 def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
@@ -61,7 +62,7 @@ def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
 
 def compare_unit(quantities: Pair) -> None:
     """Compare the conversions of raw values."""
-    for key in ("unit", "scale", "offset"):
+    for key in ("unit", "scale", "offset", "ratio", "over"):
         quantities.compare(MEANING, key)
 
 
@@ -118,6 +119,7 @@ def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes)
     pair.compare(WIRE, "type it names", "wire", added=COMPATIBLE)
     pair.compare(COMPATIBLE if old.number is None else MEANING, "number")
     pair.compare_since()
+    pair.compare_needs()
     level = MEANING if new.former else COMPATIBLE
     pair.compare(level, "before", lambda value: value.former and value.former.summary)
     pair.compare(COMPATIBLE, "unconfirmed")

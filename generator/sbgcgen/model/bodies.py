@@ -171,6 +171,17 @@ class Alternative:
 
 
 @dataclass(frozen=True)
+class Later:
+    """What a field means from a firmware on: everything, also what is as before."""
+
+    since: Availability
+    type: Type
+    minimum: Fraction | None
+    maximum: Fraction | None
+    summary: str
+
+
+@dataclass(frozen=True)
 class Field:
     """One member of a struct or message.
 
@@ -185,7 +196,8 @@ class Field:
     "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1"; it may be
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
-    the `axis`, or of the index.
+    the `axis`, or of the index. `later` are the meanings that later firmware gives it, the first one first.
+    `needs` is the feature of boards that have it.
     An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
@@ -227,6 +239,8 @@ class Field:
     unconfirmed: bool = False
     directions: tuple[AxisDirection, ...] | None = None
     axis: str = ""
+    later: tuple[Later, ...] = ()
+    needs: str = ""
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     def direction(self, element: str) -> AxisDirection | None:

@@ -28,7 +28,8 @@ class Message:
     board ignores bytes after this longest form of a request. `example` has the
     values by path in which the worked example is not typical; a message with the body of another
     inherits that message's. `preparation` is what to do before the request is sent. A request stops all
-    motion if it has the values of one of the patterns in `stops`.
+    motion if it has the values of one of the patterns in `stops`. `needs` is the feature of boards that
+    have the message.
     """
 
     name: str
@@ -64,6 +65,7 @@ class Message:
     stops: tuple[StopPattern, ...] = ()
     example: dict[str, Any] = field(default_factory=dict, hash=False)
     unconfirmed: bool = False
+    needs: str = ""
     has_own_name: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
@@ -152,6 +154,7 @@ class Command:
     undocumented: bool
     aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
+    needs: str = ""
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 

@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import Any
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import Identifier
+from sbgcgen.model.bodies import Field
 from sbgcgen.model.effects import USUAL_EFFECTS, EffectKind
+from sbgcgen.model.values import Feature, Identifier
 from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
@@ -56,7 +57,8 @@ class Layout:
     state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
     `synonyms` are groups of words for the same thing; `identifiers` are all words that become names
     in code, including those of fields that could not be resolved; `effects` are all that requests may
-    have; `main_file` is the name of the file that describes the protocol.
+    have; `main_file` is the name of the file that describes the protocol. Messages report the features
+    of a board in fields of the types `feature_sets`.
     """
 
     protocol: dict[str, str]
@@ -77,6 +79,7 @@ class Layout:
     directions: tuple[AxisDirection, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
+    feature_sets: tuple[Enum, ...] = ()
     identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)
     effects: tuple[EffectKind, ...] = USUAL_EFFECTS
     main_file: str = ""
@@ -96,6 +99,30 @@ class Layout:
     def max_body(self) -> int:
         """The maximum size of a body, the same in all framings."""
         return self.framing.max_body
+
+    @cached_property
+    def features(self) -> tuple[Feature, ...]:
+        """The features that boards may have: the flags of all sets, whose bits follow each other."""
+        found, shift = [], 0
+        for flags in self.feature_sets:
+            found += [Feature(v.name, v.value << shift) for v in flags.values]
+            shift += 8 * flags.scalar.size
+        return tuple(found)
+
+    def feature_mask(self, name: str) -> int:
+        """The bit of a feature."""
+        return next((feature.mask for feature in self.features if feature.name == name), 0)
+
+    def reports(self, message: Message) -> list[tuple[Field, int, int]]:
+        """The fields of a message that report features, with their shift and the bits with a name."""
+        found, shift = [], 0
+        for flags in self.feature_sets:
+            named = sum(value.value for value in flags.values)
+            for field_ in message.fields:
+                if field_.type == flags and field_.dim == "one" and not field_.may_be_absent:
+                    found.append((field_, shift, named))
+            shift += 8 * flags.scalar.size
+        return found
 
     @cached_property
     def messages(self) -> tuple[Message, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from fractions import Fraction
+from math import log
 
 from sbgcgen.model.position import NOWHERE, Position
 
@@ -106,6 +107,14 @@ class Availability:
 
 
 @dataclass(frozen=True)
+class Feature:
+    """Something that only some boards have: a flag of what they report. `mask` is its bit among all."""
+
+    name: str
+    mask: int
+
+
+@dataclass(frozen=True)
 class Until:
     """The first versions that no longer accept a message, and the message that replaces it."""
 
@@ -137,7 +146,8 @@ class AxisDirection:
 class Quantity:
     """A physical quantity: physical value = raw * scale + offset, in `unit`.
 
-    Its values count in a direction if it `is_directed`.
+    With a `ratio`, it is exponential: scale * ratio^(raw / over) + offset. Its values count in a
+    direction if it `is_directed`.
     """
 
     name: str
@@ -152,6 +162,38 @@ class Quantity:
     kind: str = "quantity"
     is_directed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+    ratio: Fraction = Fraction(0)
+    over: int = 1
+
+    @property
+    def is_plain(self) -> bool:
+        """True if the physical value is the raw value."""
+        return self.scale == 1 and not self.offset and not self.ratio
+
+    @property
+    def growth(self) -> float:
+        """The factor between adjacent values of an exponential quantity."""
+        return float(float(self.ratio) ** (1 / self.over))
+
+    @property
+    def formula(self) -> str:
+        """How an exponential quantity follows from the raw value."""
+        offset = f" {'-' if self.offset < 0 else '+'} {abs(self.offset)}" if self.offset else ""
+        return f"{self.scale_text} * {self.ratio}^(raw / {self.over}){offset}"
+
+    def real(self, raw: Fraction | int | float) -> Fraction:
+        """The physical value, which is exact unless the quantity is exponential."""
+        if not self.ratio:
+            return Fraction(raw) * self.scale + self.offset
+        power = float(self.ratio) ** (float(raw) / self.over)
+        return Fraction(f"{power * float(self.scale):.12g}") + self.offset
+
+    def raw(self, real: Fraction) -> Fraction:
+        """The raw value of a physical one; far below all if none leads near it."""
+        steps = (real - self.offset) / self.scale
+        if not self.ratio:
+            return steps
+        return Fraction(log(steps) / log(self.growth)) if steps > 0 else Fraction(-1 << 62)
 
 
 @dataclass(frozen=True)
@@ -168,7 +210,7 @@ class EnumValue:
 
     If the value names a type, `wire` is that wire type. `number` is any other number that the value
     stands for, such as a baud rate. `aliases` are former names. An `unconfirmed` fact comes from a
-    single source or is contradicted by another.
+    single source or is contradicted by another. `needs` is the feature of boards that know it.
     """
 
     name: str
@@ -184,6 +226,7 @@ class EnumValue:
     aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     former: Former | None = None
+    needs: str = ""
 
 
 @dataclass(frozen=True)

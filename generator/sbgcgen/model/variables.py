@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import floor, lcm
 
+from sbgcgen.model.bodies import Later
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import Availability, AxisDirection, Quantity, Scalar
 
@@ -14,7 +15,8 @@ from sbgcgen.model.values import Availability, AxisDirection, Quantity, Scalar
 class VariableSetting:
     """A setting that a variable sets; its raw value is the variable's * `scale` + `offset`.
 
-    `special` are the setting's sentinels, to which no other value may be rounded.
+    `special` are the setting's sentinels, to which no other value may be rounded. `later` are
+    the meanings that later firmware gives the setting.
     """
 
     message: str
@@ -24,6 +26,7 @@ class VariableSetting:
     offset: Fraction
     special: tuple[int, ...] = ()
     direction: AxisDirection | None = None
+    later: tuple[Later, ...] = ()
 
     @property
     def denominator(self) -> int:
@@ -92,3 +95,12 @@ class Variable:
     def direction(self) -> AxisDirection | None:
         """The direction in which its values count, as those of its settings; None if unknown."""
         return self.settings[0].direction if self.settings else None
+
+    @property
+    def later(self) -> tuple[Later, ...]:
+        """The meanings that later firmware gives its values: those of its settings, in its own range."""
+        low, high = Fraction(self.minimum), Fraction(self.maximum)
+        return tuple(
+            replace(one, minimum=low, maximum=high, summary=one.summary or self.summary)
+            for one in (self.settings[0].later if self.settings else ())
+        )

@@ -257,8 +257,11 @@ class _ValueReader:
         known = next((v for v in self.layout.variables if v.id == number), None)
         if known is None or known.quantity is None:
             return ""
-        is_plain = known.quantity.scale == 1 and not known.quantity.offset
-        return "" if is_plain and not known.quantity.unit else physical(value, known.quantity)
+        return (
+            ""
+            if known.quantity.is_plain and not known.quantity.unit
+            else physical(value, known.quantity)
+        )
 
     def _quantity(self, field: Field, type_: Quantity, path: str) -> Quantity:
         other = field.alternative
@@ -290,7 +293,7 @@ def _size(type_: Type, value: Any) -> int:
 
 def physical(raw: int | float, quantity: Quantity) -> str:
     """The physical value with its unit: "-30 deg"."""
-    number = f"{float(real(raw, quantity)):.6g}"
+    number = f"{float(quantity.real(raw)):.6g}"
     return f"{number} {quantity.unit}" if quantity.unit else number
 
 
@@ -305,11 +308,6 @@ def _side(raw: int | float, quantity: Quantity, field: Field, path: str) -> str:
     direction = next(found, None)
     word = direction and (direction.positive if raw > 0 else direction.negative)
     return f" {word}" if word else ""
-
-
-def real(raw: int | float, quantity: Quantity) -> Fraction:
-    """The exact physical value."""
-    return Fraction(raw) * quantity.scale + quantity.offset
 
 
 def flag_names(enum: Enum, bits: int) -> str:
@@ -336,7 +334,7 @@ def _part_text(part: Part, raw: int) -> str:
     value = part_of(part, raw)
     if part.quantity is not None:
         unit = f" {part.quantity.unit}" if part.quantity.unit else ""
-        return f"{part.name} {float(real(value, part.quantity)):g}{unit}"
+        return f"{part.name} {float(part.quantity.real(value)):g}{unit}"
     if part.enum is None:
         return f"{part.name} {value}"
     if part.enum.kind == "flags":

@@ -126,10 +126,9 @@ def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: 
         value = most * share / 2 * (-1 if place % 2 else 1)
     else:
         value = low + (most - low) * share
-    if not isinstance(type_, Quantity):
+    if not isinstance(type_, Quantity) or type_.ratio:
         return round(value)
-    real = _round(value * type_.scale + type_.offset)
-    return round((real - type_.offset) / type_.scale)
+    return round(type_.raw(_round(type_.real(value))))
 
 
 def _round(value: Fraction) -> Fraction:

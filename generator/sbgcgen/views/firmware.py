@@ -13,6 +13,7 @@ from sbgcgen.model import (
     Enum,
     EnumValue,
     Framing,
+    Later,
     Layout,
     Message,
     Variable,
@@ -25,7 +26,8 @@ from sbgcgen.views.rows import Row, rows_of
 class News:
     """What one version added, changed and ended; `since` is that version alone.
 
-    `forms` are new messages of older commands. `changed` are values whose meaning changed.
+    `forms` are new messages of older commands. `changed` are values, and `meanings` fields, whose
+    meaning changed.
     """
 
     since: Availability
@@ -36,6 +38,7 @@ class News:
     enum_values: list[tuple[Enum, EnumValue]] = field(default_factory=list)
     variables: list[Variable] = field(default_factory=list)
     changed: list[tuple[Enum, EnumValue]] = field(default_factory=list)
+    meanings: list[tuple[Message, Row, Later]] = field(default_factory=list)
     ended: list[Message] = field(default_factory=list)
     deprecated: list[tuple[Message, Row]] = field(default_factory=list)
     deprecated_messages: list[Message] = field(default_factory=list)
@@ -152,6 +155,9 @@ class History:
             for news in self._at(row.field.since):
                 if news.since.is_after(message.since):
                     news.fields.append((message, row))
+            for later in row.field.later:
+                for news in self._at(later.since):
+                    news.meanings.append((message, row, later))
             mark = row.field.deprecated
             for news in self._at(mark.since if mark else Availability()):
                 news.deprecated.append((message, row))

@@ -51,19 +51,20 @@ bool is_in(std::string_view path, std::string_view field) {
 
 }  // namespace
 
-std::string AnyMessage::assign(std::string_view path, std::string_view text, bool validates) {
+std::string AnyMessage::assign(std::string_view path, std::string_view text, bool validates,
+                               const Availability& versions) {
   const std::string name(path);
   const FieldType* const type = type_at(type_->fields(), path);
   if (type == nullptr) return std::string(type_->info->name) + " has no field '" + name + "'";
   AnyMessage changed = *this;
-  std::string problem = changed.assign(*type, name, text);
+  std::string problem = changed.assign(*type, name, text, versions);
   if (!problem.empty()) return name + ": " + problem;
   auto note = [&](const Violation& violation) {
     const std::string place = sbgc::to_string(violation.path);
     if (!problem.empty() || !(is_in(place, name) || is_in(name, place))) return;
     problem = sbgc::to_string(violation);
   };
-  if (validates) changed.validate(newest, note);
+  if (validates) changed.validate(versions.firmware != 0 ? versions : newest, note);
   if (problem.empty()) *this = std::move(changed);
   return problem;
 }
@@ -76,7 +77,7 @@ bool AnyMessage::has(std::string_view path) const {
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
-                               std::string_view text) {
+                               std::string_view text, const Availability& versions) {
   if (type.shape == FieldShape::group) {
     std::vector<std::string> names;
     for (const FieldType& member : type.members) names.emplace_back(member.name);
@@ -105,20 +106,22 @@ std::string AnyMessage::assign(const FieldType& type, const std::string& path,
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string element =
           is_list ? path + '[' + std::to_string(i) + ']' : path + '.' + type.axes[i];
-      if (auto problem = assign(type.members.front(), element, parts[i]); !problem.empty()) {
-        return problem;
-      }
+      auto problem = assign(type.members.front(), element, parts[i], versions);
+      if (!problem.empty()) return problem;
     }
     return {};
   }
   if (!set(path, nullptr)) return "there is no such element";
-  const UnitInfo* unit = type.unit;
+  FieldType meant = type;
   std::uint64_t present = 0;
-  with_leaf(path, [&](const Leaf& leaf) {
-    unit = leaf.unit;
+  const auto look = [&](const Leaf& leaf) {
+    meant.unit = leaf.unit;
+    meant.names = leaf.names;
+    meant.packed = leaf.packed;
     present = detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size);
-  });
-  const ParsedValue parsed = parse_value(type, unit, text, present);
+  };
+  with_leaf(path, look, versions);
+  const ParsedValue parsed = parse_value(meant, meant.unit, text, present);
   if (!parsed) return parsed.problem;
   return set(path, &parsed.value) ? "" : "it cannot have this value";
 }

@@ -227,7 +227,7 @@ class ValueParser {
         if (static_cast<double>(special.value) == measure->number) return special.value;
       }
     }
-    const double exact = (measure->number - unit.offset) * unit.denominator / unit.numerator;
+    const double exact = unit.raw(measure->number);
     const double raw = std::round(exact);
     const double step = unit.numerator / unit.denominator;
     // The conversion is not exact.
@@ -333,8 +333,7 @@ class ValueParser {
       if (!value && part.values != nullptr) value = value_named(*part.values, text);
       if (!value && part.unit != nullptr) {
         if (const auto measure = measure_of(text)) {
-          value = std::llround((measure->number - part.unit->offset) * part.unit->denominator /
-                               part.unit->numerator);
+          value = std::llround(part.unit->raw(measure->number));
         }
       }
       if (value) return with_part(part, raw, *value, text);
@@ -397,9 +396,7 @@ class ValueParser {
                     : "it has no unit");
     }
     const bool is_scaled = unit_ != nullptr && !is_raw;
-    const double raw =
-        is_scaled ? (measure->number - unit_->offset) * unit_->denominator / unit_->numerator
-                  : measure->number;
+    const double raw = is_scaled ? unit_->raw(measure->number) : measure->number;
     const double most = type_.size == sizeof(float)
                             ? static_cast<double>(std::numeric_limits<float>::max())
                             : std::numeric_limits<double>::max();

@@ -64,7 +64,9 @@ ClientError ParameterSet::missing(const ParametersId& id) {
   return {ErrorCode::not_found, fmt::format("the set has no {}", to_text(id))};
 }
 
-std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after) {
+std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after,
+                                   const Availability& versions_before,
+                                   const Availability& versions_after) {
   using Kind = ParametersChange::Kind;
   std::vector<ParametersChange> changes;
   for (const Parameters& block : before.all()) {
@@ -74,7 +76,8 @@ std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSe
       continue;
     }
     const ParametersKind& kind = *detail::find_parameters_kind(block.id.message);
-    auto fields = detail::field_changes(kind, block.body, other->body);
+    auto fields =
+        detail::field_changes(kind, block.body, other->body, versions_before, versions_after);
     if (!fields.empty()) changes.push_back({block.id, Kind::changed, std::move(fields)});
   }
   for (const Parameters& block : after.all()) {

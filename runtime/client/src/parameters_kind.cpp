@@ -44,9 +44,9 @@ struct LeafText {
 };
 
 /// Returns the values that are parameters. Bytes without a meaning become separate numbers.
-std::vector<LeafText> leaf_texts(const AnyMessage& message) {
+std::vector<LeafText> leaf_texts(const AnyMessage& message, const Availability& versions) {
   std::vector<LeafText> texts;
-  message.for_each_leaf([&](const Leaf& leaf) {
+  auto add = [&](const Leaf& leaf) {
     const FieldRole role = leaf.field.role;
     if (role == FieldRole::copy || role == FieldRole::state) return;
     if (leaf.kind == LeafKind::counter) return;
@@ -57,7 +57,8 @@ std::vector<LeafText> leaf_texts(const AnyMessage& message) {
     for (std::size_t i = 0; i < leaf.bytes.size(); ++i) {
       texts.push_back({to_string(FieldPath{&leaf.path, "", i}), std::to_string(leaf.bytes[i]), ""});
     }
-  });
+  };
+  message.for_each_leaf(add, versions);
   return texts;
 }
 
@@ -197,12 +198,14 @@ bool are_equal(const ParametersKind& kind, Body a, Body b) {
   return true;
 }
 
-std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after) {
+std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after,
+                                       const Availability& versions,
+                                       const Availability& versions_after) {
   std::vector<FieldChange> changes;
-  std::vector<LeafText> now = leaf_texts(kind.message(after));
+  std::vector<LeafText> now = leaf_texts(kind.message(after), versions_after);
   std::unordered_map<std::string_view, const LeafText*> by_path;
   for (const LeafText& leaf : now) by_path.emplace(leaf.path, &leaf);
-  for (LeafText& leaf : leaf_texts(kind.message(before))) {
+  for (LeafText& leaf : leaf_texts(kind.message(before), versions)) {
     const auto found = by_path.find(leaf.path);
     if (found == by_path.end()) {
       changes.push_back({leaf.path, leaf.raw, "", leaf.meaning, ""});
@@ -222,12 +225,13 @@ std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, 
   return changes;
 }
 
-std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after) {
+std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after,
+                                         const Availability& versions) {
   std::vector<std::uint8_t> changed(before.begin(), before.end());
   for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
     changed[i] = mixed(before[i], after[i], at(kind.general_mask, i));
   }
-  return field_changes(kind, before, changed);
+  return field_changes(kind, before, changed, versions, versions);
 }
 
 }  // namespace sbgc::detail

@@ -55,9 +55,13 @@ std::optional<std::vector<std::uint8_t>> merged(const ParametersKind& kind, Body
                                                 Body present);
 /// True if both bodies hold the same parameters.
 bool are_equal(const ParametersKind& kind, Body a, Body b);
-/// Returns the parameters in which the bodies differ.
-std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after);
+/// Returns the parameters in which the bodies differ, with what they mean on boards of these
+/// versions.
+std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after,
+                                       const Availability& versions,
+                                       const Availability& versions_after);
 /// Like field_changes(), but only for general parameters.
-std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after);
+std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after,
+                                         const Availability& versions);
 
 }  // namespace sbgc::detail

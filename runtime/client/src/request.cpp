@@ -29,10 +29,13 @@ std::string is_board(const Availability& versions) {
   return ", this is board " + to_string(msg::BoardVersion(versions.board));
 }
 
+constexpr const char* lacks_it = ", which this board does not report";
+
 std::string text_of(const Violation& violation, const Availability& versions) {
   std::string text = to_string(violation);
   if (violation.rule == Rule::firmware) text += has_firmware(versions);
   if (violation.rule == Rule::board) text += is_board(versions);
+  if (violation.rule == Rule::feature) text += lacks_it;
   return text;
 }
 
@@ -48,9 +51,10 @@ std::string lacking(const MessageInfo& info, const Availability& versions) {
   const std::string objection = objection_to(info, versions);
   const bool is_request = info.direction != Direction::from_board;
   const bool has_other = is_request && has_another_form(info.id, versions);
-  const bool is_of_board = objection.starts_with("needs board");
-  return std::string(info.command) + (has_other ? " in this form " : " ") + objection +
-         (is_of_board ? is_board(versions) : has_firmware(versions));
+  std::string text = std::string(info.command) + (has_other ? " in this form " : " ") + objection;
+  const bool is_of_firmware = objection.starts_with("needs firmware");
+  if (objection.starts_with("needs board")) return text + is_board(versions);
+  return text + (is_of_firmware ? has_firmware(versions) : lacks_it);
 }
 
 template <Message M>

@@ -566,7 +566,8 @@ struct AutoPidRequest {
   static constexpr std::size_t min_size = 19;
   static constexpr std::size_t max_size = 19;
   static constexpr Availability since{.board = 30};
-  static constexpr Availability until{.firmware = 2730};
+  static constexpr Availability until{.firmware = 2730}
+;
   using Response = void;
 
   /// For cfg_flags: stops the tuning.
@@ -715,7 +716,7 @@ struct BodeTestStartStop {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 22;
   static constexpr std::size_t max_size = 22;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x08};
 
   /// For error_code: success.
   static constexpr std::uint16_t bode_success{0};
@@ -738,8 +739,7 @@ struct BodeTestStartStop {
 
 /// Start the recording of a frequency response. The board moves the axis with a stimulus and sends
 /// CMD_BODE_TEST_DATA until the end, which this command from the board reports. Data may come
-/// before the confirmation, which some firmware omits. No source says how to stop a recording. The
-/// board has the feature BODE_TEST.
+/// before the confirmation, which some firmware omits. No source says how to stop a recording.
 ///
 /// CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Source: Vendor's code of
 /// 2026.
@@ -749,7 +749,7 @@ struct BodeTestStartStopRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 30;
   static constexpr std::size_t max_size = 30;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x08};
   using Response = void;
 
   /// The axis.
@@ -789,7 +789,7 @@ struct BodeTestData {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 17;
   static constexpr std::size_t max_size = 97;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x08};
 
   /// Index of the first sample, modulo 256.
   std::uint8_t sample_counter{};

@@ -328,8 +328,8 @@ struct ControlConfig {
       &ControlConfig::flags, &ControlConfig::euler_order, &ControlConfig::reserved>;
 };
 
-/// End control with quaternions. For boards with the feature QUAT_CONTROL. Quaternions are W, X, Y,
-/// Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// End control with quaternions. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and
+/// Z of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, disabled form; 2 bytes. Effect: moves. Since firmware
 /// 2.73. Source: Later firmware.
@@ -339,7 +339,7 @@ struct ControlQuatDisabled {
   static constexpr Form form = Form::disabled;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// Always DISABLED. Always 0.
@@ -351,8 +351,8 @@ struct ControlQuatDisabled {
   using FixedMembers = Members<&ControlQuatDisabled::mode, &ControlQuatDisabled::flags>;
 };
 
-/// Turn the camera at a speed. For boards with the feature QUAT_CONTROL. Quaternions are W, X, Y,
-/// Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// Turn the camera at a speed. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z
+/// of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, speed form; 14 bytes. Effect: moves. Since firmware 2.73.
 /// Source: Later firmware.
@@ -362,7 +362,7 @@ struct ControlQuatSpeed {
   static constexpr Form form = Form::speed;
   static constexpr std::size_t min_size = 14;
   static constexpr std::size_t max_size = 14;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// SPEED or SPEED_LIMITED.
@@ -377,8 +377,8 @@ struct ControlQuatSpeed {
       &ControlQuatSpeed::target_speed>;
 };
 
-/// Turn the camera to an attitude. For boards with the feature QUAT_CONTROL. Quaternions are W, X,
-/// Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// Turn the camera to an attitude. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll
+/// and Z of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, attitude form; 18 bytes. Effect: moves. Since firmware
 /// 2.73. Source: Later firmware.
@@ -388,7 +388,7 @@ struct ControlQuatAttitude {
   static constexpr Form form = Form::attitude;
   static constexpr std::size_t min_size = 18;
   static constexpr std::size_t max_size = 18;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// Always ATTITUDE. Always 2.
@@ -403,8 +403,8 @@ struct ControlQuatAttitude {
       &ControlQuatAttitude::target_attitude>;
 };
 
-/// Turn the camera to an attitude, packed. For boards with the feature QUAT_CONTROL. Quaternions
-/// are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// Turn the camera to an attitude, packed. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of
+/// roll and Z of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, attitude_packed form; 10 bytes. Effect: moves. Since
 /// firmware 2.73. Source: Later firmware.
@@ -414,7 +414,7 @@ struct ControlQuatAttitudePacked {
   static constexpr Form form = Form::attitude_packed;
   static constexpr std::size_t min_size = 10;
   static constexpr std::size_t max_size = 10;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// Always ATTITUDE. Always 2.
@@ -429,8 +429,8 @@ struct ControlQuatAttitudePacked {
       &ControlQuatAttitudePacked::target_attitude>;
 };
 
-/// Turn the camera at a speed and hold it to an attitude. For boards with the feature QUAT_CONTROL.
-/// Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// Turn the camera at a speed and hold it to an attitude. Quaternions are W, X, Y, Z; X is the axis
+/// of pitch, Y of roll and Z of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, speed_attitude form; 30 bytes. Effect: moves. Since
 /// firmware 2.73. Source: Later firmware.
@@ -440,7 +440,7 @@ struct ControlQuatSpeedAttitude {
   static constexpr Form form = Form::speed_attitude;
   static constexpr std::size_t min_size = 30;
   static constexpr std::size_t max_size = 30;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// Always SPEED_ATTITUDE. Always 5.
@@ -457,8 +457,8 @@ struct ControlQuatSpeedAttitude {
       &ControlQuatSpeedAttitude::target_attitude, &ControlQuatSpeedAttitude::target_speed>;
 };
 
-/// Turn the camera at a speed and hold it to an attitude, packed. For boards with the feature
-/// QUAT_CONTROL. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+/// Turn the camera at a speed and hold it to an attitude, packed. Quaternions are W, X, Y, Z; X is
+/// the axis of pitch, Y of roll and Z of yaw.
 ///
 /// CMD_CONTROL_QUAT (140), to the board, speed_attitude_packed form; 22 bytes. Effect: moves. Since
 /// firmware 2.73. Source: Later firmware.
@@ -468,7 +468,7 @@ struct ControlQuatSpeedAttitudePacked {
   static constexpr Form form = Form::speed_attitude_packed;
   static constexpr std::size_t min_size = 22;
   static constexpr std::size_t max_size = 22;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// Always SPEED_ATTITUDE. Always 5.
@@ -496,7 +496,7 @@ struct ControlQuatStatus {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 97;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
 
   /// Which of the following fields are present.
   ControlQuatStatusFields data_set{};
@@ -569,7 +569,7 @@ struct ControlQuatStatusRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
   static constexpr std::size_t max_size = 4;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = ControlQuatStatus;
 
   /// Data to send, in 32 bits with the reserved bytes.
@@ -592,7 +592,7 @@ struct ControlQuatConfig {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 24;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x800000000};
   using Response = void;
 
   /// For acc_limit: no limit.

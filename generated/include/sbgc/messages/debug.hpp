@@ -207,7 +207,7 @@ struct SetDebugPortRequest {
 
   /// Operation.
   DebugPortAction action{};
-  /// Messages that are not copied; for boards with the feature PLUS_VER, otherwise 0.
+  /// Messages that are not copied. Of boards with PLUS_VER.
   DebugPortCommands cmd_filter{};
   /// Reserved; kept as it is.
   Bytes<11> reserved{};

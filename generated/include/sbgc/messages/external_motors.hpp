@@ -65,8 +65,7 @@ struct ExtMotorTarget32 {
   using FixedMembers = Members<&ExtMotorTarget32::setpoint, &ExtMotorTarget32::param1>;
 };
 
-/// Turn external motors on or off, or move them to their home position. For boards with the feature
-/// EXT_MOTORS.
+/// Turn external motors on or off, or move them to their home position.
 ///
 /// CMD_EXT_MOTORS_ACTION (128), to the board; 2 to 255 bytes. Effect: moves. Since firmware 2.73.
 /// Source: Later firmware.
@@ -76,7 +75,7 @@ struct ExtMotorsAction {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x400000000};
   using Response = void;
 
   /// The motors, and whether to confirm.
@@ -108,7 +107,7 @@ struct ExtMotorsControl {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 58;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x400000000};
   using Response = void;
 
   /// The motors.
@@ -168,7 +167,7 @@ struct ExtMotorsControlConfig {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 3;
   static constexpr std::size_t max_size = 12;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x400000000};
   using Response = void;
 
   /// The motors, and whether to confirm.
@@ -216,7 +215,7 @@ struct ExtMotorsState {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 5;
   static constexpr std::size_t max_size = 50;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x400000000};
 
   /// The motor, counted from 0. Range: 0 to 6.
   std::uint8_t motor_id{};
@@ -314,7 +313,7 @@ struct ExtMotorsStateRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 5;
   static constexpr std::size_t max_size = 5;
-  static constexpr Availability since{.firmware = 2730};
+  static constexpr Availability since{.firmware = 2730, .features = 0x400000000};
   using Response = ExtMotorsState;
 
   /// The motors.

@@ -194,7 +194,8 @@ struct AhrsHelperRequest {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{.board = 30};
-  static constexpr Availability until{.firmware = 2695};
+  static constexpr Availability until{.firmware = 2695}
+;
   using Response = AhrsHelper;
 
   /// The IMU to query; without SET.
@@ -241,7 +242,8 @@ struct AhrsHelperRequestExt {
   static constexpr std::size_t min_size = 25;
   static constexpr std::size_t max_size = 25;
   static constexpr Availability since{.board = 30};
-  static constexpr Availability until{.firmware = 2695};
+  static constexpr Availability until{.firmware = 2695}
+;
   using Response = sbgc::Maybe<AhrsHelper>;
 
   /// Operation.
@@ -322,7 +324,7 @@ struct ExtImuDebugInfo {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 74;
   static constexpr std::size_t max_size = 74;
-  static constexpr Availability since{.firmware = 2660};
+  static constexpr Availability since{.firmware = 2660, .features = 0x10000};
 
   /// State of the attitude estimation.
   AhrsDebugInfo ahrs_debug_info{};
@@ -338,8 +340,7 @@ struct ExtImuDebugInfo {
       &ExtImuDebugInfo::acc_body>;
 };
 
-/// Request the state of the attitude estimation and of the external IMU. The board needs the
-/// feature EXT_IMU.
+/// Request the state of the attitude estimation and of the external IMU.
 ///
 /// CMD_EXT_IMU_DEBUG_INFO (106), to the board; 0 bytes. Effect: reads. Since firmware 2.66. Source:
 /// Later firmware.
@@ -349,7 +350,7 @@ struct ExtImuDebugInfoRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{.firmware = 2660};
+  static constexpr Availability since{.firmware = 2660, .features = 0x10000};
   using Response = ExtImuDebugInfo;
 
   bool operator==(const ExtImuDebugInfoRequest&) const = default;
@@ -365,7 +366,7 @@ struct ExtImuCmd {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x10000};
   using Response = void;
 
   /// Command of the external IMU.
@@ -391,7 +392,7 @@ struct ExtSensCmd {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{.firmware = 2687, .board = 36};
+  static constexpr Availability since{.firmware = 2687, .board = 36, .features = 0x10000};
 
   /// Command of the sensor.
   ExtSensCommand cmd_id{};
@@ -406,7 +407,7 @@ struct ExtSensCmd {
   }
 };
 
-/// Forward a command to an external sensor. The board needs the feature EXT_IMU.
+/// Forward a command to an external sensor.
 ///
 /// CMD_EXT_SENS_CMD (150), to the board; 2 to 255 bytes. Effect: sets, stores, moves. Since
 /// firmware 2.68b7, board 3.6. Source: Later firmware.
@@ -416,7 +417,7 @@ struct ExtSensCmdRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{.firmware = 2687, .board = 36};
+  static constexpr Availability since{.firmware = 2687, .board = 36, .features = 0x10000};
   using Response = void;
 
   /// Options.

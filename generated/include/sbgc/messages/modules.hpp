@@ -101,7 +101,7 @@ struct CanDeviceScan {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 252;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x400};
 
   /// The devices. At most 18.
   BoundedArray<CanDevice, 18> devices{};
@@ -113,8 +113,7 @@ struct CanDeviceScan {
   }
 };
 
-/// Search for devices on the CAN bus. The board has the feature CAN_PORT. Without devices the
-/// answer is empty.
+/// Search for devices on the CAN bus. Without devices the answer is empty.
 ///
 /// CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Source: Later firmware.
 struct CanDeviceScanRequest {
@@ -123,7 +122,7 @@ struct CanDeviceScanRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{};
+  static constexpr Availability since{.features = 0x400};
   using Response = CanDeviceScan;
 
   bool operator==(const CanDeviceScanRequest&) const = default;

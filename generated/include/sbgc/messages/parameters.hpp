@@ -10,6 +10,7 @@
 #include <sbgc/codec.hpp>
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/later_unit.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
@@ -27,12 +28,11 @@ struct ReadProfileNames;
 
 /// Controller and motor of each axis.
 struct AxisPid {
-  /// Proportional gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) -
-  /// 5.
+  /// Proportional gain. From firmware 2.73.1 on, it is a LogarithmicGain.
   std::uint8_t p{};
-  /// Integral gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
+  /// Integral gain. From firmware 2.73.1 on, it is a LogarithmicGain.
   Hundredths i{};
-  /// Derivative gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
+  /// Derivative gain. From firmware 2.73.1 on, it is a LogarithmicGain.
   std::uint8_t d{};
   /// Power of the motor.
   std::uint8_t power{};
@@ -40,6 +40,36 @@ struct AxisPid {
   std::uint8_t invert{};
   /// Number of motor poles.
   std::uint8_t poles{};
+
+  /// Returns the physical value of p on a board with these versions; without them, that before
+  /// firmware 2.73.1.
+  constexpr double real_p(const Availability& versions = {}) const noexcept {
+    return detail::real_in_firmware<detail::LaterType<2731, LogarithmicGain>>(p, versions);
+  }
+  /// Sets it to the raw value nearest to a physical one. Returns false if it does not fit.
+  [[nodiscard]] constexpr bool set_p(double value, const Availability& versions = {}) noexcept {
+    return detail::set_in_firmware<detail::LaterType<2731, LogarithmicGain>>(p, value, versions);
+  }
+
+  /// Returns the physical value of i on a board with these versions; without them, that before
+  /// firmware 2.73.1.
+  constexpr double real_i(const Availability& versions = {}) const noexcept {
+    return detail::real_in_firmware<detail::LaterType<2731, LogarithmicGain>>(i, versions);
+  }
+  /// Sets it to the raw value nearest to a physical one. Returns false if it does not fit.
+  [[nodiscard]] constexpr bool set_i(double value, const Availability& versions = {}) noexcept {
+    return detail::set_in_firmware<detail::LaterType<2731, LogarithmicGain>>(i, value, versions);
+  }
+
+  /// Returns the physical value of d on a board with these versions; without them, that before
+  /// firmware 2.73.1.
+  constexpr double real_d(const Availability& versions = {}) const noexcept {
+    return detail::real_in_firmware<detail::LaterType<2731, LogarithmicGain>>(d, versions);
+  }
+  /// Sets it to the raw value nearest to a physical one. Returns false if it does not fit.
+  [[nodiscard]] constexpr bool set_d(double value, const Availability& versions = {}) noexcept {
+    return detail::set_in_firmware<detail::LaterType<2731, LogarithmicGain>>(d, value, versions);
+  }
 
   bool operator==(const AxisPid&) const = default;
   using FixedMembers = Members<&AxisPid::p, &AxisPid::i, &AxisPid::d, &AxisPid::power,
@@ -491,8 +521,7 @@ struct ReadParamsExt2 {
   Axes<LongHundredths> motor_mag_link_fine{};
   /// Acceleration limit of each axis. Range: 0 to 1000 deg/s^2. Since firmware 2.59.
   Axes<AngularAcceleration> acc_limiter3{};
-  /// Factor for P, I and D of each axis. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw *
-  /// ln(52) / 255) - 5.
+  /// Factor for P, I and D of each axis. From firmware 2.73.1 on, it is a LogarithmicGain.
   Axes<PidGain> pid_gain{};
   /// Low-pass filter of the frame IMU. Unit: Hz.
   SmallFrequency frame_imu_lpf_freq{};
@@ -568,6 +597,20 @@ struct ReadParamsExt2 {
   TensOfMilliamperes current_limit{};
   /// Tilt of the middle motor. Range: -90 to 90 deg. The same in all copies. Since firmware 2.67.
   SignedDegrees middle_mot_tilt_angle{};
+
+  /// Returns the physical value of pid_gain of an element on a board with these versions; without
+  /// them, that before firmware 2.73.1.
+  constexpr double real_pid_gain(std::size_t index, const Availability& versions = {}) const
+      noexcept {
+    return detail::real_in_firmware<detail::LaterType<2731, LogarithmicGain>>(pid_gain[index],
+        versions);
+  }
+  /// Sets it to the raw value nearest to a physical one. Returns false if it does not fit.
+  [[nodiscard]] constexpr bool set_pid_gain(std::size_t index, double value, const Availability&
+      versions = {}) noexcept {
+    return detail::set_in_firmware<detail::LaterType<2731, LogarithmicGain>>(pid_gain[index], value,
+        versions);
+  }
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<104> tail{};
 

@@ -402,7 +402,7 @@ struct ReadStateVars {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 192;
   static constexpr std::size_t max_size = 192;
-  static constexpr Availability since{.firmware = 2687, .board = 36};
+  static constexpr Availability since{.firmware = 2687, .board = 36, .features = 0x40000};
 
   /// Current value of each step signal.
   std::array<std::uint8_t, 6> step_signal_val{};
@@ -448,7 +448,7 @@ struct ReadStateVars {
       &ReadStateVars::avg_current, &ReadStateVars::reserved>;
 };
 
-/// Request the statistics of the board's whole life. The board has the feature STATE_VARS.
+/// Request the statistics of the board's whole life.
 ///
 /// CMD_READ_STATE_VARS (111), to the board; 0 bytes. Effect: reads. Since firmware 2.68b7, board
 /// 3.6. Source: Later firmware.
@@ -458,7 +458,7 @@ struct ReadStateVarsRequest {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{.firmware = 2687, .board = 36};
+  static constexpr Availability since{.firmware = 2687, .board = 36, .features = 0x40000};
   using Response = ReadStateVars;
 
   bool operator==(const ReadStateVarsRequest&) const = default;
@@ -797,8 +797,8 @@ struct ExtLicenseInfoRequest {
   }
 };
 
-/// Store the statistics of the board's whole life. The board has the feature STATE_VARS. Write back
-/// what you read, and change only what you need.
+/// Store the statistics of the board's whole life. Write back what you read, and change only what
+/// you need.
 ///
 /// CMD_WRITE_STATE_VARS (112), to the board; 192 bytes, and later firmware may append more. Effect:
 /// stores. Since firmware 2.68b7, board 3.6. Source: Later firmware.
@@ -808,7 +808,7 @@ struct WriteStateVars : ReadStateVars {
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 192;
   static constexpr std::size_t max_size = 192;
-  static constexpr Availability since{.firmware = 2687, .board = 36};
+  static constexpr Availability since{.firmware = 2687, .board = 36, .features = 0x40000};
   using Response = void;
   using Body = ReadStateVars;
 

@@ -786,7 +786,8 @@ struct Meta<msg::AutoPidRequest> {
       .min_size = 19,
       .max_size = 19,
       .since = {.board = 30},
-      .until = {.firmware = 2730},
+      .until = {.firmware = 2730}
+,
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
@@ -991,7 +992,8 @@ struct Meta<msg::BodeTestStartStop> {
       .id = 37,
       .direction = Direction::from_board,
       .min_size = 22,
-      .max_size = 22};
+      .max_size = 22,
+      .since = {.features = 0x08}};
   static constexpr Special error_code_special[] = {
       {0, "success"},
   };
@@ -1033,6 +1035,7 @@ struct Meta<msg::BodeTestStartStopRequest> {
       .direction = Direction::to_board,
       .min_size = 30,
       .max_size = 30,
+      .since = {.features = 0x08},
       .effects = Effects(Effect::moves)};
   static constexpr Range stimulus_gain_range{1, 65535};
   static constexpr Range mode_range{0, 0};
@@ -1100,7 +1103,8 @@ struct Meta<msg::BodeTestData> {
       .id = 38,
       .direction = Direction::from_board,
       .min_size = 17,
-      .max_size = 97};
+      .max_size = 97,
+      .since = {.features = 0x08}};
   static constexpr FieldInfo fields[] = {
       {.name = "sample_counter",
        .spec_name = "SAMPLE_COUNTER",

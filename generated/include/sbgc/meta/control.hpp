@@ -386,7 +386,7 @@ struct Meta<msg::ControlQuatDisabled> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
@@ -417,7 +417,7 @@ struct Meta<msg::ControlQuatSpeed> {
       .direction = Direction::to_board,
       .min_size = 14,
       .max_size = 14,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
@@ -452,7 +452,7 @@ struct Meta<msg::ControlQuatAttitude> {
       .direction = Direction::to_board,
       .min_size = 18,
       .max_size = 18,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr Range target_attitude_range{-1, 1};
@@ -489,7 +489,7 @@ struct Meta<msg::ControlQuatAttitudePacked> {
       .direction = Direction::to_board,
       .min_size = 10,
       .max_size = 10,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr FieldInfo fields[] = {
@@ -524,7 +524,7 @@ struct Meta<msg::ControlQuatSpeedAttitude> {
       .direction = Direction::to_board,
       .min_size = 30,
       .max_size = 30,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr Range target_attitude_range{-1, 1};
@@ -567,7 +567,7 @@ struct Meta<msg::ControlQuatSpeedAttitudePacked> {
       .direction = Direction::to_board,
       .min_size = 22,
       .max_size = 22,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr FieldInfo fields[] = {
@@ -608,7 +608,7 @@ struct Meta<msg::ControlQuatStatus> {
       .direction = Direction::from_board,
       .min_size = 2,
       .max_size = 97,
-      .since = {.firmware = 2730}};
+      .since = {.firmware = 2730, .features = 0x800000000}};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr Range setpoint_attitude_range{-1, 1};
   static constexpr Range actual_attitude_range{-1, 1};
@@ -695,7 +695,7 @@ struct Meta<msg::ControlQuatStatusRequest> {
       .direction = Direction::to_board,
       .min_size = 4,
       .max_size = 4,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -726,7 +726,7 @@ struct Meta<msg::ControlQuatConfig> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 24,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::sets)};
   static constexpr Range acc_limit_range{1, 65535};
   static constexpr Special acc_limit_special[] = {

@@ -2695,4 +2695,36 @@ struct PackedMeta<msg::DebugVarType> {
   static constexpr PackedInfo info{"DebugVarType", "", nullptr, parts};
 };
 
+/// The features that boards may have.
+inline constexpr FeatureInfo features[] = {
+    {"BOARD_FEATURE_3AXIS", 0x01},
+    {"BOARD_FEATURE_BAT_MONITORING", 0x02},
+    {"BOARD_FEATURE_ENCODERS", 0x04},
+    {"BOARD_FEATURE_BODE_TEST", 0x08},
+    {"BOARD_FEATURE_SCRIPTING", 0x10},
+    {"BOARD_FEATURE_CURRENT_SENSOR", 0x20},
+    {"BOARD_FEATURE_MAG_SENSOR", 0x40},
+    {"BOARD_FEATURE_ORDER_OF_AXES_LETUS", 0x80},
+    {"BOARD_FEATURE_IMU_EEPROM", 0x100},
+    {"BOARD_FEATURE_FRAME_IMU_EEPROM", 0x200},
+    {"BOARD_FEATURE_CAN_PORT", 0x400},
+    {"BOARD_FEATURE_MOMENTUM", 0x800},
+    {"BOARD_FEATURE_COGGING_CORRECTION", 0x1000},
+    {"BOARD_FEATURE_MOTOR4_CONTROL", 0x2000},
+    {"BOARD_FEATURE_ACC_AUTO_CALIB", 0x4000},
+    {"BOARD_FEATURE_BIG_FLASH", 0x8000},
+    {"EXT_IMU", 0x10000},
+    {"STATE_VARS", 0x40000},
+    {"POWER_MANAGEMENT", 0x80000},
+    {"GYRO_ADVANCED_CALIB", 0x100000},
+    {"LIMITED_VERSION", 0x200000},
+    {"REACTION", 0x400000},
+    {"ENCODER_LUT", 0x800000},
+    {"PLUS_VER", 0x100000000},
+    {"SHAKE_GENERATOR", 0x200000000},
+    {"EXT_MOTORS", 0x400000000},
+    {"QUAT_CONTROL", 0x800000000},
+    {"ADC4", 0x1000000000},
+};
+
 }  // namespace sbgc

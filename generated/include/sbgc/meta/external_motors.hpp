@@ -96,7 +96,7 @@ struct Meta<msg::ExtMotorsAction> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors",
@@ -130,7 +130,7 @@ struct Meta<msg::ExtMotorsControl> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 58,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors",
@@ -183,7 +183,7 @@ struct Meta<msg::ExtMotorsControlConfig> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 12,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors",
@@ -235,7 +235,7 @@ struct Meta<msg::ExtMotorsState> {
       .direction = Direction::from_board,
       .min_size = 5,
       .max_size = 50,
-      .since = {.firmware = 2730}};
+      .since = {.firmware = 2730, .features = 0x400000000}};
   static constexpr Range motor_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "motor_id",
@@ -370,7 +370,7 @@ struct Meta<msg::ExtMotorsStateRequest> {
       .direction = Direction::to_board,
       .min_size = 5,
       .max_size = 5,
-      .since = {.firmware = 2730},
+      .since = {.firmware = 2730, .features = 0x400000000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {

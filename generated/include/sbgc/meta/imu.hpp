@@ -261,7 +261,8 @@ struct Meta<msg::AhrsHelperRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {.board = 30},
-      .until = {.firmware = 2695},
+      .until = {.firmware = 2695}
+,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -316,7 +317,8 @@ struct Meta<msg::AhrsHelperRequestExt> {
       .min_size = 25,
       .max_size = 25,
       .since = {.board = 30},
-      .until = {.firmware = 2695},
+      .until = {.firmware = 2695}
+,
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -430,7 +432,7 @@ struct Meta<msg::ExtImuDebugInfo> {
       .direction = Direction::from_board,
       .min_size = 74,
       .max_size = 74,
-      .since = {.firmware = 2660}};
+      .since = {.firmware = 2660, .features = 0x10000}};
   static constexpr FieldInfo fields[] = {
       {.name = "ahrs_debug_info",
        .spec_name = "AHRS_DEBUG_INFO",
@@ -464,7 +466,7 @@ struct Meta<msg::ExtImuDebugInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {.firmware = 2660},
+      .since = {.firmware = 2660, .features = 0x10000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -484,6 +486,7 @@ struct Meta<msg::ExtImuCmd> {
       .direction = Direction::both,
       .min_size = 1,
       .max_size = 255,
+      .since = {.features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
@@ -512,7 +515,7 @@ struct Meta<msg::ExtSensCmd> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 255,
-      .since = {.firmware = 2687, .board = 36},
+      .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
@@ -541,7 +544,7 @@ struct Meta<msg::ExtSensCmdRequest> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {.firmware = 2687, .board = 36},
+      .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",

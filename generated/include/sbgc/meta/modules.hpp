@@ -124,7 +124,8 @@ struct Meta<msg::CanDeviceScan> {
       .id = 96,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 252};
+      .max_size = 252,
+      .since = {.features = 0x400}};
   static constexpr FieldInfo fields[] = {
       {.name = "devices",
        .spec_name = "devices",
@@ -150,6 +151,7 @@ struct Meta<msg::CanDeviceScanRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .since = {.features = 0x400},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 

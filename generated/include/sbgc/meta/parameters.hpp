@@ -16,25 +16,46 @@ namespace sbgc {
 template <>
 struct Meta<msg::AxisPid> {
   static constexpr Range p_range{0, 255};
+  static constexpr LaterMeaning p_later[] = {
+      {.since = {.firmware = 2731}
+  ,
+       .unit = &UnitMeta<msg::LogarithmicGain>::info,
+       .summary = "Proportional gain."},
+  };
   static constexpr Range i_range{0, 255};
+  static constexpr LaterMeaning i_later[] = {
+      {.since = {.firmware = 2731}
+  ,
+       .unit = &UnitMeta<msg::LogarithmicGain>::info,
+       .summary = "Integral gain."},
+  };
   static constexpr Range d_range{0, 255};
+  static constexpr LaterMeaning d_later[] = {
+      {.since = {.firmware = 2731}
+  ,
+       .unit = &UnitMeta<msg::LogarithmicGain>::info,
+       .summary = "Derivative gain."},
+  };
   static constexpr Range power_range{0, 255};
   static constexpr Range invert_range{0, 1};
   static constexpr Range poles_range{0, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "p",
        .spec_name = "P",
-       .summary = "Proportional gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
-       .range = &p_range},
+       .summary = "Proportional gain.",
+       .range = &p_range,
+       .later = p_later},
       {.name = "i",
        .spec_name = "I",
-       .summary = "Integral gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
+       .summary = "Integral gain.",
        .unit = &UnitMeta<msg::Hundredths>::info,
-       .range = &i_range},
+       .range = &i_range,
+       .later = i_later},
       {.name = "d",
        .spec_name = "D",
-       .summary = "Derivative gain. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
-       .range = &d_range},
+       .summary = "Derivative gain.",
+       .range = &d_range,
+       .later = d_later},
       {.name = "power",
        .spec_name = "POWER",
        .summary = "Power of the motor.",
@@ -918,6 +939,12 @@ struct Meta<msg::ReadParamsExt2> {
       {0, "disabled"},
   };
   static constexpr Range pid_gain_range{0, 255};
+  static constexpr LaterMeaning pid_gain_later[] = {
+      {.since = {.firmware = 2731}
+  ,
+       .unit = &UnitMeta<msg::LogarithmicGain>::info,
+       .summary = "Factor for P, I and D of each axis."},
+  };
   static constexpr Range frame_imu_lpf_freq_range{0, 255};
   static constexpr Range auto_pid_gain_range{0, 255};
   static constexpr Range auto_speed_range{1, 255};
@@ -964,9 +991,10 @@ struct Meta<msg::ReadParamsExt2> {
        .since = {.firmware = 2590}},
       {.name = "pid_gain",
        .spec_name = "PID_GAIN",
-       .summary = "Factor for P, I and D of each axis. From firmware 2.73.1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
+       .summary = "Factor for P, I and D of each axis.",
        .unit = &UnitMeta<msg::PidGain>::info,
-       .range = &pid_gain_range},
+       .range = &pid_gain_range,
+       .later = pid_gain_later},
       {.name = "frame_imu_lpf_freq",
        .spec_name = "FRAME_IMU_LPF_FREQ",
        .summary = "Low-pass filter of the frame IMU.",

@@ -517,7 +517,7 @@ struct Meta<msg::ReadStateVars> {
       .direction = Direction::from_board,
       .min_size = 192,
       .max_size = 192,
-      .since = {.firmware = 2687, .board = 36}};
+      .since = {.firmware = 2687, .board = 36, .features = 0x40000}};
   static constexpr FieldInfo fields[] = {
       {.name = "step_signal_val",
        .spec_name = "STEP_SIGNAL_VAL",
@@ -615,7 +615,7 @@ struct Meta<msg::ReadStateVarsRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {.firmware = 2687, .board = 36},
+      .since = {.firmware = 2687, .board = 36, .features = 0x40000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -1019,7 +1019,7 @@ struct Meta<msg::WriteStateVars> : Meta<msg::ReadStateVars> {
       .direction = Direction::to_board,
       .min_size = 192,
       .max_size = 192,
-      .since = {.firmware = 2687, .board = 36},
+      .since = {.firmware = 2687, .board = 36, .features = 0x40000},
       .effects = Effects(Effect::stores)};
 };
 

@@ -189,6 +189,11 @@ struct UnitMeta<msg::PidGain> {
 };
 
 template <>
+struct UnitMeta<msg::LogarithmicGain> {
+  static constexpr UnitInfo info{"", 5, 1, -5.0 / 1, 1.0156157445197571};
+};
+
+template <>
 struct UnitMeta<msg::Decibels> {
   static constexpr UnitInfo info{"dB", 1, 1};
 };

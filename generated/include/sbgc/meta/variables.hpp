@@ -4,50 +4,138 @@
 #pragma once
 
 #include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
+
+namespace detail {
+
+inline constexpr LaterMeaning p_roll_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Proportional gain of roll."},
+};
+inline constexpr LaterMeaning p_pitch_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Proportional gain of pitch."},
+};
+inline constexpr LaterMeaning p_yaw_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Proportional gain of yaw."},
+};
+inline constexpr LaterMeaning i_roll_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Integral gain of roll."},
+};
+inline constexpr LaterMeaning i_pitch_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Integral gain of pitch."},
+};
+inline constexpr LaterMeaning i_yaw_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Integral gain of yaw."},
+};
+inline constexpr LaterMeaning d_roll_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Derivative gain of roll."},
+};
+inline constexpr LaterMeaning d_pitch_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Derivative gain of pitch."},
+};
+inline constexpr LaterMeaning d_yaw_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Derivative gain of yaw."},
+};
+inline constexpr LaterMeaning pid_gain_roll_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Factor for P, I and D of roll."},
+};
+inline constexpr LaterMeaning pid_gain_pitch_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Factor for P, I and D of pitch."},
+};
+inline constexpr LaterMeaning pid_gain_yaw_later[] = {
+    {.since = {.firmware = 2731}
+,
+     .unit = &UnitMeta<msg::LogarithmicGain>::info,
+     .summary = "Factor for P, I and D of yaw."},
+};
+
+}  // namespace detail
 
 /// Every adjustable variable, by id.
 inline constexpr VariableInfo variables[] = {
     {.id = msg::VariableId::p_roll,
      .name = "P_ROLL",
      .summary = "Proportional gain of roll.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::p_roll_later},
     {.id = msg::VariableId::p_pitch,
      .name = "P_PITCH",
      .summary = "Proportional gain of pitch.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::p_pitch_later},
     {.id = msg::VariableId::p_yaw,
      .name = "P_YAW",
      .summary = "Proportional gain of yaw.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::p_yaw_later},
     {.id = msg::VariableId::i_roll,
      .name = "I_ROLL",
      .summary = "Integral gain of roll.",
      .range = {0, 255},
-     .unit = {"", 1, 100}},
+     .unit = {"", 1, 100},
+     .later = detail::i_roll_later},
     {.id = msg::VariableId::i_pitch,
      .name = "I_PITCH",
      .summary = "Integral gain of pitch.",
      .range = {0, 255},
-     .unit = {"", 1, 100}},
+     .unit = {"", 1, 100},
+     .later = detail::i_pitch_later},
     {.id = msg::VariableId::i_yaw,
      .name = "I_YAW",
      .summary = "Integral gain of yaw.",
      .range = {0, 255},
-     .unit = {"", 1, 100}},
+     .unit = {"", 1, 100},
+     .later = detail::i_yaw_later},
     {.id = msg::VariableId::d_roll,
      .name = "D_ROLL",
      .summary = "Derivative gain of roll.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::d_roll_later},
     {.id = msg::VariableId::d_pitch,
      .name = "D_PITCH",
      .summary = "Derivative gain of pitch.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::d_pitch_later},
     {.id = msg::VariableId::d_yaw,
      .name = "D_YAW",
      .summary = "Derivative gain of yaw.",
-     .range = {0, 255}},
+     .range = {0, 255},
+     .later = detail::d_yaw_later},
     {.id = msg::VariableId::power_roll,
      .name = "POWER_ROLL",
      .summary = "Power of the roll motor.",
@@ -194,17 +282,20 @@ inline constexpr VariableInfo variables[] = {
      .name = "PID_GAIN_ROLL",
      .summary = "Factor for P, I and D of roll.",
      .range = {0, 255},
-     .unit = {"", 1, 50, 1.0 / 10}},
+     .unit = {"", 1, 50, 1.0 / 10},
+     .later = detail::pid_gain_roll_later},
     {.id = msg::VariableId::pid_gain_pitch,
      .name = "PID_GAIN_PITCH",
      .summary = "Factor for P, I and D of pitch.",
      .range = {0, 255},
-     .unit = {"", 1, 50, 1.0 / 10}},
+     .unit = {"", 1, 50, 1.0 / 10},
+     .later = detail::pid_gain_pitch_later},
     {.id = msg::VariableId::pid_gain_yaw,
      .name = "PID_GAIN_YAW",
      .summary = "Factor for P, I and D of yaw.",
      .range = {0, 255},
-     .unit = {"", 1, 50, 1.0 / 10}},
+     .unit = {"", 1, 50, 1.0 / 10},
+     .later = detail::pid_gain_yaw_later},
     {.id = msg::VariableId::lpf_freq_roll,
      .name = "LPF_FREQ_ROLL",
      .summary = "Low-pass filter of roll.",

@@ -34,6 +34,7 @@ def _model(layout: Layout) -> dict[str, Any]:
             "board": layout.versions.board.name if layout.versions.board else None,
             "newest_firmware": layout.newest_firmware or None,
         },
+        **({"features": _features(layout)} if layout.features else {}),
         "line": {
             "baud_rates": list(layout.line.baud_rates),
             "named_baud_rates": list(layout.line.baud_rates[: layout.line.named]),
@@ -124,4 +125,22 @@ def _command(command: Command) -> dict[str, Any]:
         "errata": list(command.errata),
         "since": version(command.since),
         "documented": not command.undocumented,
-    } | given(formerly=former_names(command.aliases), unconfirmed=command.unconfirmed or None)
+    } | given(
+        formerly=former_names(command.aliases),
+        unconfirmed=command.unconfirmed or None,
+        needs=command.needs or None,
+    )
+
+
+def _features(layout: Layout) -> list[dict[str, str]]:
+    """The features that boards may have, and the fields that report them."""
+    fields = {
+        field.type: f"{message.name}.{field.name}"
+        for message in layout.messages
+        for field, _, _ in layout.reports(message)
+    }
+    return [
+        {"name": value.name, "reported_by": fields.get(flags, "")}
+        for flags in layout.feature_sets
+        for value in flags.values
+    ]

@@ -28,7 +28,15 @@ from sbgcgen.model import (
     element_of,
     field_rules,
 )
-from sbgcgen.model.export.types import deprecation, former_names, given, number, version
+from sbgcgen.model.export.types import (
+    deprecation,
+    exponential,
+    former_names,
+    given,
+    later_json,
+    number,
+    version,
+)
 
 # Forms that readers of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
@@ -100,7 +108,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
     }
     if quantity:
         result.update(quantity=quantity.name, scale_exact=str(quantity.scale))
-        result.update(given(add=number(quantity.offset) or None))
+        result.update(given(add=number(quantity.offset) or None), **exponential(quantity))
     if field.directions is not None:
         result["positive"] = leaf.direction and leaf.direction.positive
     return result | given(
@@ -124,6 +132,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         when=_condition(leaf.when),
         alternative=_alternative(field.alternative, leaf.path),
         since=version(field.since),
+        later=later_json(field.later),
+        needs=field.needs or None,
         typical=None if field.typical is None else element_of(field.typical, leaf.path),
         deprecated=deprecation(field.deprecated),
         default=field.default or None,
@@ -238,7 +248,9 @@ def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Fi
     for field in fields:
         name = path + field.name
         is_list = isinstance(field.type, Struct) and field.dim in ("counted", "rest")
-        says = field.may_be_absent or field.since or field.unconfirmed or field.aliases
+        says = (
+            field.may_be_absent or field.since or field.needs or field.unconfirmed or field.aliases
+        )
         if (isinstance(field.type, Struct) or field.index) and (says or is_list):
             yield name, field
         if isinstance(field.type, Struct):
@@ -257,6 +269,7 @@ def _group(path: str, field: Field) -> dict[str, Any]:
         min_count=None if field.index else field.min_count or None,
         max_count=None if field.index else field.max_count,
         since=version(field.since),
+        needs=field.needs or None,
         unconfirmed=field.unconfirmed or None,
         formerly=former_names(field.aliases),
     )
@@ -315,6 +328,7 @@ def message_json(message: Message) -> dict[str, Any]:
     return result | given(
         stops=[[_stop_value(value) for value in pattern] for pattern in message.stops] or None,
         preparation=message.preparation or None,
+        needs=message.needs or None,
         unconfirmed=message.unconfirmed or None,
         groups=[_group(path, field) for path, field in groups] or None,
         sizes=sizes or None,

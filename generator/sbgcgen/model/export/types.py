@@ -15,6 +15,7 @@ from sbgcgen.model.values import (
     Part,
     Quantity,
 )
+from sbgcgen.model.bodies import Later
 from sbgcgen.model.variables import Variable
 
 
@@ -64,6 +65,7 @@ def _value(value: EnumValue) -> dict[str, Any]:
     } | given(
         formerly=former_names(value.aliases),
         unconfirmed=value.unconfirmed or None,
+        needs=value.needs or None,
         before={**(version(former.firmware) or {}), "summary": former.summary} if former else None,
     )
 
@@ -115,7 +117,39 @@ def _part(part: Part) -> dict[str, Any]:
         result["quantity"] = part.quantity.name
         result["unit"] = part.quantity.unit
         result["scale"] = number(part.quantity.scale)
+        result |= exponential(part.quantity)
     return result
+
+
+def exponential(quantity: Quantity | None) -> dict[str, Any]:
+    """How an exponential quantity grows: real = scale * ratio^(raw / over) + offset."""
+    if quantity is None or not quantity.ratio:
+        return {}
+    return {"exponential": {"ratio": number(quantity.ratio), "over": quantity.over}}
+
+
+def later_json(later: tuple[Later, ...]) -> list[dict[str, Any]] | None:
+    """The meanings in later firmware; None if there are none."""
+    return [_later(one) for one in later] or None
+
+
+def _later(later: Later) -> dict[str, Any]:
+    type_ = later.type
+    quantity = type_ if isinstance(type_, Quantity) else None
+    return {
+        "since": version(later.since),
+        "unit": quantity.unit if quantity else None,
+        "scale": number(quantity.scale) if quantity else None,
+        "add": number(quantity.offset) if quantity else None,
+        **exponential(quantity),
+        "min": number(later.minimum),
+        "max": number(later.maximum),
+        "summary": later.summary,
+    } | given(
+        quantity=quantity.name if quantity else None,
+        enum=type_.name if isinstance(type_, Enum) else None,
+        packed=type_.name if isinstance(type_, Packed) else None,
+    )
 
 
 def quantity_json(q: Quantity) -> dict[str, Any]:
@@ -127,6 +161,7 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
         "scale": number(q.scale),
         "scale_exact": str(q.scale),
         "offset": number(q.offset),
+        **exponential(q),
         "summary": q.summary,
         **({"directed": True} if q.is_directed else {}),
         "errata": list(q.errata),
@@ -158,7 +193,10 @@ def variable_json(variable: Variable) -> dict[str, Any]:
             for setting in variable.settings
         ],
         "as_switch": variable.is_switch,
+        **exponential(quantity),
     }
     if variable.is_directed:
         result["positive"] = variable.direction and variable.direction.positive
-    return result | given(unconfirmed=variable.unconfirmed or None)
+    return result | given(
+        later=later_json(variable.later), unconfirmed=variable.unconfirmed or None
+    )

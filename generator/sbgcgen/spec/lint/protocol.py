@@ -35,6 +35,7 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     _check_ids(spec, layout, found)
     _check_forms(layout, found)
     _check_until(layout, found)
+    _check_features(layout, found)
     _check_bodies(layout, found)
     _check_variables(layout, found)
     _check_stores(layout, found)
@@ -74,6 +75,16 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
                 text = f"{message.name} and {other.name} can have the same size"
                 hint = f"forms are distinguished by size; see {other.at}"
                 found.add(message.at, "SBGC014", text, hint)
+
+
+def _check_features(layout: Layout, found: Diagnostics) -> None:
+    """Boards must report each feature that something needs, or nobody knows who has it."""
+    told = {field.type for m in layout.messages for field, _, _ in layout.reports(m)}
+    for flags in layout.feature_sets:
+        if flags not in told:
+            text = f"no message reports the features in {flags.name}"
+            hint = "a message from the board has a field of this type that is always there"
+            found.add(flags.at, "SBGC050", text, hint)
 
 
 def _check_until(layout: Layout, found: Diagnostics) -> None:

@@ -28,6 +28,12 @@ def lint_slips(layout: Layout, found: Diagnostics) -> None:
             _check_counter(field, fields, found)
     for message in layout.messages:
         _check_deprecation(message, found)
+        for field in _fields(message.fields):
+            if field.later and field.later[0].since.firmware <= message.since.firmware:
+                text = (
+                    f"'{field.name}' has its later meaning in all firmware that has {message.name}"
+                )
+                found.add(field.at, "SBGC071", text, "describe the later meaning alone")
 
 
 def _check_scale(quantity: Quantity, found: Diagnostics) -> None:
@@ -54,18 +60,18 @@ def _check_range(field: Field, found: Diagnostics) -> None:
     type_, low, high = field.type, field.minimum, field.maximum
     if not isinstance(type_, Quantity) or low is None or high is None or field.constant:
         return
-    if type_.scale == 1 or type_.scalar.is_float:
+    if type_.scale == 1 or type_.ratio or type_.scalar.is_float:
         return
     own = [
         limit for limit in (low, high) if limit not in (type_.scalar.minimum, type_.scalar.maximum)
     ]
-    real = [limit * type_.scale + type_.offset for limit in own]
+    real = [type_.real(limit) for limit in own]
     is_angle = type_.unit == "deg" and any(own) and _ANGLES.issuperset(map(abs, own))
     if is_angle or not all(_is_chosen(limit) for limit in real):
         unit = f" {type_.unit}" if type_.unit else ""
-        ends = [float(limit * type_.scale + type_.offset) for limit in (low, high)]
+        ends = [float(type_.real(limit)) for limit in (low, high)]
         text = f"the range of '{field.name}' is {ends[0]:g}..{ends[1]:g}{unit}"
-        raw = [round((limit - type_.offset) / type_.scale) for limit in (low, high)]
+        raw = [round(type_.raw(limit)) for limit in (low, high)]
         hint = f"it is in raw values; {low}..{high}{unit} would be {raw[0]}..{raw[1]}"
         found.add(field.at, "SBGC075", text, hint)
 

@@ -19,6 +19,11 @@ class Entries:
         self.found = found
         self.versions = VersionReader(spec.main.get("versions", Map()), found)
         self.identifiers: list[Identifier] = []
+        self.features = [
+            name
+            for _, flags, node, _ in spec.entries("flags")
+            for name in (node["values"] if flags in spec.main.get("features", ()) else ())
+        ]
 
     def errata(self, node: Map) -> tuple[str, ...]:
         """The errata numbers of a node; reports those that do not exist."""
@@ -43,6 +48,15 @@ class Entries:
                 said[kind] = self.versions.version(kind, text, since.at(kind))
                 said[f"{kind}_text"] = text
         return Availability(**said)
+
+    def needs(self, node: Map) -> str:
+        """The board feature under `needs`; reports one that does not exist."""
+        name = str(node.get("needs", ""))
+        if name and name not in self.features:
+            hint = did_you_mean(name, self.features) or "name a flag of the sets under 'features'"
+            self.found.add(node.at("needs"), "SBGC010", f"there is no feature '{name}'", hint)
+            return ""
+        return name
 
     def deprecation(self, node: Map) -> Deprecation | None:
         """The value of `deprecated` and `replaced_by`; None if not deprecated."""

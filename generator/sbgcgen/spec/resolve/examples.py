@@ -294,7 +294,7 @@ def _number(type_: Type, scalar: Scalar, node: Any) -> int | float:
     except (ValueError, ZeroDivisionError):
         raise _Unfit(f"is '{node}', which is not a number", "write it like -12.5") from None
     if isinstance(type_, Quantity):
-        real = (real - type_.offset) / type_.scale
+        real = type_.raw(real)
     elif real.denominator != 1 and not scalar.is_float:
         raise _Unfit(f"is {node}, but its type is {scalar.name}", "give a whole number")
     return float(real) if scalar.is_float else round(real)

@@ -30,6 +30,7 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
 from sbgcgen.spec.resolve.examples import ExampleReader
+from sbgcgen.spec.resolve.later import LaterResolver
 from sbgcgen.spec.resolve.limits import LimitResolver
 from sbgcgen.spec.resolve.references import Outside, ReferenceResolver
 from sbgcgen.spec.resolve.sizes import (
@@ -58,6 +59,7 @@ class FieldResolver:
         self.structs: dict[str, Struct] = {}
         self.references = ReferenceResolver(types, found)
         self.limits = LimitResolver(types, found)
+        self.later = LaterResolver(types, self.limits, found)
         self.indices: dict[str, tuple[str, ...]] = {
             name: tuple(words) for name, words in spec.main.get("indices", {}).items()
         }
@@ -307,6 +309,7 @@ class FieldResolver:
             default=self._default(node, type_, text),
             constant="constant" in node,
             fits="fits" in node,
+            needs=self.types.needs(node),
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             directions=directions,
@@ -318,6 +321,7 @@ class FieldResolver:
         if field.constant:
             value = Fraction(field.default)
             field = replace(field, minimum=value, maximum=value)
+        field = replace(field, later=self.later.later(node, field))
         return self._with_typical(field, node)
 
     def _broken_field(

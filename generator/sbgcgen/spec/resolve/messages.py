@@ -177,6 +177,9 @@ class MessageResolver:
             form=draft.form,
             family=draft.command.family,
             since=since,
+            needs=self.types.needs(draft.node)
+            or self.types.needs(draft.parent)
+            or draft.command.needs,
             body=body,
             same_as=same_as if same_as != draft.name else "",
             in_both_directions=both,

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from sbgcgen.model import (
     Command,
+    Enum,
     Erratum,
     Family,
     Layout,
@@ -15,7 +16,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
@@ -71,6 +72,7 @@ class _Resolver:
             indices=self.fields.indices,
             versions=self.types.versions.versions,
             newest_firmware=self._newest_firmware(),
+            feature_sets=self._feature_sets(),
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
             synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
@@ -94,6 +96,22 @@ class _Resolver:
             return 0
         text, at = str(node["newest_firmware"]), node.at("newest_firmware")
         return self.types.versions.version("firmware", text, at)
+
+    def _feature_sets(self) -> tuple[Enum, ...]:
+        """The flag sets of board features."""
+        names = self.spec.main.get("features", List())
+        found = []
+        for name, at in zip(names, getattr(names, "items_at", [])):
+            flags = self.types.enum_named(str(name), at)
+            if flags is not None and flags.kind != "flags":
+                hint = "each feature is a flag that boards report"
+                self.found.add(at, "SBGC026", f"{name} is not a flag set", hint)
+            elif flags is not None:
+                found.append(flags)
+        if sum(flags.scalar.size for flags in found) > 8:
+            text = "the board features have more than 64 bits"
+            self.found.add(names.items_at[-1], "SBGC017", text, "name smaller flag sets")
+        return tuple(found)
 
     def _errata(self) -> list[Erratum]:
         entries = self.spec.errata.get("errata", Map())
@@ -123,6 +141,7 @@ class _Resolver:
             undocumented=bool(node.get("undocumented", False)),
             aliases=self.types.aliases(node, self.spec.command_prefix),
             unconfirmed=bool(node.get("unconfirmed", False)),
+            needs=self.types.needs(node),
             at=at,
         )
 

@@ -128,7 +128,7 @@ class RoleResolver:
         quantity = role.parts["interval"].type
         assert isinstance(quantity, Quantity)
         unit = _UNITS.get(quantity.unit or "", 0) * quantity.scale
-        if not unit or unit.denominator != 1 or quantity.offset != Fraction(0):
+        if not unit or unit.denominator != 1 or quantity.offset or quantity.ratio:
             message = f"'{node['interval']}' is not in whole microseconds"
             hint = "its unit is s, ms or us"
             self.found.add(node.at("interval"), "SBGC037", message, hint)

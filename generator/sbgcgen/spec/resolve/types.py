@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import log
 from typing import Any
 
 from sbgcgen.model import (
@@ -88,6 +89,7 @@ class TypeResolver(Entries):
             hint = "the real value is raw * scale + offset"
             self.found.add(node.at("scale"), "SBGC017", message, hint)
             scale = Fraction(1)
+        ratio, over = self._exponential(name, node)
         if "directed" in node and SCALARS[node["type"]].minimum == 0:
             message = f"{name} counts in a direction, but has no sign"
             self.found.add(node.at("directed"), "SBGC072", message, "use a type with a sign")
@@ -103,7 +105,29 @@ class TypeResolver(Entries):
             errata=self.errata(node),
             is_directed=bool(node.get("directed", False)),
             at=at,
+            ratio=ratio,
+            over=over,
         )
+
+    def _exponential(self, name: str, node: Map) -> tuple[Fraction, int]:
+        """The ratio of an exponential quantity, or 0, and the raw values over which it grows by that."""
+        if "exponential" not in node:
+            return Fraction(0), 1
+        said = node["exponential"]
+        ratio, over = Fraction(str(said["ratio"])), int(said["over"])
+        scalar = SCALARS[node["type"]]
+        problem = ""
+        if scalar.is_float or scalar.size > 2:
+            problem, hint = f"is of type {scalar.name}", "it is an integer of one or two bytes"
+        elif ratio <= 1:
+            problem, hint = "does not grow", "the ratio is above 1"
+        elif log(ratio) * (scalar.maximum or 0) / over > log(1e9):
+            problem, hint = "grows beyond 1e9", "say over how many raw values it grows by the ratio"
+        if problem:
+            text = f"{name} is exponential, but {problem}"
+            self.found.add(node.at("exponential"), "SBGC017", text, hint)
+            return Fraction(0), 1
+        return ratio, over
 
     def _command_ids(self, direction: str) -> Enum:
         """The command ids of one direction; in the other one they may mean other commands."""
@@ -225,6 +249,7 @@ class TypeResolver(Entries):
             aliases=self.aliases(content, prefix),
             unconfirmed=bool(content.get("unconfirmed", False)),
             former=self._former(content),
+            needs=self.needs(content),
         )
 
     def _former(self, content: Map) -> Former | None:

@@ -129,6 +129,9 @@ def _setting(
         words = " and ".join(unit or "a plain number" for unit in units)
         hint = "give the variable a type of the same unit"
         raise Mistake("SBGC044", f"'{text}' is in another unit: {words}", hint)
+    if ours != theirs and any(q and q.ratio for q in (ours, theirs)):
+        problem = f"'{text}' grows otherwise than the variable"
+        raise Mistake("SBGC044", problem, "give the variable the type of the setting")
     scales = [q.scale if q else Fraction(1) for q in (ours, theirs)]
     offsets = [q.offset if q else Fraction(0) for q in (ours, theirs)]
     setting = VariableSetting(
@@ -138,7 +141,14 @@ def _setting(
         scale=scales[0] / scales[1],
         offset=(offsets[0] - offsets[1]) / scales[1],
         direction=leaf.direction,
+        later=tuple(
+            replace(one, summary="" if one.summary == leaf.field.summary else one.summary)
+            for one in leaf.field.later
+        ),
     )
+    if setting.later and (setting.scale != 1 or setting.offset != 0):
+        problem = f"'{text}' has another meaning in later firmware"
+        raise Mistake("SBGC044", problem, "give the variable the type of the setting")
     if setting.denominator != 1:
         special = tuple(sorted(s.value for s in leaf.field.special))
         setting = replace(setting, special=special)

@@ -26,7 +26,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
-from sbgcgen.oracle.example import Example, Piece, real
+from sbgcgen.oracle.example import Example, Piece
 from sbgcgen.oracle.typical import typical_number
 from sbgcgen.targets.cpp.filters import unit_name
 
@@ -208,7 +208,7 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
         yield number("number", f"{value:g}")
     elif isinstance(type_, Quantity):
         unit = f" {type_.unit}" if type_.unit else ""
-        yield number("quantity", f"{float(real(value, type_)):g}{unit}")
+        yield number("quantity", f"{float(type_.real(value)):g}{unit}")
     elif isinstance(type_, Enum) and type_.kind == "flags":
         for flag in type_.values:
             if flag.value and value & flag.value == flag.value:
@@ -223,7 +223,7 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
             start = f"{path}: {part.name} "
             if part.quantity:
                 unit = f" {part.quantity.unit}" if part.quantity.unit else ""
-                shown = f"{start}{float(real(held, part.quantity)):g}{unit}"
+                shown = f"{start}{float(part.quantity.real(held)):g}{unit}"
                 yield look("quantity", shown, text=start, part=part)
             elif part.enum is None:
                 yield look("part", f"{start}{held}", text=start, part=part)
@@ -246,16 +246,15 @@ def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]
     raw = typical_number(quantity)
     unit = f" {quantity.unit}" if quantity.unit else ""
     line = f"on the line: {raw:g}" if quantity.scalar.is_float else f"on the line: {raw}"
-    return raw, (line, f"real value: {float(real(raw, quantity)):g}{unit}")
+    return raw, (line, f"real value: {float(quantity.real(raw)):g}{unit}")
 
 
 def decimal(raw: int, quantity: Quantity) -> str:
     """The shortest decimal number to which this raw value is the nearest one."""
-    exact = real(raw, quantity)
+    exact = quantity.real(raw)
     for digits in range(12):
         text = f"{float(exact):.{digits}f}"
-        steps = (Fraction(text) - quantity.offset) / quantity.scale
-        if abs(steps - raw) < Fraction(1, 2):
+        if abs(quantity.raw(Fraction(text)) - raw) < Fraction(1, 2):
             return text
     raise ValueError(f"no decimal for {raw} of {quantity.name}")
 

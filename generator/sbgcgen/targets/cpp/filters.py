@@ -11,6 +11,7 @@ from sbgcgen.model import (
     Field,
     Message,
     Quantity,
+    Scalar,
     constants,
     copy_field,
     largest_forms,
@@ -68,7 +69,7 @@ def narrow_range(field: Field) -> str:
     limits = [field.minimum, field.maximum]
     unit = ""
     if isinstance(field.type, Quantity):
-        limits = [limit * field.type.scale + field.type.offset for limit in limits]
+        limits = [field.type.real(limit) for limit in limits]
         unit = f" {field.type.unit}" if field.type.unit else ""
     return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
 
@@ -96,6 +97,18 @@ def units(quantities: Iterable[Quantity]) -> list[Quantity]:
     return list({unit_name(q): q for q in reversed(list(quantities))}.values())[::-1]
 
 
+def later_units(fields: Iterable[Field]) -> list[Field]:
+    """The members that are always there, and that later firmware has in another unit."""
+    return [
+        f
+        for f in fields
+        if any(later.type != f.type for later in f.later)
+        and all(isinstance(t, (Scalar, Quantity)) for t in (f.type, *(l.type for l in f.later)))
+        and not f.may_be_absent
+        and f.dim in ("one", "axis", "xyz", "fixed")
+    ]
+
+
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
@@ -105,6 +118,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "units": units,
     "attribute": attribute,
     "flag_units": flag_units,
+    "later_units": later_units,
     "constants": constants,
     "copy_field": copy_field,
     "largest_forms": largest_forms,

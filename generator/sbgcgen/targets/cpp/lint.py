@@ -20,7 +20,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
-from sbgcgen.targets.cpp.filters import unit_name
+from sbgcgen.targets.cpp.filters import later_units, unit_name
 from sbgcgen.targets.cpp.flag_unit import flag_units
 
 WORDS = frozenset(
@@ -48,7 +48,7 @@ _MESSAGE = frozenset(
 _INNER_TYPES = frozenset(("Context", "Response"))
 _STRUCT = frozenset(("wire_size", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
-_QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
+_QUANTITY = frozenset(("raw", "real", "unit", "from_real", "growth"))
 
 
 def can_be_a_name(word: str) -> bool:
@@ -133,9 +133,13 @@ def _check_members(
     types: dict[str, Position],
     found: Diagnostics,
 ) -> None:
+    functions = {f"{word}_{f.name}" for f in later_units(fields) for word in ("set", "real")}
     for field in fields:
         if field.name in words:
             text = f"'{field.name}' is a member that every {owner} has"
+            found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+        if field.name in functions:
+            text = f"'{field.name}' is a function of the {owner}, for a field that later firmware changed"
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
         if field.name in types:
             text = f"'{field.name}' is the name of a type"

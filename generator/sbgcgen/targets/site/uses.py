@@ -125,6 +125,9 @@ def _of_message(message: Message, found: References) -> None:
             found.of_type(type_.name, use)
         if row.field.alternative:
             found.of_type(row.field.alternative.quantity.name, use)
+        for later in row.field.later:
+            if isinstance(later.type, (Enum, Packed, Quantity)):
+                found.of_type(later.type.name, use)
 
 
 def _kind(type_: Enum | Packed | Quantity) -> str:
@@ -161,6 +164,8 @@ def availability_of_types(layout: Layout) -> dict[str, Availability]:
             add(row.field.type, since)
             if row.field.alternative:
                 add(row.field.alternative.quantity, since)
+            for later in row.field.later:
+                add(later.type, since.later(later.since))
         for context in message.contexts:
             add(context.type, message.since)
     for variable in layout.variables:

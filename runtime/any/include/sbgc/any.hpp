@@ -116,8 +116,8 @@ class AnyMessage {
 
   /// Calls `use(const Leaf&)` for every value, in wire order, as for_each_leaf().
   template <class Use>
-  void for_each_leaf(Use&& use) const {
-    detail::LeafWalk walk(detail::call_user<std::remove_reference_t<Use>>, &use);
+  void for_each_leaf(Use&& use, const Availability& versions = {}) const {
+    detail::LeafWalk walk(detail::call_user<std::remove_reference_t<Use>>, &use, versions);
     type_->operations->leaves(memory_.get(), walk);
   }
   /// Calls `report(const Violation&)` for every value that a board with these versions does not
@@ -131,22 +131,25 @@ class AnyMessage {
   /// Calls `use(const Leaf&)` for the value at a path, such as "params[3].param_id". Returns false
   /// if the message has none.
   template <class Use>
-  bool with_leaf(std::string_view path, Use&& use) const {
+  bool with_leaf(std::string_view path, Use&& use, const Availability& versions = {}) const {
     bool is_found = false;
-    for_each_leaf([&](const Leaf& leaf) {
+    auto use_it = [&](const Leaf& leaf) {
       if (is_found || sbgc::to_string(leaf.path) != path) return;
       is_found = true;
       use(leaf);
-    });
+    };
+    for_each_leaf(use_it, versions);
     return is_found;
   }
   /// Sets the field at a path to a value as people write it: "-30deg", "MODE_ANGLE", "raw:-1365";
   /// see <sbgc/value_text.hpp>. Axes and lists take elements with commas between them, axes also
   /// one value for all. Adds the field, or the elements of a list, if they are missing. Returns why
   /// that is not possible or not allowed by the specification, and leaves the message as it was; ""
-  /// if it is done. With `validates` false, also sets what the specification does not allow.
+  /// if it is done. With `validates` false, also sets what the specification does not allow. The
+  /// value means what it does on a board with these versions, without them the usual.
   /// Pointers that get_if() has returned become invalid.
-  std::string assign(std::string_view path, std::string_view text, bool validates = true);
+  std::string assign(std::string_view path, std::string_view text, bool validates = true,
+                     const Availability& versions = {});
 
   /// True if the message has a value at a path or below it.
   bool has(std::string_view path) const;
@@ -179,7 +182,8 @@ class AnyMessage {
 
  private:
   bool set(std::string_view path, const AnyValue* value);
-  std::string assign(const FieldType& type, const std::string& path, std::string_view text);
+  std::string assign(const FieldType& type, const std::string& path, std::string_view text,
+                     const Availability& versions);
 
   const void* value() const noexcept { return memory_.get(); }
   void* value() noexcept { return memory_.get(); }

@@ -58,13 +58,15 @@ Result<const VariableInfo*> find_variable(std::string_view name) {
                                                        similar_names(name))};
 }
 
-double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept {
-  return variable.unit.real(raw);
+double variable_value(const VariableInfo& variable, std::int32_t raw,
+                      const Availability& versions) noexcept {
+  return variable.unit_in(versions).real(raw);
 }
 
-Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
-  const double raw = std::round((value - variable.unit.offset) * variable.unit.denominator /
-                                variable.unit.numerator);
+Result<std::int32_t> variable_raw(const VariableInfo& variable, double value,
+                                  const Availability& versions) {
+  const UnitInfo unit = variable.unit_in(versions);
+  const double raw = std::round(unit.raw(value));
   // Written so that NaN fails as well.
   if (raw >= variable.range.lowest && raw <= variable.range.highest) {
     return static_cast<std::int32_t>(raw);
@@ -77,7 +79,7 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
                           .value = raw,
                           .limit = is_high ? variable.range.highest : variable.range.lowest,
                           .rule = is_high ? Rule::maximum : Rule::minimum,
-                          .unit = &variable.unit})};
+                          .unit = &unit})};
 }
 
 namespace tasks {
@@ -147,6 +149,7 @@ Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) 
     if (!found) co_return found.error();
     wanted.push_back(*found);
   }
+  const Availability versions = (co_await this_task()).identity().versions();
   std::vector<double> result;
   while (result.size() < wanted.size()) {
     const std::span<const VariableInfo* const> rest(
@@ -157,7 +160,7 @@ Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) 
     const Result<std::vector<std::int32_t>> values = co_await get_raw(std::move(ids));
     if (!values) co_return values.error();
     for (std::size_t i = 0; i < part.size(); ++i) {
-      result.push_back(variable_value(*part[i], (*values)[i]));
+      result.push_back(variable_value(*part[i], (*values)[i], versions));
     }
   }
   co_return result;
@@ -172,11 +175,12 @@ Task<Result<double>> get_variable(std::string name) {
 }
 
 Task<Result<void>> set_variables(std::vector<VariableValue> values) {
+  const Availability versions = (co_await this_task()).identity().versions();
   std::vector<msg::AdjVarValue> wanted;
   for (const VariableValue& value : values) {
     const Result<const VariableInfo*> found = find_variable(value.name);
     if (!found) co_return found.error();
-    const Result<std::int32_t> raw = variable_raw(**found, value.value);
+    const Result<std::int32_t> raw = variable_raw(**found, value.value, versions);
     if (!raw) co_return raw.error();
     wanted.push_back({(*found)->id, *raw});
   }

@@ -51,7 +51,7 @@ class Writing {
  private:
   /// Reads the current parameters and checks everything that can be checked in advance.
   Task<Result<void>> prepare() {
-    const Availability versions = task_.identity().versions();
+    const Availability versions = this->versions();
     for (const Parameters& block : wanted_.all()) {
       report_.parameters.push_back({block.id, ParametersState::unwritten, {}, {}});
       steps_.push_back({detail::find_parameters_kind(block.id.message), {}, {}});
@@ -79,7 +79,8 @@ class Writing {
       if (detail::are_equal(*step.kind, step.before, step.wanted)) {
         report_.parameters[i].state = ParametersState::equal;
       }
-      report_.parameters[i].wanted = detail::field_changes(*step.kind, step.before, step.wanted);
+      report_.parameters[i].wanted =
+          detail::field_changes(*step.kind, step.before, step.wanted, versions, versions);
     }
     co_return options_.validate ? validate(versions) : Result<void>();
   }
@@ -119,6 +120,8 @@ class Writing {
     return ClientError{ErrorCode::invalid, problems};
   }
 
+  Availability versions() const { return task_.identity().versions(); }
+
   /// Returns the general parameters in which a block differs from the first block of its kind, each
   /// after a `separator`.
   std::string contradiction(std::size_t index, std::string_view separator) const {
@@ -127,7 +130,8 @@ class Writing {
     const ParametersId& other =
         report_.parameters[static_cast<std::size_t>(first - steps_.begin())].id;
     std::string result;
-    for (const auto& field : detail::general_changes(*step.kind, first->wanted, step.wanted)) {
+    for (const auto& field :
+         detail::general_changes(*step.kind, first->wanted, step.wanted, versions())) {
       if (is_kept_apart(*first, field.path)) continue;
       result += fmt::format("{}{}, {}: {} is wanted, but {} in {}; the board has only one value",
                             separator, to_text(report_.parameters[index].id), field.path,
@@ -141,7 +145,8 @@ class Writing {
   bool is_kept_apart(const Step& first, std::string_view path) const {
     return std::ranges::any_of(steps_, [&](const Step& step) {
       if (step.kind != first.kind) return false;
-      const auto fields = detail::general_changes(*step.kind, first.before, step.before);
+      const auto fields =
+          detail::general_changes(*step.kind, first.before, step.before, versions());
       return std::ranges::find(fields, path, &FieldChange::path) != fields.end();
     });
   }
@@ -165,7 +170,7 @@ class Writing {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const auto changes_it = [&](const Step& sent) {
         return sent.kind == steps_[i].kind && &sent != &steps_[i] &&
-               !detail::general_changes(*sent.kind, sent.before, sent.wanted).empty();
+               !detail::general_changes(*sent.kind, sent.before, sent.wanted, versions()).empty();
       };
       if (!std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(end),
                        changes_it)) {
@@ -219,7 +224,8 @@ class Writing {
       block.state = ParametersState::different;
     }
     if (block.state == ParametersState::different || block.state == ParametersState::unwritten) {
-      block.deviation = detail::field_changes(*step.kind, step.wanted, present->body);
+      block.deviation =
+          detail::field_changes(*step.kind, step.wanted, present->body, versions(), versions());
     }
     co_return Result<void>();
   }

@@ -30,15 +30,19 @@ inline constexpr int codec_version = 3;
 /// a frame.
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
-/// The first firmware and board versions that have a feature, encoded as in VersionTypes; 0: all.
+/// The first firmware and board versions that have something, encoded as in VersionTypes (0: all),
+/// and what else it needs. Of a board: its versions, and what it lacks; so a board of which only
+/// the versions are known lacks nothing.
 struct Availability {
   std::uint16_t firmware{};
   std::uint8_t board{};
+  std::uint64_t features{};  ///< masks of `features` in <sbgc/meta/enums.hpp>
 };
 
-/// Returns true if a board with these versions has a feature that exists since `since`.
+/// Returns true if a board with these versions has what exists since `since`.
 constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
-  return since.firmware <= versions.firmware && since.board <= versions.board;
+  return since.firmware <= versions.firmware && since.board <= versions.board &&
+         (since.features & versions.features) == 0;
 }
 
 /// A generated message.

@@ -115,7 +115,7 @@ inline std::string explain(const Status& status, Direction direction, std::uint8
 }
 
 /// Returns why a board with these versions does not know the message, such as "needs firmware
-/// 2.66"; "" if it does.
+/// 2.66" or "needs EXT_MOTORS"; "" if it does.
 inline std::string objection_to(const MessageInfo& info, const Availability& versions) {
   const auto firmware = [](std::uint16_t version) {
     return to_string(msg::FirmwareVersion(version));
@@ -128,6 +128,9 @@ inline std::string objection_to(const MessageInfo& info, const Availability& ver
   }
   if (info.since.board > versions.board) {
     return "needs board " + to_string(msg::BoardVersion(info.since.board));
+  }
+  if ((info.since.features & versions.features) != 0) {
+    return "needs " + feature_names(info.since.features);
   }
   return "";
 }

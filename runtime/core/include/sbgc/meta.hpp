@@ -7,6 +7,7 @@
 #include <span>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/exponential.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/flags.hpp>
 #include <sbgc/type_list.hpp>
@@ -26,6 +27,13 @@ struct ValueInfo {
   const char* summary = "";
   Availability since{};
   bool unconfirmed{};  ///< from a single source, or contradicted by another
+};
+
+/// Something that only some boards have: a flag of what they report, and its mask in an
+/// Availability.
+struct FeatureInfo {
+  const char* name = "";
+  std::uint64_t mask{};
 };
 
 /// An enum or a flag set.
@@ -67,22 +75,53 @@ struct Range {
   double highest{};
 };
 
-/// The unit and scale of a raw value.
+/// The unit and scale of a raw value: real value = raw * numerator / denominator + offset. With a
+/// `growth`, growth^raw takes the place of raw.
 struct UnitInfo {
   const char* name = "";  ///< "deg"; "" for a number without a unit
   double numerator = 1;
   double denominator = 1;
   double offset{};
+  double growth{};
 
   /// Returns the value in the unit.
   constexpr double real(double raw) const noexcept {
-    return raw * numerator / denominator + offset;
+    const bool is_linear = growth == 0;
+    const double steps = is_linear ? raw : detail::power(growth, static_cast<std::int64_t>(raw));
+    return steps * numerator / denominator + offset;
+  }
+  /// Returns the raw value of a value in the unit: exactly, or with a `growth` the nearest integer.
+  constexpr double raw(double real) const noexcept {
+    const double steps = (real - offset) * denominator / numerator;
+    if (growth == 0) return steps;
+    return static_cast<double>(detail::nearest_exponent(growth, steps));
   }
   /// Returns true if the value equals the raw value and has no unit.
   constexpr bool is_plain() const noexcept {
-    return *name == '\0' && numerator == denominator && offset == 0;
+    return *name == '\0' && numerator == denominator && offset == 0 && growth == 0;
   }
 };
+
+/// What a field means from a firmware on. At most one of unit, names and packed is set.
+struct LaterMeaning {
+  Availability since{};
+  const UnitInfo* unit{};
+  const EnumInfo* names{};
+  const PackedInfo* packed{};
+  const Range* range{};  ///< null: that of the field
+  const char* summary = "";
+};
+
+/// Returns what a field means on a board with these versions; null if that is its usual meaning,
+/// which it has before the first of `later`.
+constexpr const LaterMeaning* meaning_in(std::span<const LaterMeaning> later,
+                                         const Availability& versions) noexcept {
+  const LaterMeaning* found = nullptr;
+  for (const LaterMeaning& one : later) {
+    if (is_available(one.since, versions)) found = &one;
+  }
+  return found;
+}
 
 /// An alternative unit of a raw value, in effect if the field `of` of the message has the bits
 /// `mask`. If that field has one element per axis, the one for the axis of the value counts.
@@ -110,6 +149,14 @@ struct VariableInfo {
   Range range{};
   UnitInfo unit{};
   Directed directed{};
+  std::span<const LaterMeaning> later{};
+
+  /// Returns the unit on a board with these versions.
+  constexpr UnitInfo unit_in(const Availability& versions) const noexcept {
+    const LaterMeaning* const found = meaning_in(later, versions);
+    if (found == nullptr) return unit;
+    return found->unit != nullptr ? *found->unit : UnitInfo{};
+  }
 };
 
 /// The role of a field in a message that holds parameters.
@@ -139,6 +186,7 @@ struct FieldInfo {
   Availability since{};
   bool unconfirmed{};  ///< from a single source, or contradicted by another
   const AlternativeUnit* alternative{};
+  std::span<const LaterMeaning> later{};  ///< the first one first
 };
 
 using Effects = Flags<Effect>;

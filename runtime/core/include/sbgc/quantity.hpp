@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <sbgc/detail/compiler.hpp>
+#include <sbgc/detail/exponential.hpp>
 
 namespace sbgc {
 namespace detail {
@@ -59,7 +60,13 @@ constexpr double ratio(std::int64_t numerator, std::int64_t denominator) noexcep
   return static_cast<double>(numerator) / static_cast<double>(denominator);
 }
 
-/// The base of all quantities: real value = raw * numerator / denominator + offset, in `Unit`.
+template <class Self>
+concept Exponential = requires {
+  Self::growth;
+};
+
+/// The base of all quantities: real value = raw * numerator / denominator + offset, in `Unit`. If
+/// Self has a `growth`, growth^raw takes the place of raw.
 template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
   requires std::integral<Raw> || std::floating_point<Raw>
@@ -84,14 +91,23 @@ class Quantity {
   constexpr Raw raw() const noexcept { return raw_; }
   /// Returns the physical value in the quantity's unit.
   constexpr double real() const noexcept {
-    return static_cast<double>(raw_) * static_cast<double>(numerator) /
-               static_cast<double>(denominator) +
+    const auto steps = [&] {
+      if constexpr (Exponential<Self>) {
+        return power(Self::growth, raw_);
+      } else {
+        return static_cast<double>(raw_);
+      }
+    }();
+    return steps * static_cast<double>(numerator) / static_cast<double>(denominator) +
            ratio(offset_numerator, offset_denominator);
   }
   /// Returns the quantity nearest to a physical value.
   static constexpr Conversion<Self> from_real(double value) noexcept {
-    const double exact = (value - ratio(offset_numerator, offset_denominator)) *
-                         static_cast<double>(denominator) / static_cast<double>(numerator);
+    double exact = (value - ratio(offset_numerator, offset_denominator)) *
+                   static_cast<double>(denominator) / static_cast<double>(numerator);
+    if constexpr (Exponential<Self>) {
+      exact = static_cast<double>(nearest_exponent(Self::growth, exact));
+    }
     constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
     constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
     // Written so that NaN also fails.

@@ -133,6 +133,16 @@ inline void put_version(TextOutput& out, double version) {
 
 }  // namespace detail
 
+/// Returns the names of features in an Availability: "EXT_MOTORS".
+inline std::string feature_names(std::uint64_t mask) {
+  std::string result;
+  for (const FeatureInfo& feature : features) {
+    if (feature.mask == 0 || (mask & feature.mask) != feature.mask) continue;
+    result += (result.empty() ? "" : ", ") + std::string(feature.name);
+  }
+  return result;
+}
+
 /// Writes the predicate of a sentence about the value: "is above 720 deg".
 inline void put_violation(TextOutput& out, const Violation& violation) {
   const bool is_below = violation.value < violation.limit;
@@ -157,6 +167,9 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
     case Rule::board:
       out.put("needs board ");
       return detail::put_version<VersionTypes::Board>(out, violation.limit);
+    case Rule::feature:
+      out.put("needs ");
+      return out.put(feature_names(static_cast<std::uint64_t>(violation.limit)));
   }
 }
 inline std::string violation_text(const Violation& violation) {
@@ -169,7 +182,8 @@ inline std::string to_string(const Violation& violation) {
       [&](TextOutput& out) { detail::put_limit(out, violation.value, violation.unit); });
   if (violation.named != nullptr) value = violation.named->name;
   if (violation.rule == Rule::count) value += violation.value == 1 ? " element" : " elements";
-  const bool is_of_version = violation.rule == Rule::firmware || violation.rule == Rule::board;
+  const bool is_of_version = violation.rule == Rule::firmware || violation.rule == Rule::board ||
+                             violation.rule == Rule::feature;
   if (is_of_version && violation.named == nullptr && violation.value == 0) {
     return to_string(violation.path) + ": " + violation_text(violation);  // that it is present
   }

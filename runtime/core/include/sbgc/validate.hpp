@@ -12,7 +12,7 @@
 
 namespace sbgc {
 
-/// Versions that support everything.
+/// Versions that support everything, on a board that lacks nothing.
 inline constexpr Availability newest{0xFFFF, 0xFF};
 
 namespace detail {

@@ -17,6 +17,7 @@ enum class Rule : std::uint8_t {
   order,      ///< above the field `other`, which is `limit`, or equal to it
   firmware,   ///< exists only since firmware version `limit`, such as 2590
   board,      ///< exists only since board version `limit`, such as 30
+  feature,    ///< exists only on boards with the feature whose mask is `limit`
 };
 
 /// Returns the name of a rule, e.g. "minimum".
@@ -29,6 +30,7 @@ constexpr const char* name(Rule rule) noexcept {
     case Rule::order: return "order";
     case Rule::firmware: return "firmware";
     case Rule::board: return "board";
+    case Rule::feature: return "feature";
   }
   return "unknown_rule";
 }

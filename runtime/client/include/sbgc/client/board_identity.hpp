@@ -14,7 +14,12 @@ struct BoardIdentity {
   msg::BoardInfo info{};
   std::optional<msg::BoardInfo3> details{};  ///< only of boards that have serial numbers
 
-  constexpr Availability versions() const noexcept { return versions_of(info); }
+  /// Its versions, and which features it lacks.
+  constexpr Availability versions() const noexcept {
+    Availability result = versions_of(info);
+    if (details) result.features |= lacking_features(*details);
+    return result;
+  }
   bool has(msg::BoardFeature feature) const noexcept { return info.board_features.has(feature); }
   /// For example "2.59" or "2.43b9".
   std::string firmware_version() const;

@@ -130,8 +130,11 @@ struct ParametersChange {
 };
 
 /// Returns the differences of two sets, field by field, in the order of `before`. Ignores fields
-/// that hold state of the board, such as the active profile.
-std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after);
+/// that hold state of the board, such as the active profile. Values mean what they do on boards
+/// with these versions, of which each set is; without them the usual.
+std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after,
+                                   const Availability& versions_before = {},
+                                   const Availability& versions_after = {});
 
 /// For people: a heading per block, a line per field; "" if there are no changes.
 std::string to_text(const std::vector<ParametersChange>& changes);

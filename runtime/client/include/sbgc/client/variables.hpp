@@ -28,12 +28,14 @@ struct VariableValue {
 /// similar names if there is none.
 Result<const VariableInfo*> find_variable(std::string_view name);
 
-/// Converts a raw value to the unit of the variable.
-double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept;
+/// Converts a raw value to the unit of the variable on a board with these versions.
+double variable_value(const VariableInfo& variable, std::int32_t raw,
+                      const Availability& versions = {}) noexcept;
 
 /// Converts a value to the nearest raw value. Fails with ErrorCode::invalid, and reports the range,
 /// if the variable cannot hold it.
-Result<std::int32_t> variable_raw(const VariableInfo& variable, double value);
+Result<std::int32_t> variable_raw(const VariableInfo& variable, double value,
+                                  const Availability& versions = {});
 
 namespace tasks {
 

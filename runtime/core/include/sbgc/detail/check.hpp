@@ -55,7 +55,11 @@ class Check {
   template <class T>
   SBGC_ALWAYS_INLINE constexpr void variable(T value, const VariableInfo& variable,
                                              const Place& place) {
-    in_range(static_cast<double>(value), variable.range, place, &variable.unit);
+    if (variable.later.empty() || is_silent) {
+      return in_range(static_cast<double>(value), variable.range, place, &variable.unit);
+    }
+    const UnitInfo unit = variable.unit_in(known_versions());
+    in_range(static_cast<double>(value), variable.range, place, &unit);
   }
   SBGC_ALWAYS_INLINE constexpr void counter(const Counter& counter, const Place& place) {
     limited(counter.count, place);
@@ -164,7 +168,8 @@ class Check {
     failures_ = 1;
     const FieldInfo& field = place.field;
     const bool has_unit = field.alternative == nullptr && breach.rule != Rule::count;
-    const UnitInfo* const unit = has_unit ? field.unit : nullptr;
+    const LaterMeaning* const later = meaning_in(field.later, known_versions());
+    const UnitInfo* const unit = !has_unit ? nullptr : later != nullptr ? later->unit : field.unit;
     report_(Violation{place.path, field, breach.value, breach.limit, breach.rule,
                       breach.unit != nullptr ? breach.unit : unit, breach.named, breach.other});
   }
@@ -175,6 +180,8 @@ class Check {
             {value, static_cast<double>(since.firmware), Rule::firmware, nullptr, named});
     require(is_absent || since.board <= versions_.board, place,
             {value, static_cast<double>(since.board), Rule::board, nullptr, named});
+    require(is_absent || (since.features & versions_.features) == 0, place,
+            {value, static_cast<double>(since.features), Rule::feature, nullptr, named});
   }
   SBGC_ALWAYS_INLINE constexpr void counted(std::size_t size, const Place& place) {
     const auto value = static_cast<double>(size);
@@ -205,7 +212,12 @@ class Check {
   SBGC_ALWAYS_INLINE constexpr void limited(Raw raw, const Place& place) {
     exists(place.field.since, raw == 0, static_cast<double>(raw), place);
     if constexpr (std::is_integral_v<Raw>) aligned(raw, place);
-    if (place.field.range != nullptr) in_range(raw, *place.field.range, place);
+    const Range* range = place.field.range;
+    if (!place.field.later.empty()) {
+      const LaterMeaning* const later = meaning_in(place.field.later, versions_);
+      if (later != nullptr && later->range != nullptr) range = later->range;
+    }
+    if (range != nullptr) in_range(raw, *range, place);
   }
   template <class Raw>
   SBGC_NOINLINE constexpr void limited_apart(Raw raw, const Place& place) {
@@ -258,12 +270,18 @@ class Check {
   template <class T>
   SBGC_ALWAYS_INLINE constexpr void names(const T& value, const Place& place) {
     constexpr Availability needed = has_all_values_of<T>;
-    if constexpr (needed.firmware != 0 || needed.board != 0) {
+    if constexpr (needed.firmware != 0 || needed.board != 0 || needed.features != 0) {
       if (is_available(needed, versions_)) return;
       for_each_name(value, [&](const ValueInfo& known, std::int64_t raw) {
         exists(known.since, false, static_cast<double>(raw), place, &known);
       });
     }
+  }
+
+  /// The versions of the board; none if it is any, whose values are in their usual units.
+  constexpr Availability known_versions() const noexcept {
+    return versions_.firmware == std::numeric_limits<std::uint16_t>::max() ? Availability{}
+                                                                           : versions_;
   }
 
   Availability versions_;

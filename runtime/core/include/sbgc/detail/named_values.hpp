@@ -13,6 +13,7 @@ constexpr void be_at_least(Availability& versions, const EnumInfo& info) noexcep
   for (const ValueInfo& value : info.values) {
     if (value.since.firmware > versions.firmware) versions.firmware = value.since.firmware;
     if (value.since.board > versions.board) versions.board = value.since.board;
+    versions.features |= value.since.features;
   }
 }
 
@@ -23,7 +24,8 @@ inline constexpr bool has_named_values = std::is_enum_v<T> || requires {
 }
 || requires { PackedMeta<T>::info; };
 
-/// The first versions that have every named value of an enum, flag set or packed value.
+/// The first versions, and the features of boards, that have every named value of an enum, flag set
+/// or packed value.
 template <class T>
 inline constexpr Availability has_all_values_of = [] {
   Availability versions{};

@@ -35,6 +35,8 @@ struct Leaf {
   const EnumInfo* names{};     ///< of enum values or flags
   const PackedInfo* packed{};  ///< of a packed value
   NumberType announced{};      ///< of a number whose type another message has announced
+  /// Set if the firmware is not known: the meaning is that before this one.
+  const LaterMeaning* assumed_before{};
   // The position in the body.
   std::size_t offset{};
   std::size_t size{};
@@ -85,10 +87,9 @@ inline const char* special_meaning(const Leaf& leaf) {
   return nullptr;
 }
 
-/// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
-/// profile"; nothing if the number itself is the meaning.
-inline void put_meaning(TextOutput& out, const Leaf& leaf) {
-  if (const char* const special = special_meaning(leaf)) return out.put(special);
+namespace detail {
+
+inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
   if (leaf.unit != nullptr) {
     if (leaf.unit->is_plain()) return;
     const double raw = leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
@@ -102,6 +103,31 @@ inline void put_meaning(TextOutput& out, const Leaf& leaf) {
   } else if (leaf.announced != NumberType::none) {
     out.put(name(leaf.announced));
   }
+}
+
+}  // namespace detail
+
+/// Returns what the meaning assumes about the board: "before firmware 2.73.1"; "" if nothing.
+inline std::string assumption_text(const Leaf& leaf) {
+  if (leaf.assumed_before == nullptr) return "";
+  return "before firmware " + detail::packed_text(PackedMeta<VersionTypes::Firmware>::info,
+                                                  leaf.assumed_before->since.firmware);
+}
+
+/// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
+/// profile"; nothing if the number itself is the meaning. A meaning that depends on the firmware,
+/// if that is not known, is followed by what it assumes: "0.12 (before firmware 2.73.1)".
+inline void put_meaning(TextOutput& out, const Leaf& leaf) {
+  if (const char* const special = special_meaning(leaf)) return out.put(special);
+  if (leaf.assumed_before == nullptr) return detail::put_certain_meaning(out, leaf);
+  Leaf certain = leaf;
+  certain.assumed_before = nullptr;
+  const std::string meaning =
+      detail::text_of([&](TextOutput& text) { detail::put_certain_meaning(text, certain); });
+  out.put(meaning.empty() ? raw_text(leaf) : meaning);
+  out.put(" (");
+  out.put(assumption_text(leaf));
+  out.put(')');
 }
 inline std::string meaning_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_meaning(out, leaf); });
@@ -136,7 +162,8 @@ class LeafWalk {
   using Place = PathPlace;
   static constexpr bool is_inlined = false;
 
-  LeafWalk(Use use, void* user) : use_(use), user_(user) {}
+  LeafWalk(Use use, void* user, const Availability& versions = {})
+      : use_(use), user_(user), versions_(versions) {}
 
   template <class T>
   SBGC_NOINLINE void members(const T& value, const FieldPath* parent) {
@@ -149,6 +176,8 @@ class LeafWalk {
   SBGC_NOINLINE void scalar(const T& value, const Place& place) {
     using Raw = RawOf<T>;
     ScalarInfo info = scalar_info<T>();
+    const LaterMeaning* assumed = nullptr;
+    if (!place.field.later.empty()) assumed = change(info, place.field.later);
     if (info.unit != nullptr) info.unit = unit_in_force(*info.unit, place);
     if constexpr (std::is_floating_point_v<Raw>) {
       add({.path = place.path,
@@ -156,15 +185,19 @@ class LeafWalk {
            .kind = LeafKind::real,
            .real = static_cast<double>(raw_of(value)),
            .unit = info.unit,
+           .assumed_before = assumed,
            .size = wire_size<T>});
     } else {
       integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, info,
-              std::is_same_v<Raw, std::uint64_t>);
+              std::is_same_v<Raw, std::uint64_t>, assumed);
     }
   }
   template <class T>
   void variable(T value, const VariableInfo& variable, const Place& place) {
-    integer(static_cast<std::int64_t>(value), place, wire_size<T>, {.unit = &variable.unit}, false);
+    ScalarInfo info{.unit = &variable.unit};
+    const LaterMeaning* assumed = nullptr;
+    if (!variable.later.empty()) assumed = change(info, variable.later);
+    integer(static_cast<std::int64_t>(value), place, wire_size<T>, info, false, assumed);
   }
   void counter(const Counter& counter, const Place& place) {
     add({.path = place.path,
@@ -223,7 +256,7 @@ class LeafWalk {
 
  private:
   void integer(std::int64_t raw, const Place& place, std::size_t size, const ScalarInfo& info,
-               bool is_u64) {
+               bool is_u64, const LaterMeaning* assumed_before) {
     // Only a flag set or a packed value can select the unit of a later value.
     if (info.names != nullptr || info.packed != nullptr) remember(raw, place.path);
     add({.path = place.path,
@@ -234,7 +267,18 @@ class LeafWalk {
          .unit = info.unit,
          .names = info.names,
          .packed = info.packed,
+         .assumed_before = assumed_before,
          .size = size});
+  }
+  /// Changes what a value means to what it does on the board. Returns the meaning before which that
+  /// is, if the firmware is not known.
+  SBGC_NOINLINE const LaterMeaning* change(ScalarInfo& info,
+                                           std::span<const LaterMeaning> later) const {
+    if (versions_.firmware == 0) return &later.front();
+    if (const LaterMeaning* const found = meaning_in(later, versions_)) {
+      info = {found->unit, found->names, found->packed};
+    }
+    return nullptr;
   }
   void add(Leaf leaf) {
     leaf.offset = offset_;
@@ -280,6 +324,7 @@ class LeafWalk {
 
   Use use_;
   void* user_;
+  Availability versions_;
   std::vector<UnitSource> numbers_;
   std::size_t offset_ = 0;  // in the body
 };
@@ -292,10 +337,11 @@ void call_user(void* user, const Leaf& leaf) {
 }  // namespace detail
 
 /// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. Skips missing
-/// members and an empty tail.
+/// members and an empty tail. Values mean what they do on a board with these versions; without them
+/// the usual, and Leaf::assumed_before says where later firmware differs.
 template <class T, class User>
-void for_each_leaf(const T& message, User&& use) {
-  detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use);
+void for_each_leaf(const T& message, User&& use, const Availability& versions = {}) {
+  detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use, versions);
   walk.members(message, nullptr);
 }
 
