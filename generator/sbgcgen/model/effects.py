@@ -17,6 +17,7 @@ EFFECTS: dict[str, str] = {
     "moves": "Moves: the camera can move, or the motors gain or lose power.",
     "restarts": "Restarts the board: the motors lose power until it is up again.",
     "erases": "Erases stored data.",
+    "disconnects": "Disconnects: the line no longer carries the protocol; how to end that is unknown.",
     "unknown": "Unknown: the specification does not describe the command.",
 }
 

@@ -307,6 +307,7 @@ class FieldResolver:
             default=self._default(node, type_, text),
             constant="constant" in node,
             fits="fits" in node,
+            secret="secret" in node,
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             directions=directions,
