@@ -83,8 +83,9 @@ class ValueRows {
  public:
   /// Replaces the rows by those of a message, without reserved values that are 0.
   template <class M>
-  void assign(const M& message, const Availability& versions) {
+  void assign(const M& message, const Availability& versions, Secrets secrets = Secrets::hidden) {
     begin(Meta<M>::info);
+    secrets_ = secrets;
     StringOutput out(text_);
     for_each_leaf(message, Adder{*this, out});
     out.finish();
@@ -115,6 +116,7 @@ class ValueRows {
   std::unordered_map<const MessageInfo*, std::vector<Row>> rows_of_messages_;
   std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
   std::size_t size_ = 0;
+  Secrets secrets_{};
   std::size_t objected_ = 0;  // the last row that has an objection
   std::string text_;
 };
