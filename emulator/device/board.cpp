@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -198,12 +200,28 @@ class Board::Core {
 
   void carry_out_next(std::size_t port, Instant now) {
     const QueuedRequest request = device.ports.take(port);
+    if (device.ports.is_locked(port) && !unlocks(port, request)) {
+      return device.ports.report(port, {request.id, request.body}, Reaction::locked);
+    }
     device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
     const Reaction reaction = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
     if (reaction == Reaction::refused) ++counters.refused;
     if (reaction == Reaction::unknown || reaction == Reaction::malformed) ++counters.unknown;
     device.ports.report(port, {request.id, request.body}, reaction);
+  }
+
+  /// Unlocks the port if the request has the password.
+  bool unlocks(std::size_t port, const QueuedRequest& request) {
+    msg::BoardInfoRequestExt opening;
+    if (request.id != static_cast<std::uint8_t>(opening.command) ||
+        !decode(std::span(request.body), opening) || !opening.password) {
+      return false;
+    }
+    const std::string_view given(opening.password->data(), opening.password->size());
+    if (given != device.options.password) return false;
+    device.ports.unlock(port);
+    return true;
   }
 
   /// True if this board supports any request with this id.

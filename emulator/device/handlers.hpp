@@ -159,7 +159,7 @@ Reaction handle(RequestContext&, const msg::BootMode3Ext&, Restarts&);
 Reaction handle(RequestContext&, const msg::ReadStateVarsRequest&, StateVariables&, Gimbal&);
 Reaction handle(RequestContext&, const msg::WriteStateVars&, StateVariables&, Memory&);
 Reaction handle(RequestContext&, const msg::PassProtectReadRequest&, const Memory&);
-Reaction handle(RequestContext&, const msg::PassProtectWrite&, Memory&);
+Reaction handle(RequestContext&, const msg::PassProtectWrite&, Memory&, BoardOptions&);
 Reaction handle(RequestContext&, const msg::SignMessageRequest&, const BoardOptions&);
 
 }  // namespace sbgc::emulator

@@ -19,7 +19,8 @@ Ports::Ports(const BoardOptions& options)
     : input_limit_(std::min(limit(options.input_buffer), max_input)),
       output_limit_(limit(options.output_buffer)),
       newest_framing_(newest_framing({options.firmware.raw(), options.board.raw()})),
-      holds_(options.waits_for_saving) {}
+      holds_(options.waits_for_saving),
+      has_password_(!options.password.empty()) {}
 
 std::optional<std::size_t> Ports::open(bool is_usb) {
   for (std::size_t port = 0; port < ports_.size(); ++port) {
@@ -54,7 +55,7 @@ void Ports::report(std::size_t port, const Frame& frame, std::optional<Reaction>
 }
 
 void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
-  if (!is_open(port) || is_silent_) return;
+  if (!is_open(port) || is_silent_ || is_locked(port)) return;
   Port& to = ports_[port];
   if (to.output_size() > output_limit_ && to.output_size() - output_limit_ > max_overflow) {
     ++counters.skipped;
@@ -176,6 +177,7 @@ void Ports::forget_input(Port& port) {
   port.requests_size = 0;
   port.parser.reset();
   port.framing = basic_framing;
+  port.is_unlocked = false;
 }
 
 std::span<const std::uint8_t> Ports::output(std::size_t port) const {

@@ -85,6 +85,11 @@ class Ports {
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
   /// True if a frame has started but is not complete.
   bool is_in_frame(std::size_t port) const;
+
+  /// A port that wants a password is locked until unlock(), and again once it is closed or the
+  /// board restarts. Nothing is sent to it.
+  bool is_locked(std::size_t port) const { return has_password_ && !ports_[port].is_unlocked; }
+  void unlock(std::size_t port) { ports_[port].is_unlocked = true; }
   /// Drops the partial frame, because the line was idle.
   void drop_frame(std::size_t port, bool is_listening);
   /// True if a request is queued and pending output does not block it.
@@ -125,7 +130,7 @@ class Ports {
   };
 
   struct Port {
-    bool is_open{}, is_usb{}, has_ended{};
+    bool is_open{}, is_usb{}, has_ended{}, is_unlocked{};
     BasicParser<AnyFrameFormats> parser{};
     Framing framing = basic_framing;
     std::deque<QueuedRequest> requests{};
@@ -149,6 +154,7 @@ class Ports {
   Framing newest_framing_{};
   bool holds_{};
   bool is_silent_{};
+  bool has_password_{};
 };
 
 }  // namespace sbgc::emulator

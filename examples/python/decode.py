@@ -104,7 +104,15 @@ class Decoder:
             when = facts.get("when")
             if when and not self.holds(when, levels):
                 continue
-            if facts.get("fits"):
+            if facts.get("fits") and node.get("type") == "string":
+                size = len(body.left) - 1  # all that is left, or nothing
+                if (
+                    not 0 < size <= node["max_length"]
+                    or body.left[0] != size
+                    or min(body.left[1:]) < 32
+                ):
+                    continue
+            elif facts.get("fits"):
                 if "" not in self.context:
                     continue
             elif facts.get("may_be_missing") and not path and not body.left:

@@ -144,5 +144,33 @@ TEST(AnyMessage, EveryValueIsAssignedFromItsOwnText) {
   EXPECT_GT(assigned, 5000U);
 }
 
+TEST(AnyMessage, KnowsWhetherItHoldsASecret) {
+  AnyMessage message = find_message("BoardInfoRequestExt")->make();
+  EXPECT_FALSE(message.holds_secret());
+  EXPECT_EQ(message.assign("password", "sesame"), "");
+  EXPECT_TRUE(message.holds_secret());
+  EXPECT_EQ(message.to_json().find("sesame"), std::string::npos);
+  EXPECT_NE(message.to_json(Secrets::shown).find("sesame"), std::string::npos);
+  EXPECT_EQ(to_string(message).find("sesame"), std::string::npos);
+
+  const auto holds = [](std::uint8_t id, const ByteVector& body) {
+    return holds_secret(Direction::to_board, id, body);
+  };
+  EXPECT_TRUE(holds(86, {0, 0, 3, 'a', 'b', 'c'}));
+  // A request for the version may have any body: only a text that is all that is left is one.
+  for (const ByteVector& other : {ByteVector{},
+                                  {0, 0},
+                                  {0, 0, 0},
+                                  {0, 0, 4, 'a', 'b', 'c'},
+                                  {0, 0, 2, 'a', 'b', 'c'},
+                                  {0, 1, 2, 3, 4}}) {
+    EXPECT_FALSE(holds(86, other));
+  }
+  EXPECT_TRUE(holds(137, {0, 0, 0, 0, 0, 0, 0, 0, 1, 'a'}));
+  EXPECT_TRUE(holds(137, {0, 0, 0, 0, 0, 0, 0, 0, 9, 'a'})) << "it may be a part of one";
+  EXPECT_FALSE(holds(137, {0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(holds(73, {}));
+}
+
 }  // namespace
 }  // namespace sbgc::test

@@ -29,7 +29,7 @@ TEST_P(JsonOfMessage, ComesBackAsTheSameBytes) {
     auto message = GetParam()->make();
     if (!message.decode(body, random_contexts(i))) continue;
     ++checked;
-    const std::string text = message.to_json();
+    const std::string text = message.to_json(Secrets::shown);
     ASSERT_EQ(Json::parse(text), dom_of(message)) << text;
     auto copy = GetParam()->make();
     read_dom(Json::parse(text), copy);
@@ -252,6 +252,28 @@ TEST(Json, TextsKeepEveryByte) {
   for (std::size_t at = 0; at < all.size(); at += 48) {
     EXPECT_EQ(text_after_round_trip(all.substr(at, 48)), all.substr(at, 48));
   }
+}
+
+TEST(Json, HidesSecretsUnlessTheyAreToBeShown) {
+  msg::BoardInfoRequestExt message;
+  EXPECT_EQ(to_json(message), R"({"cfg":0,"reserved":""})");
+  ASSERT_TRUE(message.password.emplace().assign(std::string_view("sesame")));
+  EXPECT_EQ(to_json(message), R"--({"cfg":0,"password":"(hidden)","reserved":""})--");
+  EXPECT_EQ(to_dom(message).dump(), to_json(message));
+  EXPECT_EQ(to_string(message), "BoardInfoRequestExt{cfg = 0 ms, password = (hidden)}");
+  const std::string shown = to_json(message, Secrets::shown);
+  EXPECT_EQ(shown, R"({"cfg":0,"password":"sesame","reserved":""})");
+
+  msg::BoardInfoRequestExt copy;
+  ASSERT_TRUE(from_json(shown, copy));
+  EXPECT_EQ(copy, message);
+  const JsonResult hidden = from_json(to_json(message), copy);
+  ASSERT_FALSE(hidden);
+  EXPECT_EQ(hidden.problem->field, "password");
+  EXPECT_EQ(hidden.problem->reason, "it is hidden; the secret itself is needed");
+
+  const msg::PassProtectWrite kept;  // an empty password is none
+  EXPECT_EQ(to_json(kept), R"({"flags":0,"reserved":"00000000","new_password":""})");
 }
 
 TEST(Json, TextsThatDoNotFit) {

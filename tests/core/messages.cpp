@@ -96,7 +96,7 @@ WriteResult typed_frame(const AnyMessage& message, std::span<std::uint8_t> out) 
 
 Json dom_of(const AnyMessage& message) {
   Json result;
-  with_message(message, [&](const auto& value) { result = sbgc::to_dom(value); });
+  with_message(message, [&](const auto& value) { result = sbgc::to_dom(value, Secrets::shown); });
   return result;
 }
 

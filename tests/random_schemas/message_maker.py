@@ -79,7 +79,7 @@ class MessageMaker(FieldMaker):
 
     def effect(self, scope: Optional[Scope] = None) -> Any:
         """Returns the effect of a request, perhaps under a condition on the fields of `scope`."""
-        words = ["sets", "stores", "moves", "restarts", "erases"]
+        words = ["sets", "stores", "moves", "restarts", "erases", "disconnects"]
         several = self.random.sample(words, self.random.randint(1, 3))
         if scope is None or not scope.known or self.chance(0.5):
             return self.random.choice(("reads", several))

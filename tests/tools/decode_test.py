@@ -153,6 +153,44 @@ def test_a_request_for_the_version_may_have_a_body_of_any_size() -> None:
     assert told[5]["fields"] == {"cfg": 0x0100, "reserved": "020304"}
 
 
+PASSWORD = b"sesame open"
+OPENS = frame(86, b"\x0a\x00" + bytes([len(PASSWORD)]) + PASSWORD)
+PROTECTS = frame(137, bytes(8) + bytes([len(PASSWORD)]) + PASSWORD)
+TOO_SHORT = frame(137, bytes(8) + bytes([len(PASSWORD) + 1]) + PASSWORD)
+
+
+@pytest.mark.parametrize(
+    "options",
+    (
+        [],
+        ["--format", "jsonl"],
+        ["--format", "jsonl", "--real"],
+        ["--format", "csv", "-m", "PassProtectWrite"],
+        ["--firmware", "2.74"],
+        ["-m", "BoardInfoRequestExt", "--where", "cfg=10ms"],
+    ),
+    ids=" ".join,
+)
+def test_passwords_are_hidden_unless_they_are_to_be_shown(options: list[str]) -> None:
+    broken = OPENS[:-1] + bytes([OPENS[-1] ^ 1])
+    input = OPENS + PROTECTS + (b"" if "csv" in options else TOO_SHORT + broken)
+    result = run("decode", "--from", "host", *options, stdin=input)
+    assert result.status == 0 and "(hidden)" in result.text
+    assert PASSWORD.decode() not in result.text + result.error
+    assert PASSWORD.hex() not in result.text + result.error
+    shown = run("decode", "--from", "host", "--show-passwords", *options, stdin=input)
+    assert shown.status == 0 and "(hidden)" not in shown.text
+    assert PASSWORD.decode() in shown.text or PASSWORD.hex() in shown.text
+
+
+def test_a_line_with_a_shown_password_can_be_encoded() -> None:
+    hidden = run("decode", "--from", "host", "--format", "jsonl", stdin=OPENS)
+    refused = run("encode", "--hex", stdin=hidden.out)
+    assert refused.status == 1 and "password: it is hidden" in refused.error
+    shown = run("decode", "--from", "host", "--format", "jsonl", "--show-passwords", stdin=OPENS)
+    assert run("encode", stdin=shown.out).out == OPENS
+
+
 def test_an_attitude_has_its_mode_in_front() -> None:
     later = "3e381a52010000000000000000000000803f0000803f00000000000000007f"
     line = decode_one(bytes.fromhex(later), "--from", "host")

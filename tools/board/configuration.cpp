@@ -74,8 +74,13 @@ void set(NamedGimbal& gimbal, const CLI::ConfigItem& item) {
     gimbal.attempts = static_cast<unsigned>(number(item, 1, 100));
   } else if (item.name == "attempt-time") {
     gimbal.attempt_timeout = duration(item);
+  } else if (item.name == "password-file") {
+    const std::string& file = item.inputs.front();
+    gimbal.password_file =
+        file == "-" ? file : (configuration_file().parent_path() / file).string();
   } else {
-    const std::vector<std::string> known{"port", "timeout", "attempts", "attempt-time"};
+    const std::vector<std::string> known{"port", "timeout", "attempts", "attempt-time",
+                                         "password-file"};
     reject(fmt::format("unknown key '{}' of gimbal '{}'; the keys are {}", item.name, gimbal.name,
                        detail::alternatives(known, false, "and")));
   }

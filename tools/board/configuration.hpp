@@ -5,6 +5,7 @@
 ///     timeout = 30          # optional, as the options of the command line
 ///     attempts = 5
 ///     attempt-time = 0.5
+///     password-file = "front.password"   # of mode 0600; relative to this file; "-" asks
 ///
 /// Its path is $SBGC_CONFIG, else $XDG_CONFIG_HOME/sbgc/config.toml, else
 /// ~/.config/sbgc/config.toml.
@@ -24,6 +25,7 @@ struct NamedGimbal {
   std::optional<std::chrono::milliseconds> timeout{};
   std::optional<unsigned> attempts{};
   std::optional<std::chrono::milliseconds> attempt_timeout{};
+  std::string password_file{};  ///< "-" asks for the password; "" if there is none
 };
 
 std::filesystem::path configuration_file();

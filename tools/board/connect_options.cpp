@@ -1,6 +1,7 @@
 #include "board/connect_options.hpp"
 
 #include "board/configuration.hpp"
+#include "board/password.hpp"
 #include "command/command_error.hpp"
 #include "command/remark.hpp"
 
@@ -16,8 +17,14 @@ GimbalOptions with_configuration(const GimbalOptions& options) {
   result.port = named.port;
   if (!result.timeout) result.timeout = named.timeout;
   if (!result.attempts) result.attempts = named.attempts;
+  if (result.password_file.empty()) result.password_file = named.password_file;
   if (!result.attempt_timeout) result.attempt_timeout = named.attempt_timeout;
   return result;
+}
+
+void warn_of_password_in(const std::string& capture) {
+  remark("sbgc: {} will hold the password: keep it private\n",
+         capture == "-" ? "the capture" : capture);
 }
 
 ConnectOptions connect_options(const GimbalOptions& options) {
@@ -25,6 +32,15 @@ ConnectOptions connect_options(const GimbalOptions& options) {
   if (options.timeout) result.timeout = *options.timeout;
   if (options.attempts) result.retries = *options.attempts - 1;
   if (options.attempt_timeout) result.attempt_timeout = *options.attempt_timeout;
+  if (!options.password_file.empty()) {
+    // Otherwise every device on this machine would get it.
+    if (options.port.empty()) {
+      throw CommandError("--password-file needs --port or --gimbal", wrong_usage);
+    }
+    const std::string whose = options.name.empty() ? options.port : "gimbal " + options.name;
+    result.password = read_password(options.password_file, whose);
+    if (!options.capture.empty()) warn_of_password_in(options.capture);
+  }
   result.capture = options.capture;
   result.on_capture_error = [has_lost_capture =
                                  options.has_lost_capture](const ClientError& error) {

@@ -14,6 +14,9 @@ GimbalOptions with_configuration(const GimbalOptions& options);
 /// Returns the options of the library, without `wrap`.
 ConnectOptions connect_options(const GimbalOptions& options);
 
+/// Says that a capture holds the password.
+void warn_of_password_in(const std::string& capture);
+
 /// Returns the options of a call that takes a timeout of its own.
 CallOptions call_options(const GimbalOptions& options);
 

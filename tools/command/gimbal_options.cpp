@@ -40,6 +40,8 @@ void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
                "The least time to wait for the response in each attempt; a slow radio link needs "
                "more than the protocol specifies")
       ->group(gimbal_group);
+  add("--password-file", options.password_file, "FILE",
+      "File of mode 0600 with the password of the port, which is sent first; - asks for it");
   add("--capture", options.capture, "FILE", "Record all traffic in this capture");
   command.add_flag("-v,--verbose", options.verbose, "Print each frame, decoded, on standard error")
       ->group(gimbal_group);

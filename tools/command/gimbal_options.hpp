@@ -19,7 +19,8 @@ struct GimbalOptions {
   std::optional<std::chrono::milliseconds> timeout{};
   std::optional<unsigned> attempts{};  ///< of a request that may be repeated
   std::optional<std::chrono::milliseconds> attempt_timeout{};
-  std::string capture{};  ///< file to record the traffic in, or ""
+  std::string password_file{};  ///< for the port; "-" asks for the password, "" for none
+  std::string capture{};        ///< file to record the traffic in, or ""
   bool verbose = false;
   /// Set when a part of the traffic could not be recorded; all copies share it.
   std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);

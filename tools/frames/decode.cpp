@@ -46,6 +46,7 @@ struct DecodeOptions {
   std::vector<std::string> messages{};
   std::vector<std::string> conditions{};
   bool real = false;
+  bool shows_passwords = false;
   bool hex = false;
   bool raw = false;
 };
@@ -109,6 +110,7 @@ DecodePlan plan_of(const DecodeOptions& options) {
                        : options.format == "jsonl" ? FrameFormat::jsonl
                                                    : FrameFormat::csv;
   plan.output.real = options.real;
+  if (options.shows_passwords) plan.output.secrets = Secrets::shown;
   if (options.real && plan.output.format != FrameFormat::jsonl) {
     throw CommandError("--real is for --format jsonl: the other formats always show these values",
                        wrong_usage);
@@ -495,6 +497,8 @@ void add_decode(CLI::App& app, CommandContext& context) {
              "Output format; csv for one kind of message");
   command->add_flag("--real", options.real,
                     "Add the values in their units, and their names, to JSON lines");
+  command->add_flag("--show-passwords", options.shows_passwords,
+                    "Show passwords, which are (hidden) otherwise");
   command
       ->add_option("--firmware", options.firmware,
                    "Firmware of the board, such as 2.59: name what it does not know")

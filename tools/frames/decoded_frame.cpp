@@ -112,26 +112,35 @@ struct FrameDecoder::Taker {
   DecodedFrame& result;
 
   template <class M>
+  static std::string_view json(const M& message, std::string& to, Secrets secrets) {
+    to.clear();
+    StringOutput out(to);
+    write_json(message, static_cast<TextOutput&>(out), secrets);
+    out.finish();
+    return to;
+  }
+
+  template <class M>
   void operator()(const M& message) const {
     decoder.contexts_.learn(without_surplus(message));
     if constexpr (requires { versions_of(message); }) decoder.seen_ = versions_of(message);
     if (decoder.wanted_.json) {
-      decoder.json_.clear();
-      StringOutput out(decoder.json_);
-      write_json(message, static_cast<TextOutput&>(out));
-      out.finish();
-      result.fields = decoder.json_;
+      result.fields = json(message, decoder.json_, decoder.wanted_.secrets);
+      result.values = result.fields;
+      if constexpr (Meta<M>::info.has_secret()) {
+        result.values = json(message, decoder.with_secrets_, Secrets::shown);
+      }
     }
     if (decoder.wanted_.rows || decoder.versions_) {
       decoder.rows_.assign(message, decoder.versions_.value_or(newest),
-                           decoder.versions_.value_or(decoder.seen_));
+                           decoder.versions_.value_or(decoder.seen_), decoder.wanted_.secrets);
       result.rows = decoder.rows_.rows();
     }
   }
 };
 
 DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) {
-  DecodedFrame result{.frame = frame, .direction = direction};
+  DecodedFrame result{.frame = frame, .direction = direction, .secrets = wanted_.secrets};
   result.command = command_name(frame.id, result.direction);
   result.status = decode_body(frame.body, contexts_, result);
   result.error_field = result.status.field;
@@ -181,6 +190,18 @@ void FrameDecoder::decode_arrived(DecodedFrame& result) {
   result.rows = result.rows.first(static_cast<std::size_t>(end - result.rows.begin()));
 }
 
+bool DecodedFrame::hides_body() const {
+  if (status || secrets == Secrets::shown || message == nullptr) return false;
+  if (frame.body.size() <= message->secret_from) return false;
+  const auto text = frame.body.subspan(message->secret_from + 1);  // after its length
+  return detail::is_evident_text(text.data(), text.size());
+}
+
+void put_body(TextOutput& out, const DecodedFrame& decoded) {
+  if (decoded.hides_body()) return out.put(hidden_text);
+  out.put_hex(decoded.frame.body);
+}
+
 void put_json_string(TextOutput& out, std::string_view text) {
   out.put('"');
   detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
@@ -219,7 +240,7 @@ void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* 
     out.put(",\"offset\":");
     out.put(decoded.status.offset);
     out.put(R"(},"body":")");
-    out.put_hex(frame.body);
+    put_body(out, decoded);
     out.put('"');
   }
   if (place != nullptr) {

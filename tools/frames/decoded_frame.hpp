@@ -25,11 +25,16 @@ struct DecodedFrame {
   /// The JSON of the message, if wanted; of a body that is too short, with zeros for what is
   /// missing.
   std::string_view fields{};
+  std::string_view values{};  ///< the same with secrets
   /// The number of leading bytes whose values have arrived whole, and where the message has them.
   std::size_t certain = max_body_size;
   Rows rows{};  ///< if wanted; of a body that is too short, the values in `certain` bytes
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
+  Secrets secrets{};        ///< whether the texts below show them
+
+  /// True if the body cannot be decoded, but seems to hold a secret that is not to be shown.
+  bool hides_body() const;
 };
 
 /// The place of a frame in a capture file.
@@ -44,6 +49,9 @@ struct CapturePlace {
 void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place = nullptr,
               std::string_view more = "");
 
+/// Writes a body that cannot be decoded, in hex.
+void put_body(TextOutput& out, const DecodedFrame& decoded);
+
 /// Writes a string of JSON. Bytes that are not UTF-8 become replacement characters.
 void put_json_string(TextOutput& out, std::string_view text);
 
@@ -54,6 +62,7 @@ class FrameDecoder {
   struct Wanted {
     bool json{};
     bool rows{};
+    Secrets secrets{};  ///< whether they are shown
   };
 
   /// With `versions`, objects to what a board with these versions does not know.
@@ -80,6 +89,7 @@ class FrameDecoder {
   Availability seen_{};  // of the board that the last frame with versions is from
   Contexts contexts_{};
   std::string json_{};
+  std::string with_secrets_{};
   ValueRows rows_{};
 };
 

@@ -174,7 +174,7 @@ const MessageType& type_of(const DecodedFrame& frame) { return *find_message(fra
 
 void for_each_value(const DecodedFrame& frame, const std::function<void(const Leaf&, bool)>& use) {
   AnyMessage message = type_of(frame).make();
-  static_cast<void>(message.from_json(frame.fields));
+  static_cast<void>(message.from_json(frame.values));
   message.for_each_leaf(
       [&](const Leaf& leaf) { use(leaf, leaf.offset + leaf.size <= frame.certain); });
 }

@@ -13,11 +13,20 @@ namespace sbgc::tools {
 
 namespace {
 
+/// Calls `use(leaf, has_arrived)` for the values, which show secrets if the frame does.
+template <class Use>
+void for_each_shown_value(const DecodedFrame& decoded, const Use& use) {
+  for_each_value(decoded, [&](Leaf leaf, bool has_arrived) {
+    leaf.secrets = decoded.secrets;
+    use(leaf, has_arrived);
+  });
+}
+
 /// Returns the member "values" of a JSON line: each value with its meaning, by path.
 std::string values_text(const DecodedFrame& decoded) {
   if (!has_values(decoded)) return "";
   Json values = Json::object();
-  for_each_value(decoded, [&](const Leaf& leaf, bool has_arrived) {
+  for_each_shown_value(decoded, [&](const Leaf& leaf, bool has_arrived) {
     if (has_arrived && !is_unused(leaf)) values[to_string(leaf.path)] = leaf_json(leaf);
   });
   return ",\"values\":" + detail::json_text(values);
@@ -32,7 +41,7 @@ FrameOutput::FrameOutput(const FrameOutputOptions& options, StandardOutput& out)
 
 FrameDecoder::Wanted FrameOutput::wanted() const {
   const bool needs_fields = options_.real || options_.filter.needs_fields();
-  return {.json = !is_text() || needs_fields, .rows = is_text()};
+  return {.json = !is_text() || needs_fields, .rows = is_text(), .secrets = options_.secrets};
 }
 
 bool FrameOutput::print(const Frame& frame, std::optional<Direction> direction,
@@ -70,7 +79,7 @@ void FrameOutput::put_csv(const DecodedFrame& decoded, const CapturePlace* place
   const double key =
       place != nullptr ? place->since_start : static_cast<double>(decoded.frame.offset);
   out_.put(table_->line(key, [&](const std::function<void(const Leaf&)>& use) {
-    for_each_value(decoded, [&](const Leaf& leaf, bool has_arrived) {
+    for_each_shown_value(decoded, [&](const Leaf& leaf, bool has_arrived) {
       if (has_arrived) use(leaf);
     });
   }));

@@ -22,6 +22,7 @@ enum class FrameFormat : std::uint8_t { text, jsonl, csv };
 struct FrameOutputOptions {
   FrameFormat format = FrameFormat::text;
   bool real = false;                       ///< JSON lines also have the values in their units
+  Secrets secrets{};                       ///< whether they are shown
   std::optional<Availability> versions{};  ///< of the firmware whose objections are wanted
   FrameFilter filter{};
 };

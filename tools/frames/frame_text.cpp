@@ -59,7 +59,7 @@ void put_error(TextOutput& out, const DecodedFrame& decoded, const Colors& color
   out.put(')');
   out.put(colors.end());
   out.put("\n    body: ");
-  out.put_hex(decoded.frame.body);
+  put_body(out, decoded);
   out.put('\n');
 }
 

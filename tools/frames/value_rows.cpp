@@ -31,7 +31,13 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   row.offset = leaf.offset;
   row.size = leaf.size;
   row.raw = out.size();
-  put_raw(out, leaf);
+  if (leaf.field.secret) {
+    Leaf secret = leaf;
+    secret.secrets = secrets_;
+    put_raw(out, secret);
+  } else {
+    put_raw(out, leaf);
+  }
   row.meaning = out.size();
   put_meaning(out, leaf);
   row.end = out.size();

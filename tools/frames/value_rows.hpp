@@ -84,8 +84,10 @@ class ValueRows {
   /// Replaces the rows by those of a message, without reserved values that are 0. They mean what
   /// they do on a board of the versions `meant`; objections are those of the versions `allowed`.
   template <class M>
-  void assign(const M& message, const Availability& allowed, const Availability& meant) {
+  void assign(const M& message, const Availability& allowed, const Availability& meant,
+              Secrets secrets = Secrets::hidden) {
     begin(Meta<M>::info);
+    secrets_ = secrets;
     StringOutput out(text_);
     for_each_leaf(message, Adder{*this, out}, meant);
     out.finish();
@@ -116,6 +118,7 @@ class ValueRows {
   std::unordered_map<const MessageInfo*, std::vector<Row>> rows_of_messages_;
   std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
   std::size_t size_ = 0;
+  Secrets secrets_{};
   std::size_t objected_ = 0;  // the last row that has an objection
   std::string text_;
 };

@@ -20,6 +20,7 @@
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
+#include "board/password.hpp"
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/remark.hpp"
@@ -41,6 +42,7 @@ struct EmulateOptions {
   ServiceOptions service{};
   std::uint32_t seed = 1;
   bool verbose = false;
+  std::string password_file{};
   std::optional<Duration> seconds{};
 };
 
@@ -52,6 +54,7 @@ const char* to_text(emulator::Reaction reaction) {
     case emulator::Reaction::malformed: return "malformed";
     case emulator::Reaction::lost: return "lost: input buffer full";
     case emulator::Reaction::not_listening: return "not listening";
+    case emulator::Reaction::locked: return "ignored: wants the password first";
   }
   return "?";
 }
@@ -172,6 +175,12 @@ msg::FirmwareVersion firmware_to_emulate(const std::string& text) {
 void add_board_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
   emulator::BoardOptions& board = service.emulator.board;
+  command
+      .add_option("--password-file", options.password_file,
+                  "File of mode 0600 with a password that the ports want before anything else; - "
+                  "asks for it")
+      ->type_name("FILE")
+      ->group("The board");
   add_parsed(
       command, "--firmware", firmware_to_emulate,
       [&](msg::FirmwareVersion version) {
@@ -365,6 +374,10 @@ void add_emulate(CLI::App& app, CommandContext& context) {
       "file that cannot be read.");
   command.runs([](EmulateOptions& chosen) {
     check(chosen);
+    if (!chosen.password_file.empty()) {
+      chosen.service.emulator.board.password =
+          read_password(chosen.password_file, "the emulated board");
+    }
     return serve(chosen);
   });
 }

@@ -200,6 +200,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
                       std::move(writer), {.on_error = fail_with});
   };
   ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
+    if (connect.password) warn_of_password_in(options.file);
     connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
       return record(wrap ? wrap(std::move(transport)) : std::move(transport));
     };

@@ -14,6 +14,7 @@
 #include <sbgc/validate.hpp>
 
 #include "board/connection.hpp"
+#include "board/password.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
@@ -42,6 +43,7 @@ struct SendOptions {
   std::string format = "text";
   bool dry_run = false;
   bool no_validate = false;
+  bool no_way_back = false;
   Arming arming{};
 };
 
@@ -74,7 +76,8 @@ std::string values_text(const AnyMessage& message, const std::vector<Assignment>
   for (const Assignment& one : assignments) {
     const FieldInfo* const info = find_fields(message.type().fields(), one.name).front().type->info;
     if (info != nullptr && is_profile_index(*info)) continue;
-    shown.push_back(fmt::format("{} = {}", one.name, one.value));
+    const bool is_secret = info != nullptr && info->secret && !one.value.empty();
+    shown.push_back(fmt::format("{} = {}", one.name, is_secret ? hidden_text : one.value));
   }
   std::string text;
   for (const std::string& one : shown) text += (text.empty() ? "" : ", ") + one;
@@ -82,6 +85,24 @@ std::string values_text(const AnyMessage& message, const std::vector<Assignment>
     text += "; every other field is 0, empty or its default";
   }
   return text;
+}
+
+/// Replaces the file that a secret is in by the secret.
+void read_secrets(const MessageType& type, std::vector<Assignment>& assignments) {
+  for (Assignment& one : assignments) {
+    const auto found = find_fields(type.fields(), one.name);
+    const bool is_secret =
+        !found.empty() && found.front().type->info != nullptr && found.front().type->info->secret;
+    if (!is_secret || one.value.empty()) continue;
+    if (one.value.front() != '@') {
+      throw CommandError(
+          fmt::format("{0} is secret, but others on this machine see the command line: write "
+                      "{0}=@FILE, with a file of mode 0600, or {0}=@- to be asked",
+                      one.name),
+          wrong_usage);
+    }
+    one.value = read_password(one.value.substr(1), one.name);
+  }
 }
 
 Outgoing outgoing_of(const SendOptions& options) {
@@ -101,12 +122,13 @@ Outgoing outgoing_of(const SendOptions& options) {
     throw CommandError(fmt::format("only the board sends {}{}", info.name, hint), wrong_usage);
   }
   try {
-    const std::vector<Assignment> assignments = parse_assignments(options.values);
+    std::vector<Assignment> assignments = parse_assignments(options.values);
     std::vector<std::string> names;
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
     const MessageType& type = form_with(forms, names);
     AnyMessage message = new_message(type);
+    read_secrets(type, assignments);
     assign(message, assignments);
     add_demanded(message);
     std::string values = values_text(message, assignments);
@@ -114,6 +136,8 @@ Outgoing outgoing_of(const SendOptions& options) {
     if (!problems.empty()) throw ValueError(problems);
     static_cast<void>(encoded(message, basic_framing));
     return {std::move(message), std::move(values)};
+  } catch (const CommandError&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw CommandError(clipped(error.what()), wrong_usage);
   }
@@ -186,7 +210,7 @@ Frame frame_of(std::span<const std::uint8_t> bytes, std::uint8_t id) {
 int dry_run(const SendOptions& options, const Outgoing& out) {
   const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
   const Frame frame = frame_of(bytes, out.message.type().info->id);
-  const std::string hex = detail::to_hex(bytes);
+  const std::string hex = out.message.holds_secret() ? hidden_text : detail::to_hex(bytes);
   const Effects effects = effects_of(out.message);
   if (options.format == "jsonl") {
     FramePrinting(true).print(
@@ -209,9 +233,33 @@ RawRequest raw_request_of(const SendOptions& options) {
   return *std::move(request);
 }
 
+/// Returns what is known of the effects of a body under any id.
+Effects effects_of(const RawRequest& request) {
+  const MessageType* const type =
+      find_message(Direction::to_board, request.id, request.body.size());
+  return type == nullptr ? Effects() : type->info->effects;
+}
+
+/// Throws CommandError for a request after which the line cannot be used, unless that is wanted.
+void require_way_back(const SendOptions& options, Effects effects) {
+  if (options.no_way_back || options.dry_run || !effects.has(Effect::disconnects)) return;
+  throw CommandError(
+      "after this command, the line no longer carries the protocol, and how to end that is not "
+      "known; --no-way-back sends it nevertheless",
+      wrong_usage);
+}
+
 /// Sends a body under any id, also of a command that this version does not know.
 int send_raw(const SendOptions& options, const CommandContext& context) {
   const RawRequest request = raw_request_of(options);
+  if (holds_secret(Direction::to_board, request.id, request.body)) {
+    throw CommandError(
+        "--body holds a password, but others on this machine see the command line; send the "
+        "message by its name, with FIELD=@FILE",
+        wrong_usage);
+  }
+  const Effects effects = effects_of(request);
+  require_way_back(options, effects);
   const Frame frame{.id = request.id, .body = request.body, .framing = basic_framing};
   FramePrinting printing(options.format == "jsonl");
   if (options.dry_run) return printing.print_raw(frame, Direction::to_board), success;
@@ -239,6 +287,10 @@ int send(const SendOptions& options, const CommandContext& context) {
   if (options.dry_run) return dry_run(options, out);
   const MessageInfo& info = *out.message.type().info;
   const Effects effects = effects_of(out.message);
+  require_way_back(options, effects);
+  if (out.message.holds_secret() && !context.gimbal.capture.empty()) {
+    warn_of_password_in(context.gimbal.capture);
+  }
   Client client = connect(context.gimbal);
   require_possible(client, out.message, !options.no_validate);
   if (needs_arming(info, effects)) {
@@ -295,6 +347,8 @@ void add_send(CLI::App& app, CommandContext& context) {
   add_format(*command, options.format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
   command->add_flag("--dry-run", options.dry_run,
                     "Print the frame and what it does; send nothing and open no line");
+  command->add_flag("--no-way-back", options.no_way_back,
+                    "Also send what makes the line useless, with no known way to end that");
   command->add_flag("--no-validate", options.no_validate,
                     "Also send values that the specification does not allow");
   command->footer(
@@ -302,7 +356,8 @@ void add_send(CLI::App& app, CommandContext& context) {
       "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
       "which may be written after it; raw:NUMBER is the number on the wire. Enums and flags take "
       "names, with | between flags. Bytes are hex. Lists take values with commas between them, or "
-      "one by one.\n"
+      "one by one. Passwords are read from a file of mode 0600, FIELD=@FILE, or asked for, "
+      "FIELD=@-.\n"
       "\n"
       "Examples:\n"
       "  sbgc send get_angles\n"

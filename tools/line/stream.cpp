@@ -1,6 +1,7 @@
 // sbgc stream: the values of a data stream, as a table, CSV or JSON.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -9,10 +10,14 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
+
+#include <sbgc/json/hex.hpp>
+#include <sbgc/message.hpp>
 
 #include "board/reconnecting.hpp"
 #include "command/choices.hpp"
@@ -23,6 +28,7 @@
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
+#include "frames/command_lookup.hpp"
 #include "frames/sample_writer.hpp"
 #include "line/field_patterns.hpp"
 #include "line/line_queue.hpp"
@@ -38,6 +44,8 @@ using Clock = std::chrono::steady_clock;
 
 struct StreamOptions {
   std::string name;
+  std::optional<unsigned> id;  // instead of a name
+  std::string config;          // in hex, with `id`
   double rate = 50;
   std::string format = "text";
   std::string fields;
@@ -137,7 +145,93 @@ void report_losses(const SampleCounter& counter, std::uint64_t dropped) {
   }
 }
 
+using End = Clock::time_point;
+
+End end_of(const StreamOptions& options, Clock::time_point start) {
+  return options.time ? start + *options.time : End::max();
+}
+
+/// Writes lines until the end, Ctrl-C, or a reason to stop. Returns false if the reader has left.
+template <class IsOver>
+bool write_until(End end, LineQueue& lines, const IsOver& is_over) {
+  bool is_read = true;
+  while (is_read && !was_interrupted() && Clock::now() < end && !is_over()) {
+    is_read = write_out(lines.take(std::min(end, Clock::now() + std::chrono::milliseconds(50))));
+  }
+  return is_read;
+}
+
+roles::StreamRequest raw_request_of(const StreamOptions& options) {
+  auto request = value_of(detail::stream_request<roles::StreamRequest>(interval_of(options.rate)));
+  roles::stream_command(request) = static_cast<msg::CommandFromBoard>(*options.id);
+  const auto config = detail::from_hex(options.config);
+  auto& place = request.config.rest;
+  if (!config || !place.resize(config->size())) {
+    throw CommandError(
+        fmt::format("--config wants up to {} pairs of hex digits, such as 0e45", place.capacity()),
+        wrong_usage);
+  }
+  std::ranges::copy(*config, place.begin());
+  std::array<std::uint8_t, max_body_size> body{};
+  if (!encode(request, std::span(body))) {
+    throw CommandError(
+        fmt::format("the stream of {} has a name: `sbgc stream {}`", *options.id,
+                    command_name(static_cast<std::uint8_t>(*options.id), Direction::from_board)),
+        wrong_usage);
+  }
+  return request;
+}
+
+/// A frame as a line of a table, CSV or JSON.
+std::string raw_line(SampleFormat format, double time, const Frame& frame) {
+  const std::string body = detail::to_hex(frame.body);
+  switch (format) {
+    case SampleFormat::text: return fmt::format("{:>9.3f}  {}\n", time, body);
+    case SampleFormat::csv: return fmt::format("{:.6f},{}\n", time, body);
+    case SampleFormat::jsonl: break;
+  }
+  return fmt::format("{{\"version\":1,\"time\":{:.6f},\"id\":{},\"body\":\"{}\"}}\n", time,
+                     frame.id, body);
+}
+
+/// The bytes of a stream, also of one that is not known here.
+int run_raw_stream(const StreamOptions& options, const CommandContext& context) {
+  if (!options.name.empty() || !options.fields.empty() || !options.with.empty()) {
+    throw CommandError("--id is for bytes: it has neither a name, --fields nor --with",
+                       wrong_usage);
+  }
+  const roles::StreamRequest request = raw_request_of(options);
+  const SampleFormat format = format_named(options.format);
+  std::signal(SIGPIPE, SIG_IGN);
+  LineQueue lines;
+  std::atomic<bool> has_ended = false;
+  ReconnectingClient client = connect_for_long(context.gimbal);
+  const Interruption interruption;
+  const bool ends = is_replay(context.gimbal);
+  const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
+                                    : report_changes(client);
+  if (format == SampleFormat::text) lines.put(fmt::format("{:>9}  body\n", "time[s]"));
+  if (format == SampleFormat::csv) lines.put("time[s],body\n");
+  const auto start = Clock::now();
+  const auto take = [&](const Frame& frame) {
+    if (has_ended) return;
+    lines.put(raw_line(format, std::chrono::duration<double>(Clock::now() - start).count(), frame));
+  };
+  Subscription samples = ends ? client.on_frame([&](const BoardFrame& one) {
+    if (one.frame.id == *options.id) take(one.frame);
+  })
+                              : value_of(client.stream_raw(request, take));
+  const bool is_read = write_until(end_of(options, start), lines, [&] {
+    return has_ended || client.state() == LinkState::given_up;
+  });
+  samples.cancel();
+  if (is_read) write_out(lines.take(Clock::now()));
+  return success;
+}
+
 int run_stream(const StreamOptions& options, const CommandContext& context) {
+  if (options.id) return run_raw_stream(options, context);
+  if (options.name.empty()) throw CommandError("name a stream, or give --id", wrong_usage);
   const auto interval = interval_of(options.rate);
   const StreamType stream = chosen_stream(options);
   const bool is_watched = is_terminal(stdout);
@@ -186,13 +280,10 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
   const auto settled =
       Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 3 * interval);
-  bool is_read = true;
-  while (is_read && !was_interrupted() && Clock::now() < end) {
-    if (has_ended || client.state() == LinkState::given_up) break;
-    if (has_unreadable && !has_samples && Clock::now() > settled) break;
-    const auto soon = Clock::now() + std::chrono::milliseconds(50);
-    is_read = write_out(lines.take(std::min(end, soon)));
-  }
+  bool is_read = write_until(end_of(options, start), lines, [&] {
+    return has_ended || client.state() == LinkState::given_up ||
+           (has_unreadable && !has_samples && Clock::now() > settled);
+  });
   samples.cancel();
   if (is_read) is_read = write_out(lines.take(Clock::now()));
   counter.finish();
@@ -208,8 +299,14 @@ void add_stream(CLI::App& app, CommandContext& context) {
                                           "Show the values of a data stream");
   auto& options = command.options();
   command->add_option("name", options.name, "The message, such as RealtimeData4")
-      ->type_name("STREAM")
-      ->required();
+      ->type_name("STREAM");
+  auto* const id = command->add_option("--id", options.id,
+                                       "Show the bytes of the stream of this message, also of one "
+                                       "that is not known here");
+  id->type_name("NUMBER")->check(CLI::Range(1, 255));
+  command->add_option("--config", options.config, "CONFIG of the request for --id; 0 by default")
+      ->type_name("HEX")
+      ->needs(id);
   add_rate(*command, options.rate);
   add_format(*command, options.format, {"text", "jsonl", "csv"}, "Output format; text is a table");
   command
@@ -234,6 +331,7 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "\n"
       "Examples:\n"
       "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
+      "  sbgc stream --id 23 --rate 10 --for 2s\n"
       "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");
   command.runs(run_stream);
 }

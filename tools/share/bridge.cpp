@@ -44,6 +44,7 @@ struct BridgeOptions {
   Places places{};
   std::vector<hosts::ListenAddress> web_sockets{};
   WebSocketAccess access{};
+  bool allows_passwords = false;
   bool is_token_private = false;  ///< it is from the environment
   std::optional<std::chrono::milliseconds> time{};
 };
@@ -62,8 +63,8 @@ class BridgeService {
             [this, executor = context.get_executor()] {
               asio::post(executor, [this] { ports_.raw_sent(); });
             }),
-        line_(context.get_executor(), connect(command), gate_),
-        ports_(line_, io::now, log) {
+        line_(context.get_executor(), connect(command, options), gate_),
+        ports_(line_, io::now, log, options.allows_passwords) {
     // Until here, a signal ends the program at once.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
     signals_.async_wait([&context](std::error_code error, int) {
@@ -88,13 +89,20 @@ class BridgeService {
   }
 
  private:
-  ReconnectingClient connect(const CommandContext& command) {
-    ReconnectingClient client = connect_for_long(command.gimbal, [this](ConnectOptions& options) {
-      options.queue_timeout = longest_wait;
-      options.wrap = [this, wrap = options.wrap](std::unique_ptr<io::Transport> transport) {
-        return gate_.pass(wrap ? wrap(std::move(transport)) : std::move(transport));
-      };
-    });
+  ReconnectingClient connect(const CommandContext& command, const BridgeOptions& bridge) {
+    ReconnectingClient client =
+        connect_for_long(command.gimbal, [this, &bridge](ConnectOptions& options) {
+          if (options.password && !bridge.allows_passwords) {
+            throw CommandError(
+                "the password opens the gimbal for every program that can connect to the bridge; "
+                "--allow-passwords agrees to that",
+                wrong_usage);
+          }
+          options.queue_timeout = longest_wait;
+          options.wrap = [this, wrap = options.wrap](std::unique_ptr<io::Transport> transport) {
+            return gate_.pass(wrap ? wrap(std::move(transport)) : std::move(transport));
+          };
+        });
     log(client.description());
     return client;
   }
@@ -219,6 +227,10 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       ->check(origin_problem)
       ->type_name("ORIGIN")
       ->group(places_group);
+  command->add_flag(
+      "--allow-passwords", options.allows_passwords,
+      "Let passwords pass, which open the gimbal for all programs at the bridge: that "
+      "of --password-file, and those that programs send");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->footer(
       "Each program talks to the gimbal as if it were alone. Requests are executed one after "

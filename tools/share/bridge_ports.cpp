@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -186,9 +187,14 @@ void BridgePorts::begin_exclusive() {
 void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   Host& host = *hosts_[exclusive_->port];
   const std::uint64_t skipped = host.parser.counters().skipped_bytes;
-  host.parser.feed(bytes, [&](const Frame&) { ++host.counters.requests; });
+  bool is_allowed = true;
+  host.parser.feed(bytes, [&](const Frame& frame) {
+    ++host.counters.requests;
+    is_allowed = may_pass(exclusive_->port, frame) && is_allowed;
+  });
   if (host.parser.counters().skipped_bytes != skipped) exclusive_->is_raw = true;
   exclusive_->last = now();
+  if (!is_allowed) return;  // without its end, the frame is none
   line_.write_raw({bytes.begin(), bytes.end()});
 }
 
@@ -252,6 +258,10 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
   Host& host = *hosts_[port];
   host.framing = frame.framing;
   ++host.counters.requests;
+  if (!may_pass(port, frame)) {
+    return give_error({port, host.framing}, static_cast<msg::CommandToBoard>(frame.id),
+                      msg::BoardErrorCode::wrong_state);
+  }
   Result<RawRequest> request = raw_request(frame.id, frame.body);
   if (!request) return;
   const bool is_exclusive = exclusive_ && exclusive_->port == port;
@@ -286,15 +296,32 @@ void BridgePorts::take_stream_request(std::size_t port, const RawRequest& reques
 }
 
 void BridgePorts::refuse_stream(const Asker& asker, const StreamKey& key, const char* reason) {
+  give_error(asker, roles::StreamRequest::command, roles::ErrorReason::temporary);
+  log(fmt::format("host {}: a stream of {} is refused, because {}", asker.port,
+                  to_string(static_cast<msg::CommandFromBoard>(key.first)), reason));
+}
+
+void BridgePorts::give_error(const Asker& asker, msg::CommandToBoard command,
+                             roles::ErrorReason reason) {
   msg::ErrorExt error;
-  error.cmd_id = roles::StreamRequest::command;
-  error.error_code = roles::ErrorReason::temporary;
+  error.cmd_id = command;
+  error.error_code = reason;
   std::array<std::uint8_t, max_body_size> body{};
   const std::size_t size = encode(error, std::span(body)).size;
   const auto id = static_cast<std::uint8_t>(msg::ErrorExt::command);
   give(asker, {.id = id, .body = std::span(body).first(size)}, false);
-  log(fmt::format("host {}: a stream of {} is refused, because {}", asker.port,
-                  to_string(static_cast<msg::CommandFromBoard>(key.first)), reason));
+}
+
+/// Returns false, after a report, for a request with a password that is not allowed.
+bool BridgePorts::may_pass(std::size_t port, const Frame& request) {
+  if (allows_passwords_ || !holds_secret(Direction::to_board, request.id, request.body)) {
+    return true;
+  }
+  log(
+      fmt::format("host {}: {} with a password is refused, because it would count for all hosts; "
+                  "--allow-passwords lets it pass",
+                  port, to_string(static_cast<msg::CommandToBoard>(request.id))));
+  return false;
 }
 
 bool BridgePorts::has_other_configuration(const StreamKey& key) const {

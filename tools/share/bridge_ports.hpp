@@ -102,10 +102,15 @@ class BridgePorts final : public hosts::HostPorts {
     std::uint64_t dropped{};   ///< because it does not read
   };
 
-  /// `log` receives sentences for the user.
+  /// `log` receives sentences for the user. A password opens the port of the board for all hosts,
+  /// so a request with one is refused unless `allows_passwords`.
   explicit BridgePorts(BridgeLine& line, std::function<Instant()> clock = io::now,
-                       std::function<void(const std::string&)> log = {})
-      : line_(line), clock_(std::move(clock)), log_(std::move(log)) {}
+                       std::function<void(const std::string&)> log = {},
+                       bool allows_passwords = false)
+      : line_(line),
+        clock_(std::move(clock)),
+        log_(std::move(log)),
+        allows_passwords_(allows_passwords) {}
 
   // The hosts' side.
 
@@ -212,6 +217,8 @@ class BridgePorts final : public hosts::HostPorts {
   RawRequest merged(std::size_t port, const RawRequest& request);
   void refused(std::uint64_t tag, const Call& call);
   void refuse_stream(const Asker& asker, const StreamKey& key, const char* reason);
+  bool may_pass(std::size_t port, const Frame& request);
+  void give_error(const Asker& asker, msg::CommandToBoard command, roles::ErrorReason reason);
   Streams::iterator end_if_unused(Streams::iterator place);
   bool has_other_configuration(const StreamKey& key) const;
   std::uint64_t send(std::optional<std::size_t> port, RawRequest request);
@@ -227,6 +234,7 @@ class BridgePorts final : public hosts::HostPorts {
   BridgeLine& line_;
   std::function<Instant()> clock_;
   std::function<void(const std::string&)> log_;
+  bool allows_passwords_;
   std::array<std::unique_ptr<Host>, max_hosts> hosts_{};
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;

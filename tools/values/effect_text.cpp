@@ -26,6 +26,8 @@ constexpr std::array effect_texts{
     EffectText{Effect::restarts, "restarts",
                "The board restarts; its motors have no power until it is up again."},
     EffectText{Effect::erases, "erases", "It deletes stored data."},
+    EffectText{Effect::disconnects, "disconnects",
+               "The line no longer carries the protocol, and how to end that is not known."},
     EffectText{Effect::unknown, "unknown",
                "The specification does not say what it does, so it can do anything."},
 };
@@ -37,7 +39,8 @@ bool needs_arming(const MessageInfo& info, Effects effects) {
   const bool is_stream = &info == &Meta<roles::StreamRequest>::info;
   return effects.has(Effect::stores) || effects.has(Effect::moves) ||
          effects.has(Effect::restarts) || effects.has(Effect::erases) ||
-         effects.has(Effect::unknown) || (effects.has(Effect::sets) && !is_stream);
+         effects.has(Effect::disconnects) || effects.has(Effect::unknown) ||
+         (effects.has(Effect::sets) && !is_stream);
 }
 
 std::string effect_text(Effects effects) {

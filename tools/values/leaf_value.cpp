@@ -52,6 +52,7 @@ std::string csv_text(std::string_view text) {
 }
 
 std::string csv_cell(const Leaf& leaf) {
+  if (is_hidden(leaf)) return hidden_text;
   if (leaf.kind == LeafKind::text) return csv_text(leaf.text);
   return leaf.kind == LeafKind::bytes ? raw_text(leaf) : real_text(leaf);
 }
@@ -66,7 +67,7 @@ Json leaf_json(const Leaf& leaf) {
       json["raw"] = std::isfinite(leaf.real) ? Json(leaf.real) : Json(nullptr);
       break;
     case LeafKind::bytes: json["raw"] = raw_text(leaf); break;
-    case LeafKind::text: json["raw"] = leaf.text; break;
+    case LeafKind::text: json["raw"] = is_hidden(leaf) ? hidden_text : leaf.text; break;
   }
   if (leaf.kind == LeafKind::integer && leaf.is_u64) {
     json["raw"] = static_cast<std::uint64_t>(leaf.integer);

@@ -94,8 +94,12 @@ Reaction handle(RequestContext& context, const msg::PassProtectReadRequest&, con
   return context.answer(msg::PassProtectRead{.flags = msg::PassProtectFlags(memory.pass_protect)});
 }
 
-/// Only the flags are kept: the emulated board asks nobody for a password.
-Reaction handle(RequestContext& context, const msg::PassProtectWrite& request, Memory& memory) {
+/// The flags are kept. A board without a password asks nobody for one, whatever is written.
+Reaction handle(RequestContext& context, const msg::PassProtectWrite& request, Memory& memory,
+                BoardOptions& options) {
+  if (!options.password.empty() && request.new_password.size() != 0) {
+    options.password.assign(request.new_password.data(), request.new_password.size());
+  }
   if (memory.is_unsaved || memory.pass_protect != request.flags.raw()) ++memory.revision;
   memory.pass_protect = request.flags.raw();
   return context.confirm();

@@ -156,8 +156,10 @@ enum class Effect : std::uint8_t {
   restarts = 0x10,
   /// Erases stored data.
   erases = 0x20,
+  /// Disconnects: the line no longer carries the protocol; how to end that is unknown.
+  disconnects = 0x40,
   /// Unknown: the specification does not describe the command.
-  unknown = 0x40,
+  unknown = 0x80,
 };
 
 /// The newest firmware whose protocol is known as a whole, encoded as FIRMWARE_VER; 0 if unknown.

@@ -367,6 +367,7 @@ def _compare_field(
         pair.mark(WIRE, "counted by part", *parts)
     pair.compare(WIRE, "may be absent", "appended")
     pair.compare(WIRE, "is present if it fits", "fits")
+    pair.compare(MEANING, "is hidden in text and JSON", "secret")
     _compare_conditions(pair, names)
     # A new default changes what a program sends that does not set the field.
     pair.compare(MEANING, "default")

@@ -192,7 +192,9 @@ class Field:
     copies), "general" (the same in all copies), "state" (not a parameter), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
     `since` ends the body before the field. `fits`: present only if the body has no end without the
-    field, but with it. `counting` is how the counter of a list counts:
+    field, but with it; a text of varying size only if it is all that is left of the body, not empty, and
+    without control characters.
+    `secret`: text and JSON hide the value. `counting` is how the counter of a list counts:
     "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1"; it may be
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
@@ -232,6 +234,7 @@ class Field:
     typical: Any = field(default=None, hash=False)
     appended: bool = False
     fits: bool = False
+    secret: bool = False
     counting: str = "elements"
     default: int = 0
     constant: bool = False
@@ -257,6 +260,16 @@ class Field:
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
         return self.when is not None or self.appended or self.fits
+
+    @property
+    def fits_rest(self) -> bool:
+        """True for a text that is present if it is all that is left of the body."""
+        return self.fits and self.size is None
+
+    @staticmethod
+    def is_evident(text: bytes) -> bool:
+        """True for a text that fits: others are mistaken for it too easily."""
+        return bool(text) and min(text) >= 0x20
 
     @cached_property
     def repeats_context(self) -> bool:

@@ -12,7 +12,7 @@ from sbgcgen.model.conditions import Condition
 
 @dataclass(frozen=True)
 class EffectKind:
-    """What a request may do. It may set something or somebody in `motion`, or lose `data`."""
+    """What a request may do. It may set something or somebody in `motion`, or lose `data` or the `line`."""
 
     word: str
     summary: str
@@ -34,6 +34,11 @@ USUAL_EFFECTS: tuple[EffectKind, ...] = (
         "motion",
     ),
     EffectKind("erases", "Erases stored data.", "data"),
+    EffectKind(
+        "disconnects",
+        "Disconnects: the line no longer carries the protocol; how to end that is unknown.",
+        "line",
+    ),
     UNKNOWN,
 )
 

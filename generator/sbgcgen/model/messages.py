@@ -91,6 +91,13 @@ class Message:
     def fields(self) -> tuple[Field, ...]:
         return self.body.fields
 
+    @cached_property
+    def secret_from(self) -> int | None:
+        """The first byte of a body that may belong to a secret; None if no field is secret."""
+        leaves = [one for leaf in self.leaves for one in (leaf, *leaf.cases) if one.field.secret]
+        places = [self.body.fixed_size if one.offset is None else one.offset for one in leaves]
+        return min(places, default=None)
+
     @property
     def failure(self) -> Field | None:
         """In an error form, the field with the reason of the failure."""

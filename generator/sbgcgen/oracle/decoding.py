@@ -47,7 +47,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     body exactly counts; otherwise the context that is asked to be repeated.
     """
     context = context or {}
-    if any(field.fits for field in message.fields):
+    if any(field.fits and not field.fits_rest for field in message.fields):
         return _decode_fitting(message, body, context)
     repeats = next((f for f in message.fields if f.repeats_context), None)
     if repeats is None or repeats.when is None:
@@ -112,6 +112,11 @@ def _read_fields(body: Struct, reader: _Reader, context: Fields) -> Fields:
 
 def _is_present(field: Field, reader: _Reader, values: Fields, context: Fields) -> bool:
     when = field.when
+    if field.fits_rest:
+        assert isinstance(field.type, Blob) and field.type.size is not None
+        size, text = reader.left() - 1, reader.body[reader.at + 1 :]
+        is_whole = 0 < size <= field.type.size and reader.body[reader.at] == size
+        return is_whole and field.is_evident(text)
     if field.fits:
         return bool(context.get(FITS))
     if field.appended and not reader.left():

@@ -96,7 +96,11 @@ def _write_member(
         if present:
             _write_field(field, values[field.name], writer, name, values)
     elif present:
+        if field.fits_rest and not field.is_evident(text_to_bytes(values[field.name])):
+            raise CodecError("presence_mismatch", name, writer.at)
         _write_field(field, values[field.name], writer, name, values)
+        if field.fits_rest:  # nothing may follow
+            writer.missing.append((writer.at + 1, writer.at, name))
     elif field.appended:
         writer.missing.append((writer.at + 1, writer.at, name))
     elif not field.optional and not field.fits:

@@ -187,6 +187,8 @@ class _Maker:
             case: dict[str, Any] = {"context": full_context(self.message)}
             if member.when and not member.when.from_context:
                 case["forced"] = satisfying(member.when)[0]
+            if member.fits:
+                case["fits"] = True
             if member.counter and not member.has_hidden_counter:
                 prefix = path[: len(path) - len(member.name)]
                 for mask in _counts(member, counter_size(beside, member)):
@@ -200,10 +202,15 @@ class _Maker:
                 least = member.min_count
                 lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
-                empty = self.choice(short=True, lengths={path: 0}, **case)
+                empty = self.choice(short=True, lengths={path: 0}, **{**case, "fits": False})
                 rest = 255 - len(first_that_fits(self.message, empty))
                 assert isinstance(member.type, Blob)
                 lengths = {0, 1, min(rest, member.type.size or rest)}
+                if member.fits:  # what follows it is a mistake
+                    self.add_refused(
+                        compose(self.message, self.choice(lengths={path: 1}, fits=True)),
+                        f"something after {path}",
+                    )
             for length in sorted(lengths):
                 choice = self.choice(short=True, lengths={path: length}, **case)
                 self.add(choice, f"{path} of length {length}")

@@ -33,12 +33,27 @@ WriteResult AnyMessage::encode_frame(Framing framing, std::span<std::uint8_t> ou
   return {0, status};
 }
 
-std::string AnyMessage::to_json() const {
+std::string AnyMessage::to_json(Secrets secrets) const {
   std::string result;
   StringOutput out(result);
-  write_json(out);
+  write_json(out, secrets);
   out.finish();
   return result;
+}
+
+bool AnyMessage::holds_secret() const {
+  bool is_found = false;
+  if (type_->info->has_secret()) {
+    for_each_leaf([&](const Leaf& leaf) { is_found = is_found || sbgc::holds_secret(leaf); });
+  }
+  return is_found;
+}
+
+bool holds_secret(Direction direction, std::uint8_t id, std::span<const std::uint8_t> body) {
+  const MessageType* const type = find_message(direction, id, body.size());
+  if (type == nullptr || !type->info->has_secret()) return false;
+  AnyMessage message = type->make();
+  return !message.decode(body) || message.holds_secret();
 }
 
 std::string to_string(const AnyMessage& message) {

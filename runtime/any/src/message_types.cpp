@@ -57,8 +57,10 @@ constexpr detail::AnyOperations operations_of = {
            detail::AnyOperations::UseViolation use, void* user) {
           return sbgc::validate(*static_cast<const T*>(message), versions, Report{use, user});
         },
-    .write_json = [](const void* message,
-                     TextOutput& out) { sbgc::write_json(*static_cast<const T*>(message), out); },
+    .write_json =
+        [](const void* message, TextOutput& out, Secrets secrets) {
+          sbgc::write_json(*static_cast<const T*>(message), out, secrets);
+        },
     .read_json = [](std::string_view text,
                     void* message) { return sbgc::from_json(text, *static_cast<T*>(message)); },
     .set = [](void* message,

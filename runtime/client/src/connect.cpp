@@ -16,6 +16,7 @@
 #include <sbgc/roles.hpp>
 
 #include "conversation/state.hpp"
+#include "introduction.hpp"
 #include "text.hpp"
 #include "waiter.hpp"
 
@@ -113,13 +114,13 @@ class Connector {
     if (waiter->wait_until(io::to_chrono(deadline_)).value_or(false)) return {};
     const std::string description = state_->description();
     if (auto reason = state_->end_reason()) return *std::move(reason);
-    return ClientError{ErrorCode::not_found,
-                       "no board found on " + description + ": " + tried(state_->trials())};
+    return ClientError{ErrorCode::not_found, "no board found on " + description + ": " +
+                                                 tried(state_->trials()) + password_hint()};
   }
 
   Result<void> introduce() {
     BoardIdentity board;
-    auto info = ask(roles::IntroductionRequest{});
+    auto info = open_port();
     if (!info) return no_introduction(std::move(info).error());
     board.info = *std::move(info);
     state_->set_identity(board);
@@ -143,6 +144,14 @@ class Connector {
   std::chrono::milliseconds left() const {
     const Duration duration = deadline_ - io::now();
     return std::chrono::milliseconds(std::max<std::int64_t>(duration.us / 1000, 1));
+  }
+
+  /// Asks the board to introduce itself, with the password if there is one.
+  Result<roles::Introduction> open_port() {
+    if (!options_.password) return ask(roles::IntroductionRequest{});
+    const auto request = opening_request(*options_.password);
+    if (!request) return request.error();
+    return ask(*request);
   }
 
   /// Changes to the newest framing of the board, if the board answers in it.
@@ -169,6 +178,10 @@ class Connector {
     return {ErrorCode::timeout, std::string("no time left for ") + request.command};
   }
 
+  std::string password_hint() const {
+    return options_.password ? "; a port that wants another password does not answer" : "";
+  }
+
   ClientError no_introduction(ClientError error) const {
     if (error.code != ErrorCode::timeout) return error;
     const SessionStatistics seen = state_->statistics().session;
@@ -182,7 +195,7 @@ class Connector {
     return {ErrorCode::not_found, "no board found on " + state_->description() + ": sent " +
                                       std::to_string(seen.sent_frames) +
                                       (seen.sent_frames == 1 ? " request" : " requests") +
-                                      "; received " + heard};
+                                      "; received " + heard + password_hint()};
   }
 
   const ConnectOptions& options_;
@@ -213,6 +226,11 @@ Opener opener_of(const TransportFactory& make, const ConnectOptions& options) {
 
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnStarted& on_begun) {
+  if (options.password) {
+    if (const auto possible = opening_request(*options.password); !possible) {
+      return possible.error();
+    }
+  }
   Connector connector(executor, options);
   if (on_begun) on_begun(connector.conversation());
   if (auto opened = connector.open(opener); !opened) return std::move(opened).error();

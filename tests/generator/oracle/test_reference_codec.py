@@ -437,7 +437,8 @@ def missing_lengths(leaf: Leaf, lengths: set[int]) -> Iterator[str]:
     """Yields descriptions of the lengths of a text that no vector has."""
     assert isinstance(leaf.field.type, Blob)
     full = leaf.field.type.size if leaf.type == "text" else min(leaf.field.type.size or 200, 200)
-    if not {0, 1} <= lengths or max(lengths) < (full or 0):
+    least = {1} if leaf.field.fits else {0, 1}
+    if not least <= lengths or max(lengths) < (full or 0):
         yield f"{leaf.path}: a text that is empty, or of one byte, or full"
 
 

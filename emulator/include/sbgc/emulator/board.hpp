@@ -18,11 +18,12 @@ namespace sbgc::emulator {
 /// What the board did with a frame from a host.
 enum class Reaction : std::uint8_t {
   executed,
-  refused,       ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
-  unknown,       ///< not a command that this board and firmware know
-  malformed,     ///< a body of a size that the command does not allow
-  lost,          ///< dropped, because the input buffer was full
-  not_listening  ///< dropped, because the board was starting or in its bootloader
+  refused,        ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
+  unknown,        ///< not a command that this board and firmware know
+  malformed,      ///< a body of a size that the command does not allow
+  lost,           ///< dropped, because the input buffer was full
+  not_listening,  ///< dropped, because the board was starting or in its bootloader
+  locked          ///< ignored, because the port wants the password first
 };
 
 struct BoardCounters {
@@ -37,6 +38,10 @@ struct BoardCounters {
 };
 
 /// The board. It answers every command of the protocol and drives a simulated gimbal.
+///
+/// With BoardOptions::password, each port ignores everything and sends nothing until a request for
+/// the introduction has the password. It is locked again when its host leaves or the board
+/// restarts.
 ///
 /// It has no clock, line or thread: pass received bytes to receive(), call advance() no later than
 /// next(), and send the bytes of output(). Events happen at their exact times, however often

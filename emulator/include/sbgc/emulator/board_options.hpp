@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/messages/system.hpp>
@@ -38,6 +39,9 @@ struct BoardOptions {
   Duration bootloader_time = seconds(5);
   /// The duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
+  /// What a host has to send before anything else, unless empty; see Board. A request with a new
+  /// password replaces it.
+  std::string password{};
   /// Refuses requests with more bytes than the firmware knows. Real boards ignore these.
   bool is_strict = false;
   /// Delays frames that report a change of the memory until Board::memory_saved() is called.

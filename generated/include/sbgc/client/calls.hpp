@@ -1295,7 +1295,7 @@ class Calls {
   }
 
   /// Connect two serial ports of the board.
-  /// Effect: sets.
+  /// Effect: sets, disconnects.
   /// Since firmware 2.74.5.
   template <class M = msg::SetTranspProxy>
   CallResult<M> set_transp_proxy(

@@ -280,8 +280,8 @@ struct UdrvDeviceScan {
 /// and no longer speaks this protocol. No source says how to end that. There is no response; an
 /// error is possible. Both ports must be enabled for this protocol.
 ///
-/// CMD_SET_TRANSP_PROXY (143), to the board; 2 bytes. Effect: sets. Since firmware 2.74.5. Source:
-/// Vendor's code of 2026.
+/// CMD_SET_TRANSP_PROXY (143), to the board; 2 bytes. Effect: sets, disconnects. Since firmware
+/// 2.74.5. Source: Vendor's code of 2026.
 struct SetTranspProxy {
   static constexpr CommandToBoard command = CommandToBoard::set_transp_proxy;
   static constexpr Direction direction = Direction::to_board;

@@ -121,13 +121,17 @@ struct BoardInfoRequestExt {
   /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.
   /// Unit: ms.
   Milliseconds cfg{};
-  /// Empty; from firmware 2.73.6 on, the length of a password and its bytes.
+  /// Opens a port with a password, from firmware 2.73.6 on. Present if it is all that is left of
+  /// the body, not empty, and without control characters. Secret: text and JSON hide it.
+  Optional<BoundedText<32>> password{};
+  /// Reserved; kept as it is.
   BoundedBytes<253> reserved{};
 
   bool operator==(const BoardInfoRequestExt&) const = default;
   using FixedMembers = Members<&BoardInfoRequestExt::cfg>;
   SBGC_ALWAYS_INLINE
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.if_fits(self.password, "password");
     cursor.rest(self.reserved, "reserved");
   }
 };
@@ -562,7 +566,7 @@ struct PassProtectWrite {
   PassProtectFlags flags{};
   /// Reserved; kept as it is.
   Bytes<4> reserved{};
-  /// The new password; empty keeps the present one.
+  /// The new password; empty keeps the present one. Secret: text and JSON hide it.
   BoundedText<32> new_password{};
 
   bool operator==(const PassProtectWrite&) const = default;

@@ -353,7 +353,7 @@ struct Meta<msg::SetTranspProxy> {
       .min_size = 2,
       .max_size = 2,
       .since = {.firmware = 2745},
-      .effects = Effects(Effect::sets)};
+      .effects = Effects(Effect::sets) | Effect::disconnects};
   static constexpr Special port1_special[] = {
       {0, "the port of this request"},
   };

@@ -132,6 +132,7 @@ struct Meta<msg::BoardInfoRequestExt> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
+      .secret_from = 2,
       .answers = answers,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
@@ -139,9 +140,13 @@ struct Meta<msg::BoardInfoRequestExt> {
        .spec_name = "CFG",
        .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
+      {.name = "password",
+       .spec_name = "PASSWORD",
+       .summary = "Opens a port with a password, from firmware 2.73.6 on.",
+       .secret = true},
       {.name = "reserved",
        .spec_name = "RESERVED",
-       .summary = "Empty; from firmware 2.73.6 on, the length of a password and its bytes.",
+       .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
 
@@ -149,7 +154,8 @@ struct Meta<msg::BoardInfoRequestExt> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.cfg);
-    visitor(fields[1], value.reserved);
+    visitor(fields[1], value.password);
+    visitor(fields[2], value.reserved);
   }
 };
 
@@ -741,6 +747,7 @@ struct Meta<msg::PassProtectWrite> {
       .min_size = 9,
       .max_size = 41,
       .since = {.firmware = 2736},
+      .secret_from = 8,
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
@@ -752,7 +759,8 @@ struct Meta<msg::PassProtectWrite> {
        .reserved = true},
       {.name = "new_password",
        .spec_name = "NEW_PASSWORD",
-       .summary = "The new password; empty keeps the present one."},
+       .summary = "The new password; empty keeps the present one.",
+       .secret = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

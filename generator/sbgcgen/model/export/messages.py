@@ -122,6 +122,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         min_count=None if field.index else field.min_count or None,
         may_be_missing=leaf.optional or None,
         fits=field.fits or None,
+        secret=field.secret or None,
         max_count=None if field.index else field.max_count,
         align=field.align if field.align != 1 else None,
         role=field.role or None,

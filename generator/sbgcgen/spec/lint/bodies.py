@@ -124,9 +124,9 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if field.when is not None and field.has_hidden_counter:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
-    elif field.fits and (field.when is not None or field.size is None or field.is_counter):
+    elif field.fits and (field.when is not None or is_list or field.is_counter):
         text = f"a decoder cannot tell whether '{field.name}' fits"
-        found.add(field.at, "SBGC043", text, "it has one size, and no 'when'")
+        found.add(field.at, "SBGC043", text, "it is a text or has one size, and has no 'when'")
     elif field.appended and (is_list or field.is_counter):
         text = f"the body may end before '{field.name}', which is part of a list"
         hint = "make the list and its counter a struct, and give that the 'since'"
@@ -137,6 +137,9 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if isinstance(field.type, Announced) and field.dim != "rest":
         text = f"'{field.name}' is announced, but does not take the rest of the body"
         found.add(field.at, "SBGC043", text, "write NAME[]; the announcement determines the count")
+    if field.secret and not isinstance(field.type, Blob):
+        text = f"'{field.name}' is secret, but neither a text nor bytes"
+        found.add(field.at, "SBGC079", text, "only these are hidden")
 
 
 # Tagged unions
@@ -193,6 +196,10 @@ def _check_groups(message: Message, found: Diagnostics) -> None:
             text = f"'{field.name}', which depends on fields outside, varies in number"
             hint = "it occurs once, or for each element of an index"
             found.add(field.at, "SBGC033", text, hint)
+
+
+def _is_rest_of_bytes(field: Field) -> bool:
+    return field.dim == "rest" and field.type == Blob("bytes", None)
 
 
 def _takes_rest(struct: Struct) -> bool:
@@ -278,7 +285,14 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             text = f"'{field.name}' of {message.name} cannot repeat a context"
             hint = "it comes before all that depends on the context, if that 'has' a flag"
             found.add(field.at, "SBGC026", text, hint)
-        if field.fits and not message.keeps_tail:
+        if field.fits_rest:
+            after = message.fields[message.fields.index(field) + 1 :]
+            is_string = isinstance(field.type, Blob) and field.dim == "one"
+            if not is_string or len(after) != 1 or not _is_rest_of_bytes(after[0]):
+                text = f"'{field.name}' of {message.name} is not followed by the rest of the body"
+                hint = "a text that fits comes right before a last field of type bytes[]"
+                found.add(field.at, "SBGC043", text, hint)
+        elif field.fits and not message.keeps_tail:
             text = f"'{field.name}' of {message.name} is not in a message from the board"
             found.add(field.at, "SBGC043", text, "only these may have another size")
     used = {f.when.source for f in message.fields if f.when and f.when.from_context}

@@ -310,6 +310,7 @@ class FieldResolver:
             constant="constant" in node,
             fits="fits" in node,
             needs=self.types.needs(node),
+            secret="secret" in node,
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             directions=directions,

@@ -50,7 +50,7 @@ struct AnyOperations {
   void (*teach)(const void* message, Contexts& contexts);
   void (*leaves)(const void* message, LeafWalk& walk);
   bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
-  void (*write_json)(const void* message, TextOutput& out);
+  void (*write_json)(const void* message, TextOutput& out, Secrets secrets);
   JsonResult (*read_json)(std::string_view text, void* message);
   void (*set)(void* message, FieldSetter& setter);
 };
@@ -151,6 +151,9 @@ class AnyMessage {
   std::string assign(std::string_view path, std::string_view text, bool validates = true,
                      const Availability& versions = {});
 
+  /// True if the message has a secret, such as a password, that is not empty.
+  bool holds_secret() const;
+
   /// True if the message has a value at a path or below it.
   bool has(std::string_view path) const;
 
@@ -158,8 +161,10 @@ class AnyMessage {
   /// message has no such field.
   bool add(std::string_view path) { return set(path, nullptr); }
 
-  void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }
-  std::string to_json() const;
+  void write_json(TextOutput& out, Secrets secrets = Secrets::hidden) const {
+    type_->operations->write_json(memory_.get(), out, secrets);
+  }
+  std::string to_json(Secrets secrets = Secrets::hidden) const;
   /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
   JsonResult from_json(std::string_view text) {
     return type_->operations->read_json(text, memory_.get());
@@ -193,6 +198,9 @@ class AnyMessage {
 };
 
 inline AnyMessage MessageType::make() const { return AnyMessage(*this); }
+
+/// Returns true if a body holds a secret, or does not decode and may hold one.
+bool holds_secret(Direction direction, std::uint8_t id, std::span<const std::uint8_t> body);
 
 /// Returns the text of a message, such as "GetAngles{axes.roll.imu_angle = -30 deg, …}".
 std::string to_string(const AnyMessage& message);

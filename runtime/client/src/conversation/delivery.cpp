@@ -7,6 +7,8 @@
 namespace sbgc::detail {
 
 void Delivery::deliver(const Frame& frame) {
+  MessageHandlers::call(messages_->with_key({frame.id, {}, true}),
+                        [&](const auto& handler) { handler(&frame); });
   const auto use = [&]<class M>(Type<M>) {
     const MessageKey key{frame.id, M::form};
     const auto handlers = messages_->with_key(key);
@@ -25,7 +27,7 @@ void Delivery::deliver(const Frame& frame) {
   const Code code = select(Direction::from_board, frame.id, frame.body.size(), use);
   if (code != Code::unknown_form) return;
   const auto subscribers =
-      messages_->count([&](const MessageKey& key) { return key.id == frame.id; });
+      messages_->count([&](const MessageKey& key) { return key.id == frame.id && !key.is_raw; });
   report_unreadable(frame, {code}, subscribers);
 }
 

@@ -5,6 +5,7 @@
 
 #include <sbgc/io/clock.hpp>
 
+#include "introduction.hpp"
 #include "text.hpp"
 
 namespace sbgc::detail {
@@ -39,6 +40,8 @@ class Conversation::State::Busy {
 Conversation::State::State(Strand strand, const ConnectOptions& options)
     : options_(options),
       calls_(options.queue_limit),
+      question_(opening_frame(options.password)),
+      detector_(DetectorOptions{.question = question_}),
       dialogue_(options, calls_, delivery_),
       channel_(std::move(strand)) {}
 

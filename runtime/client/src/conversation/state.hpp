@@ -108,6 +108,7 @@ class Conversation::State : public Channel::User,
   BoardIdentity board_;
   SharedCalls calls_;
   Guarded<StreamListeners> streams_;
+  const std::vector<std::uint8_t> question_;  // of the detector
   Guarded<Detector> detector_;
   bool is_searching_ = false;  // only on the strand
   Delivery delivery_;

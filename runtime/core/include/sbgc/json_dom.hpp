@@ -154,9 +154,9 @@ inline std::string json_text(const Json& json, int indent = -1) {
 
 /// Returns a JSON object with the fields of a message.
 template <class M>
-Json to_dom(const M& message) {
+Json to_dom(const M& message, Secrets secrets = Secrets::hidden) {
   detail::JsonDomSink sink;
-  detail::JsonWriter<detail::JsonDomSink>(sink).members(message);
+  detail::JsonWriter<detail::JsonDomSink>(sink, secrets).members(message);
   return sink.take();
 }
 

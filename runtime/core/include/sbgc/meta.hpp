@@ -167,6 +167,11 @@ enum class FieldRole : std::uint8_t {
   state,    ///< state of the board, not a parameter; written back as it was read
 };
 
+/// Whether text and JSON show secrets, such as passwords, or `hidden_text` in place of them.
+enum class Secrets : std::uint8_t { hidden, shown };
+
+inline constexpr const char* hidden_text = "(hidden)";
+
 /// One member of a message or struct.
 struct FieldInfo {
   const char* name = "";
@@ -183,6 +188,7 @@ struct FieldInfo {
   bool is_variable_value{};  ///< of the adjustable variable that the last VariableId names
   bool reserved{};
   bool optional{};  ///< may be omitted in JSON
+  bool secret{};    ///< such as a password: text and JSON hide it
   Availability since{};
   bool unconfirmed{};  ///< from a single source, or contradicted by another
   const AlternativeUnit* alternative{};
@@ -201,7 +207,8 @@ struct MessageInfo {
   std::size_t min_size{};
   std::size_t max_size{};
   Availability since{};
-  bool unconfirmed{};    ///< from a single source, or contradicted by another
+  bool unconfirmed{};                       ///< from a single source, or contradicted by another
+  std::size_t secret_from = max_body_size;  ///< the first byte that may belong to a secret field
   Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
   /// Names of the response messages. response_policy() returns the rest of the policy.
   std::span<const char* const> answers{};
@@ -209,6 +216,8 @@ struct MessageInfo {
   Effects effects{};        ///< empty for a message from the board
   /// What to do before the request is sent, such as how to hold the camera; "" if nothing.
   const char* preparation = "";
+
+  constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }
 };
 
 /// The element count of a list, for which the protocol has a field. Messages do not store it: the

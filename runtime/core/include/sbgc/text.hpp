@@ -9,8 +9,9 @@
 ///                                "rc.pitch.rc_max_angle: 800 deg is above 720 deg"
 ///
 /// The text of a message lists all values in wire order, except reserved bytes that are 0 and the
-/// counts of lists. Include the tables of the messages to print: <sbgc/meta/control.hpp>, for
-/// example, or <sbgc/meta/all.hpp>. <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print the same text.
+/// counts of lists. A secret, such as a password, is "(hidden)". Include the tables of the messages
+/// to print: <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>. <sbgc/fmt.hpp> and
+/// <sbgc/ostream.hpp> print the same text.
 #pragma once
 
 #include <string>

@@ -2,8 +2,9 @@
 ///
 /// The JSON is nested like the C++ struct. Integers are raw values, bytes are lowercase hex, texts
 /// are strings, missing optional members are omitted. The conversion is lossless: the message that
-/// from_json() reads from it encodes to the same bytes. Include the tables of the messages:
-/// <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>.
+/// from_json() reads from it encodes to the same bytes; but a secret, such as a password, is
+/// "(hidden)", which from_json() refuses, unless it is to be shown. Include the tables of the
+/// messages: <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>.
 #pragma once
 
 #include <concepts>
@@ -20,25 +21,25 @@ namespace sbgc {
 
 /// Writes the JSON of a message.
 template <class M>
-void write_json(const M& message, TextOutput& out) {
+void write_json(const M& message, TextOutput& out, Secrets secrets = Secrets::hidden) {
   detail::JsonTextSink sink(out);
-  detail::JsonWriter<detail::JsonTextSink>(sink).members(message);
+  detail::JsonWriter<detail::JsonTextSink>(sink, secrets).members(message);
 }
 
 /// Calls `take` with the JSON of a message in pieces: write_json(message, [](std::string_view) {}).
 template <class M, std::invocable<std::string_view> Take>
-void write_json(const M& message, Take&& take) {
+void write_json(const M& message, Take&& take, Secrets secrets = Secrets::hidden) {
   PiecewiseOutput out(take);
-  write_json(message, static_cast<TextOutput&>(out));
+  write_json(message, static_cast<TextOutput&>(out), secrets);
   out.finish();
 }
 
 /// Returns the JSON of a message.
 template <class M>
-std::string to_json(const M& message) {
+std::string to_json(const M& message, Secrets secrets = Secrets::hidden) {
   std::string result;
   StringOutput out(result);
-  write_json(message, static_cast<TextOutput&>(out));
+  write_json(message, static_cast<TextOutput&>(out), secrets);
   out.finish();
   return result;
 }

@@ -86,6 +86,17 @@ struct Bytes : std::array<std::uint8_t, n> {
 
 namespace detail {
 
+/// Returns true for a text that readers take for one although the bytes could be something else: it
+/// is not empty, and has no control characters.
+template <class Byte>
+constexpr bool is_evident_text(const Byte* bytes, std::size_t size) noexcept {
+  constexpr std::uint8_t space = 0x20;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (static_cast<std::uint8_t>(bytes[i]) < space) return false;
+  }
+  return size != 0;
+}
+
 /// Room for the elements of a list, not initialized at run time: lists are usually much shorter
 /// than their capacity. A union, because copying one copies its bytes, initialized or not.
 template <class T, std::size_t n>

@@ -28,6 +28,9 @@ struct DetectorOptions {
   /// The timeout of a response in the first round, plus its time on the line; n times that in
   /// round n.
   Duration response_timeout = milliseconds(60);
+  /// The frame that makes the board introduce itself, if not the usual one: a port may want a
+  /// password. Must outlive the detector.
+  std::span<const std::uint8_t> question{};
 };
 
 /// The attempts on one line, and their results.
@@ -68,6 +71,7 @@ class Detector {
   static constexpr std::size_t lines = baud_rates.size() * parities.size();
 
   constexpr explicit Detector(const DetectorOptions& options = {}) noexcept : options_(options) {
+    if (options_.question.empty()) options_.question = usual_question;
     // All rates that the protocol names come before the others, for any parity.
     std::size_t next = 0;
     for (const bool named : {true, false}) {
@@ -140,7 +144,7 @@ class Detector {
  private:
   enum class Phase : std::uint8_t { set_line, settle, listen, found, failed };
 
-  static constexpr auto question = [] {
+  static constexpr auto usual_question = [] {
     std::array<std::uint8_t, frame_size(0)> frame{};
     static_cast<void>(write_frame(roles::introduction_request_id, {}, frame));
     return frame;
@@ -156,10 +160,10 @@ class Detector {
     phase_ = Phase::listen;
     ++probes_;
     ++trial().probes;
-    constexpr std::size_t bytes = question.size() + frame_size(roles::introduction_size);
+    const std::size_t bytes = options_.question.size() + frame_size(roles::introduction_size);
     until_ = now_ + wire_time(trial().line, bytes) + options_.response_timeout * (round_ + 1);
     DetectorStep result = step(DetectorStep::Kind::write);
-    result.bytes = question;
+    result.bytes = options_.question;
     return result;
   }
 

@@ -132,6 +132,19 @@ class Client : public TaskCalls<Client> {
         detail::typed_handler<M>(std::move(handler)), options);
   }
 
+  /// Makes the board send a data stream of any message, also of one that is not known here:
+  /// `request` has its id, the interval and the configuration. `handler` gets the bytes of each
+  /// frame with this id, valid during the call.
+  template <class Request = roles::StreamRequest>
+  Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
+                                  std::function<void(const Frame&)> handler,
+                                  const CallOptions& options = {}) {
+    return conversation_.stream(
+        detail::stream_requests(conversation_, request, options),
+        {static_cast<std::uint8_t>(roles::stream_command(request)), {}, true},
+        detail::typed_handler<Frame>(std::move(handler)), options);
+  }
+
   /// Drives a task to completion. The task waits on `clock` between its calls.
   template <class R>
   R run(Task<R> task, Clock& clock = Clock::system()) {

@@ -27,6 +27,7 @@ namespace detail {
 struct MessageKey {
   std::uint8_t id{};
   Form form{};
+  bool is_raw{};  ///< the subscriber gets each Frame with this id, also of unknown messages
 
   bool operator==(const MessageKey&) const = default;
 };

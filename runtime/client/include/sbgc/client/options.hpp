@@ -44,6 +44,10 @@ struct ConnectOptions {
   std::size_t queue_limit = 1024;
   /// How long a call may be queued, unless it has a timeout of its own.
   std::chrono::milliseconds queue_timeout{10'000};
+  /// Opens a port that a password protects. Sent before anything else, also at each rate that the
+  /// search for the line tries, and with each new connection; never part of an error or a notice.
+  /// A capture holds it.
+  std::optional<std::string> password{};
   /// Records all traffic to this file, unless empty. An optional can be left out in a co_await
   /// expression of g++ 12, a string cannot: see AsyncClient.
   std::optional<std::string> capture{};

@@ -114,6 +114,21 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
         detail::typed_handler<M>(std::move(handler)), interval, options);
   }
 
+  /// Like Client::stream_raw().
+  template <class Request = roles::StreamRequest>
+  Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
+                                  std::function<void(const Frame&)> handler,
+                                  const CallOptions& options = {}) {
+    const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
+                                                    roles::stream_interval(request).raw());
+    return keep_stream(
+        [request](Client& client, const MessageHandler& pass_on, const CallOptions& left) {
+          return client.stream_raw<Request>(
+              request, [pass_on](const Frame& frame) { pass_on(&frame); }, left);
+        },
+        detail::typed_handler<Frame>(std::move(handler)), interval, options);
+  }
+
   /// Like Client::run(). A task ends with the connection on which it began.
   template <class R>
   R run(Task<R> task, Clock& clock = Clock::system()) {

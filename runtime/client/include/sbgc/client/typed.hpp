@@ -98,16 +98,23 @@ void choose_stream(Request& request) noexcept {
   }
 }
 
+/// Returns the requests that start and end the data stream that `request` selects.
+template <Message Request>
+Conversation::StreamRequests stream_requests(const Conversation& conversation,
+                                             const Request& request, const CallOptions& options) {
+  Request end = request;
+  auto& interval = roles::stream_interval(end);
+  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
+  return {conversation.prepare(request, options), conversation.prepare(end, options)};
+}
+
 /// Returns the requests that start and end the data stream of M; `request` starts it.
 template <Message M, Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
                                              const CallOptions& options) {
   choose_stream<M>(request);
   if (const auto error = conversation.stream_refusal<M>()) return {*error, *error};
-  Request end = request;
-  auto& interval = roles::stream_interval(end);
-  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
-  return {conversation.prepare(request, options), conversation.prepare(end, options)};
+  return stream_requests(conversation, request, options);
 }
 
 /// Wraps a typed handler for Conversation.

@@ -64,6 +64,13 @@ class Reader {
   constexpr void if_fits(Optional<T>& out, const char* field) noexcept {
     when(takes_fitting_, out, field);
   }
+  /// Reads a text that is present only if it is evident, and all that is left of the body.
+  template <std::size_t n>
+  constexpr void if_fits(Optional<BoundedText<n>>& out, const char* field) noexcept {
+    const std::size_t left = body_.size() - at_;
+    const bool is_whole = left != 0 && left - 1 <= n && body_[at_] == left - 1;
+    when(is_whole && is_evident_text(body_.data() + at_ + 1, left - 1), out, field);
+  }
   /// Reads a value that is present if `condition`, taken from the context, holds.
   template <class T>
   constexpr void when_context(bool condition, Optional<T>& out, const char* field) noexcept {

@@ -70,6 +70,17 @@ class Writer {
   constexpr void if_fits(const Optional<T>& in, const char* field) noexcept {
     when_context(true, in, field);
   }
+  /// Writes a text that may be absent. A reader takes it for one only if it is evident, and nothing
+  /// follows.
+  template <std::size_t n>
+  constexpr void if_fits(const Optional<BoundedText<n>>& in, const char* field) noexcept {
+    if (!in) return;
+    if (status_ && !is_evident_text(in->data(), in->size())) {
+      return fail(Code::presence_mismatch, field);
+    }
+    value(*in, field);
+    miss(1, field);
+  }
   /// Writes a value whose presence depends on the context, which only a reader knows.
   template <class T>
   constexpr void when_context(bool /*condition*/, const Optional<T>& in,

@@ -112,6 +112,9 @@ class JsonReader {
     std::array<char, T::capacity()> bytes{};
     const std::size_t size = characters(bytes, place.path);
     if (size > bytes.size()) return fail_size(place.path, size, " bytes", bytes.size());
+    if (place.field.secret && std::string_view(bytes.data(), size) == hidden_text) {
+      return fail(place.path, "it is hidden; the secret itself is needed");
+    }
     out.assign(std::string_view(bytes.data(), size));
   }
   template <class T>

@@ -20,13 +20,14 @@ namespace sbgc::detail {
 
 /// Writes a message to a sink, which has these functions: begin_object(), key(name), end_object(),
 /// begin_list(), element(), end_list(), and for values integer(number), real(number), hex(bytes),
-/// text(bytes), word(text) and decimal(number).
+/// text(bytes), word(text) and decimal(number). Secrets are `hidden_text`, unless they are to be
+/// shown.
 template <class Sink>
 class JsonWriter {
  public:
   using Place = FieldPlace;
 
-  explicit JsonWriter(Sink& sink) : sink_(sink) {}
+  explicit JsonWriter(Sink& sink, Secrets secrets) : sink_(sink), secrets_(secrets) {}
 
   template <class T>
   void members(const T& value) {
@@ -62,11 +63,13 @@ class JsonWriter {
     sink_.end_object();
   }
   template <class T>
-  void bytes(const T& bytes, const Place&) {
+  void bytes(const T& bytes, const Place& place) {
+    if (hides(place.field, bytes.size())) return sink_.word(hidden_text);
     sink_.hex(std::span(bytes.data(), bytes.size()));
   }
   template <class T>
-  void text(const T& text, const Place&) {
+  void text(const T& text, const Place& place) {
+    if (hides(place.field, text.size())) return sink_.word(hidden_text);
     sink_.text({text.data(), text.size()});
   }
   template <class T>
@@ -114,6 +117,10 @@ class JsonWriter {
     }
   };
 
+  bool hides(const FieldInfo& field, std::size_t size) const {
+    return field.secret && size != 0 && secrets_ == Secrets::hidden;
+  }
+
   /// JSON has no infinities and NaN; they are words.
   template <class Float>
   void real(Float value) {
@@ -122,6 +129,7 @@ class JsonWriter {
   }
 
   Sink& sink_;
+  Secrets secrets_;
 };
 
 }  // namespace sbgc::detail

@@ -40,7 +40,18 @@ struct Leaf {
   // The position in the body.
   std::size_t offset{};
   std::size_t size{};
+  Secrets secrets{};  ///< whether the texts below show the value if it is secret
 };
+
+/// Returns true if the value is secret and not empty.
+inline bool holds_secret(const Leaf& leaf) {
+  return leaf.field.secret && !(leaf.text.empty() && leaf.bytes.empty());
+}
+
+/// Returns true if texts hide the value.
+inline bool is_hidden(const Leaf& leaf) {
+  return holds_secret(leaf) && leaf.secrets == Secrets::hidden;
+}
 
 /// Returns true if the leaf is reserved and 0, as it should be.
 inline bool is_unused(const Leaf& leaf) {
@@ -54,6 +65,7 @@ inline bool is_unused(const Leaf& leaf) {
 namespace detail {
 
 inline void put_raw_other(TextOutput& out, const Leaf& leaf) {
+  if (is_hidden(leaf)) return out.put(hidden_text);
   switch (leaf.kind) {
     case LeafKind::integer:
     case LeafKind::counter: return;

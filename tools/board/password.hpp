@@ -1,0 +1,13 @@
+/// Passwords, which come from a file or a terminal, and never from the command line.
+#pragma once
+
+#include <string>
+
+namespace sbgc::tools {
+
+/// Returns the password in a file that only its owner can access, or with "-", asks for it on the
+/// terminal, without an echo. `whose` completes the question "Password of ...". Throws
+/// CommandError, which tells nothing of the password.
+std::string read_password(const std::string& file, const std::string& whose);
+
+}  // namespace sbgc::tools
