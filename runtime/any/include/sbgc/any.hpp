@@ -148,12 +148,18 @@ class AnyMessage {
   /// Pointers that get_if() has returned become invalid.
   std::string assign(std::string_view path, std::string_view text, bool validates = true);
 
-  /// True if the message has a value at a path or below it.
+  /// True if the message has the field, or the element of a list, at a path.
   bool has(std::string_view path) const;
 
   /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
   /// message has no such field.
   bool add(std::string_view path) { return set(path, nullptr); }
+  /// Removes the optional field, or the elements of the list, at a path. Returns false if there is
+  /// nothing there that a message can lack.
+  bool remove(std::string_view path);
+  /// Sets the field at a path to a value of the wire, which nothing checks; the value of a list is
+  /// its size. Adds what is missing on the way. Returns false if the field cannot hold the value.
+  bool set(std::string_view path, const AnyValue& value) { return set(path, &value); }
 
   void write_json(TextOutput& out) const { type_->operations->write_json(memory_.get(), out); }
   std::string to_json() const;
