@@ -11,6 +11,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 """
 
 from sbgc import msg
+from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
     Frame,
@@ -24,11 +25,24 @@ from sbgc.codec import (
     encode_body,
     validate,
 )
-from sbgc.errors import CodecError, DecodeError, EncodeError, Error, FieldError
+from sbgc.emulator import Angles, Board, emulator
+from sbgc.errors import (
+    CodecError,
+    DecodeError,
+    EncodeError,
+    Error,
+    FieldError,
+    GimbalDisconnected,
+    GimbalError,
+    GimbalTimeout,
+)
 from sbgc.message import Contexts, Message
 from sbgc.msg.protocol import Framing
+from sbgc.parameters import Profile
 
 __all__ = [
+    "Angles",
+    "Board",
     "CodecError",
     "Contexts",
     "DecodeError",
@@ -38,13 +52,25 @@ __all__ = [
     "FieldError",
     "Frame",
     "Framing",
+    "Gimbal",
+    "GimbalDisconnected",
+    "GimbalError",
+    "GimbalTimeout",
+    "Identity",
     "Message",
+    "Move",
     "Parser",
     "ParserCounters",
+    "Profile",
+    "SpeedControl",
+    "Stream",
     "Violation",
+    "connect",
     "decode",
     "decode_body",
     "describe",
+    "diff",
+    "emulator",
     "encode",
     "encode_body",
     "msg",

@@ -44,3 +44,27 @@ class DecodeError(CodecError):
 
 class EncodeError(CodecError):
     """A message that contradicts itself, such as one without a field that its flags announce."""
+
+
+class GimbalError(Error):
+    """The board, the line or the file did not do what was asked.
+
+    `code` is the name of the reason, such as "board_error" or "mismatch"; see ErrorCode of the C++
+    library. `detail` is the number that some of them carry, else 0.
+    """
+
+    def __init__(self, text: str, code: str, detail: int) -> None:
+        super().__init__(text)
+        self.code = code
+        self.detail = detail
+
+    def __reduce__(self) -> tuple[type[GimbalError], tuple[str, str, int]]:
+        return type(self), (str(self), self.code, self.detail)
+
+
+class GimbalTimeout(GimbalError, TimeoutError):
+    """No response, or not in time."""
+
+
+class GimbalDisconnected(GimbalError, ConnectionError):
+    """The line is closed, or was lost."""

@@ -18,6 +18,8 @@ namespace py = pybind11;
 // Each adds its part to the module.
 void bind_messages(py::module_& module);
 void bind_codec(py::module_& module);
+void bind_client(py::module_& module);
+void bind_emulator(py::module_& module);
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -31,6 +33,16 @@ decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
     ~Release() { PyBuffer_Release(&view); }
   } const release{view};
   return use(Bytes(static_cast<const std::uint8_t*>(view.buf), static_cast<std::size_t>(view.len)));
+}
+
+/// Calls `use` while other threads of Python run. If the interpreter ends meanwhile, it ends this
+/// thread by unwinding its stack: not the guards of pybind11, whose destructors must not throw.
+template <class Use>
+auto released(const Use& use) {
+  PyThreadState* const thread = PyEval_SaveThread();
+  auto result = use();
+  PyEval_RestoreThread(thread);
+  return result;
 }
 
 inline py::bytes to_bytes(Bytes bytes) {

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include <pybind11/stl.h>
+
 #include <sbgc/json/hex.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/validate.hpp>
@@ -158,7 +160,7 @@ void set_raw(AnyMessage& message, std::string_view path, const py::object& value
   }
   const auto number = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
   if (!number) raise_type(path, value, "an integer");
-  std::string text = py::str(number).cast<std::string>();
+  std::string text = py::repr(number).cast<std::string>();
   with_leaf(message, path, [&](const Leaf& leaf) {
     text = announced_text(leaf, leaf.unit != nullptr ? "raw:" + text : text);
   });
@@ -176,6 +178,34 @@ void set_text(AnyMessage& message, std::string_view path, const py::object& valu
       PyUnicode_AsEncodedString(value.ptr(), "utf-8", "surrogateescape"));
   if (!bytes) raise_type(path, value, "a text");
   assign(message, path, std::string(bytes), true);
+}
+
+/// Sets a value of any kind: a text as people write it, a number in the unit of the field.
+void put(AnyMessage& message, std::string_view path, const py::object& value) {
+  bool is_number = false;
+  bool has_unit = false;
+  bool is_text = false;
+  with_leaf(message, path, [&](const Leaf& leaf) {
+    is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
+    has_unit = leaf.unit != nullptr || leaf.kind == LeafKind::real;
+    is_text = leaf.kind == LeafKind::text;
+  });
+  if (is_text || PyUnicode_Check(value.ptr())) {
+    if (is_text) return set_text(message, path, value);
+    return assign(message, path, value.cast<std::string>(), true);
+  }
+  if (!is_number) return set_bytes(message, path, value);
+  return has_unit ? set_real(message, path, value) : set_raw(message, path, value);
+}
+
+/// Returns the paths of the values that end with a name: "pitch.p" finds "axes.pitch.p".
+std::vector<std::string> find(const AnyMessage& message, const std::string& name) {
+  std::vector<std::string> found;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    std::string path = sbgc::to_string(leaf.path);
+    if (path == name || path.ends_with('.' + name)) found.push_back(std::move(path));
+  });
+  return found;
 }
 
 using Values = std::vector<std::pair<std::string, AnyValue>>;
@@ -296,7 +326,7 @@ void decode(AnyMessage& message, const py::buffer& body, const Contexts* context
   if (!status) raise_status("DecodeError", message.type().info->name, status);
 }
 
-AnyMessage make(std::string_view name) {
+AnyMessage make_message(std::string_view name) {
   const MessageType* const type = find_message(name);
   if (type == nullptr) throw py::value_error("there is no message " + std::string(name));
   return type->make();
@@ -362,7 +392,7 @@ py::list message_names() {
 
 void bind_messages(py::module_& module) {
   py::class_<AnyMessage>(module, "AnyMessage")
-      .def(py::init(&make))
+      .def(py::init(&make_message))
       .def_property_readonly("name", [](const AnyMessage& m) { return m.type().info->name; })
       .def_property_readonly("id", [](const AnyMessage& m) { return m.type().info->id; })
       .def("copy", [](const AnyMessage& m) { return m; })
@@ -377,6 +407,8 @@ void bind_messages(py::module_& module) {
       .def("set_raw", &set_raw)
       .def("set_bytes", &set_bytes)
       .def("set_text", &set_text)
+      .def("put", &put)
+      .def("find", &find)
       .def("copy_values", &copy_values)
       .def("is_equal", &is_equal)
       .def("text", &text_below)
