@@ -10,7 +10,7 @@
 the field beside them with the suffix `_raw` is the number on the wire.
 """
 
-from sbgc import msg
+from sbgc import aio, msg
 from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
@@ -65,6 +65,7 @@ __all__ = [
     "SpeedControl",
     "Stream",
     "Violation",
+    "aio",
     "connect",
     "decode",
     "decode_body",

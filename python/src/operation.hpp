@@ -46,8 +46,11 @@ class Operation {
     bell_->ring();
   }
   void report(Result progress) {
-    const std::scoped_lock lock(mutex_);
-    progress_ = std::move(progress);
+    {
+      const std::scoped_lock lock(mutex_);
+      progress_ = std::move(progress);
+    }
+    bell_->ring();
   }
   /// Ends it soon, as an error; what moves the camera stops it first.
   void cancel() {
