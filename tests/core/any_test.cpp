@@ -101,6 +101,25 @@ TEST(AnyMessage, ValuesAreAssignedFromText) {
   EXPECT_FALSE(sound.add("note"));
 }
 
+TEST(AnyMessage, WhatAMessageCanLackIsAddedFoundAndRemoved) {
+  AnyMessage motors = find_message("ExtMotorsControl")->make();
+  EXPECT_FALSE(motors.has("setpoint16"));
+  EXPECT_TRUE(motors.add("setpoint16"));
+  EXPECT_TRUE(motors.has("setpoint16")) << "a list without elements";
+  EXPECT_TRUE(motors.set("setpoint16", std::int64_t{2}));
+  EXPECT_TRUE(motors.has("setpoint16[1]") && !motors.has("setpoint16[2]"));
+  EXPECT_TRUE(motors.remove("setpoint16"));
+  EXPECT_TRUE(motors == find_message("ExtMotorsControl")->make());
+
+  AnyMessage control = find_message("Control")->make();
+  EXPECT_TRUE(control.has("axes") && control.has("axes.roll") && control.has("axes.roll.angle"));
+  EXPECT_FALSE(control.has("axes.roll.angles") || control.has("axes.tilt"));
+  EXPECT_FALSE(control.remove("axes.roll.angle") || control.remove("axes.tilt"));
+  EXPECT_TRUE(control.set("axes.roll.angle", std::int64_t{7}));
+  EXPECT_EQ(control.get_if<msg::Control>()->axes.roll.angle.raw(), 7);
+  EXPECT_FALSE(control.set("axes.roll.angle", 7.0) || control.set("axes.roll", std::int64_t{7}));
+}
+
 TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {
   AnyMessage sound = find_message("BeepSound")->make();
   ASSERT_EQ(sound.assign("note_length", "80 ms"), "");

@@ -70,10 +70,9 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
 }
 
 bool AnyMessage::has(std::string_view path) const {
-  bool result = false;
-  for_each_leaf(
-      [&](const Leaf& leaf) { result = result || is_in(sbgc::to_string(leaf.path), path); });
-  return result;
+  detail::FieldSetter finder(path, nullptr, detail::FieldSetter::End::find);
+  type_->operations->set(memory_.get(), finder);
+  return finder.is_done();
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
@@ -124,6 +123,12 @@ std::string AnyMessage::assign(const FieldType& type, const std::string& path,
   const ParsedValue parsed = parse_value(meant, meant.unit, text, present);
   if (!parsed) return parsed.problem;
   return set(path, &parsed.value) ? "" : "it cannot have this value";
+}
+
+bool AnyMessage::remove(std::string_view path) {
+  detail::FieldSetter setter(path, nullptr, detail::FieldSetter::End::remove);
+  type_->operations->set(memory_.get(), setter);
+  return setter.is_done();
 }
 
 bool AnyMessage::set(std::string_view path, const AnyValue* value) {

@@ -21,18 +21,22 @@ namespace sbgc::detail {
 
 /// Walks along a path, adds what is missing on the way, and sets the value at its end; the value of
 /// a list is its size. Instantiates functions per type of member, not per member of each message.
+/// Without a value, it only adds what is missing, removes what is at the end, or finds it.
 class FieldSetter {
  public:
   using Place = FieldPlace;
 
-  /// Without a value, only what is missing is added.
-  FieldSetter(std::string_view path, const AnyValue* value) : rest_(path), value_(value) {}
+  enum class End : std::uint8_t { set, remove, find };
+
+  FieldSetter(std::string_view path, const AnyValue* value, End end = End::set)
+      : rest_(path), value_(value), end_(end) {}
 
   /// True if the message has the field, and the field takes the value.
   bool is_done() const { return is_done_; }
 
   template <class T>
   SBGC_NOINLINE void members(T& value) {
+    if (is_found()) return;
     if (rest_.starts_with('.')) rest_.remove_prefix(1);
     const std::string_view name =
         rest_.substr(0, std::min(rest_.find_first_of(".["), rest_.size()));
@@ -48,7 +52,7 @@ class FieldSetter {
     using Value = std::conditional_t<std::is_floating_point_v<Raw>, double, std::int64_t>;
     if (const auto* const value = taken<Value>()) out = static_cast<T>(static_cast<Raw>(*value));
   }
-  void counter(Counter&, const Place&) {}  // follows from the list
+  void counter(Counter&, const Place&) { is_found(); }  // follows from the list
   void number(Number& out, const Place&) {
     if (const auto* const value = taken<Number>()) out = *value;
   }
@@ -72,17 +76,22 @@ class FieldSetter {
   template <class T>
   SBGC_NOINLINE void list(T& out, const Place& place) {
     if (rest_.empty()) {
-      if (const auto* const size = taken<std::int64_t>()) {
+      if (end_ == End::remove) {
+        out.clear();
+        is_done_ = true;
+      } else if (const auto* const size = taken<std::int64_t>()) {
         is_done_ = out.resize(static_cast<std::size_t>(*size));
       }
       return;
     }
     const std::size_t index = take_index();
-    if (index >= T::capacity() || (index >= out.size() && !out.resize(index + 1))) return;
+    if (index >= T::capacity()) return;
+    if (index >= out.size() && (end_ == End::find || !out.resize(index + 1))) return;
     walk(out[index], place, *this);
   }
   template <class T>
   SBGC_NOINLINE void array(T& out, const Place& place) {
+    if (is_found()) return;
     const std::size_t index = take_index();
     if (index < out.size()) walk(out[index], place, *this);
   }
@@ -92,6 +101,12 @@ class FieldSetter {
   }
   template <class T>
   void optional(T& out, const Place& place) {
+    if (rest_.empty() && end_ == End::remove) {
+      out.reset();
+      is_done_ = true;
+      return;
+    }
+    if (!out && end_ == End::find) return;
     if (!out) out.emplace();
     walk(*out, place, *this);
   }
@@ -111,10 +126,16 @@ class FieldSetter {
     }
   };
 
+  /// True if the path ends here, and nothing else is asked.
+  bool is_found() {
+    is_done_ = is_done_ || (rest_.empty() && end_ == End::find);
+    return is_done_;
+  }
+
   /// Returns the value if the path ends here, and it is a V.
   template <class V>
   const V* taken() {
-    if (!rest_.empty()) return nullptr;
+    if (!rest_.empty() || end_ == End::remove) return nullptr;
     is_done_ = value_ == nullptr || std::holds_alternative<V>(*value_);
     return value_ != nullptr && is_done_ ? &std::get<V>(*value_) : nullptr;
   }
@@ -132,6 +153,7 @@ class FieldSetter {
 
   std::string_view rest_;
   const AnyValue* value_;
+  End end_;
   bool is_done_ = false;
 };
 

@@ -154,12 +154,18 @@ class AnyMessage {
   /// True if the message has a secret, such as a password, that is not empty.
   bool holds_secret() const;
 
-  /// True if the message has a value at a path or below it.
+  /// True if the message has the field, or the element of a list, at a path.
   bool has(std::string_view path) const;
 
   /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
   /// message has no such field.
   bool add(std::string_view path) { return set(path, nullptr); }
+  /// Removes the optional field, or the elements of the list, at a path. Returns false if there is
+  /// nothing there that a message can lack.
+  bool remove(std::string_view path);
+  /// Sets the field at a path to a value of the wire, which nothing checks; the value of a list is
+  /// its size. Adds what is missing on the way. Returns false if the field cannot hold the value.
+  bool set(std::string_view path, const AnyValue& value) { return set(path, &value); }
 
   void write_json(TextOutput& out, Secrets secrets = Secrets::hidden) const {
     type_->operations->write_json(memory_.get(), out, secrets);

@@ -1,0 +1,79 @@
+"""The SimpleBGC gimbal protocol: messages and their bytes.
+
+    from sbgc import Direction, decode, encode, msg
+
+    request = msg.Control(axes=msg.Axes(pitch=msg.ControlAxis(angle=30)))
+    frame = encode(request)
+    decode(frame, Direction.TO_BOARD).axes.pitch.angle
+
+`msg` has a class for every message and structure of the protocol. Fields are numbers in their units;
+the field beside them with the suffix `_raw` is the number on the wire.
+"""
+
+from sbgc import aio, msg
+from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
+from sbgc.codec import (
+    Direction,
+    Frame,
+    Parser,
+    ParserCounters,
+    Violation,
+    decode,
+    decode_body,
+    describe,
+    encode,
+    encode_body,
+    validate,
+)
+from sbgc.emulator import Angles, Board, emulator
+from sbgc.errors import (
+    CodecError,
+    DecodeError,
+    EncodeError,
+    Error,
+    FieldError,
+    GimbalDisconnected,
+    GimbalError,
+    GimbalTimeout,
+)
+from sbgc.message import Contexts, Message
+from sbgc.msg.protocol import Framing
+from sbgc.parameters import Profile
+
+__all__ = [
+    "Angles",
+    "Board",
+    "CodecError",
+    "Contexts",
+    "DecodeError",
+    "Direction",
+    "EncodeError",
+    "Error",
+    "FieldError",
+    "Frame",
+    "Framing",
+    "Gimbal",
+    "GimbalDisconnected",
+    "GimbalError",
+    "GimbalTimeout",
+    "Identity",
+    "Message",
+    "Move",
+    "Parser",
+    "ParserCounters",
+    "Profile",
+    "SpeedControl",
+    "Stream",
+    "Violation",
+    "aio",
+    "connect",
+    "decode",
+    "decode_body",
+    "describe",
+    "diff",
+    "emulator",
+    "encode",
+    "encode_body",
+    "msg",
+    "validate",
+]

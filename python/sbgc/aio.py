@@ -1,0 +1,285 @@
+"""The asynchronous client: the same calls as Gimbal, to await.
+
+    async with sbgc.aio.connect("/dev/ttyUSB0") as gimbal:
+        await gimbal.move_to(pitch=20, speed=10)
+
+A call that is cancelled stops a camera that it moves before the cancellation goes on.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import AsyncIterator, Callable, Generator, Mapping
+from contextlib import asynccontextmanager
+from typing import Any, Generic, Optional, TypeVar, Union
+
+from sbgc import _core
+from sbgc.client import _STOP, Link, Move, Path, Progress, SpeedControl, move_of, report, target_of
+from sbgc.emulator import Board
+from sbgc.message import Message, wrap
+from sbgc.parameters import Edit, Profile, profile_index
+
+M = TypeVar("M", bound=Message)
+
+
+class Gimbal(Link):
+    """A connected board, in the event loop in which it was made; see connect()."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._loop = asyncio.get_running_loop()
+        self._rung = asyncio.Event()
+        # The client's thread rings; nothing of it runs Python.
+        self._loop.add_reader(self._link.descriptor, self._ring)
+
+    def _ring(self) -> None:
+        self._link.silence()
+        self._rung.set()
+        self._rung = asyncio.Event()
+
+    async def __aenter__(self) -> Gimbal:
+        return self
+
+    async def __aexit__(self, *error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        if not self._loop.is_closed():
+            self._loop.remove_reader(self._link.descriptor)
+        super().close()
+
+    async def _finish(self, operation: _core.Operation, progress: Optional[Progress] = None) -> Any:
+        try:
+            await self._end(operation, progress)
+        except BaseException:
+            operation.cancel()
+            async with asyncio.timeout(_STOP):
+                await self._end(operation)
+            raise
+        return operation.result()
+
+    async def _end(self, operation: _core.Operation, progress: Optional[Progress] = None) -> None:
+        while True:
+            rung = self._rung  # before the question: what happens after it rings this one
+            is_over = operation.wait(0)
+            report(operation, progress)
+            if is_over:
+                return
+            await rung.wait()
+
+    async def call(
+        self,
+        request: Message,
+        *,
+        timeout: Optional[float] = None,
+        retries: Optional[int] = None,
+        validates: bool = True,
+    ) -> Optional[Message]:
+        """As Gimbal.call() of the blocking client; likewise all others."""
+        found = await self._finish(self._link.call(request._message, timeout, retries, validates))
+        return None if found is None else wrap(found)
+
+    async def move_to(
+        self,
+        *,
+        roll: Optional[float] = None,
+        pitch: Optional[float] = None,
+        yaw: Optional[float] = None,
+        speed: float = 0.0,
+        timeout: float = 30.0,
+        tolerance: float = 0.5,
+        progress: Optional[Callable[[Move], object]] = None,
+    ) -> Move:
+        operation = self._link.move_to(roll, pitch, yaw, speed, timeout, tolerance, True)
+        tell = None if progress is None else (lambda *found: progress(move_of(found)))
+        return move_of(await self._finish(operation, tell))
+
+    async def begin_move(
+        self,
+        *,
+        roll: Optional[float] = None,
+        pitch: Optional[float] = None,
+        yaw: Optional[float] = None,
+        speed: float = 0.0,
+        timeout: float = 30.0,
+    ) -> Move:
+        operation = self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False)
+        return move_of(await self._finish(operation))
+
+    async def stop(self) -> None:
+        await self._finish(self._link.stop())
+
+    async def release(self) -> None:
+        await self._finish(self._link.release())
+
+    @asynccontextmanager
+    async def speed_control(self, silence: float = 0.5) -> AsyncIterator[SpeedControl]:
+        held = _core.HeldSpeed(self._link, silence)
+        try:
+            yield SpeedControl(held)
+        finally:
+            await self._finish(held.close())
+
+    async def stream(
+        self,
+        message: type[M],
+        interval: float,
+        *,
+        request: Optional[Message] = None,
+        timeout: float = 5.0,
+    ) -> Stream[M]:
+        given = None if request is None else request._message
+        queue = await self._finish(self._link.stream(message.__name__, interval, given, None))
+        return Stream(queue, self, timeout)
+
+    async def calibrate_gyroscope(
+        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
+    ) -> None:
+        await self._finish(self._link.calibrate(True, timeout), progress)
+
+    async def calibrate_accelerometer(
+        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
+    ) -> None:
+        await self._finish(self._link.calibrate(False, timeout), progress)
+
+    async def active_profile(self) -> int:
+        found: int = await self._finish(self._link.active_profile())
+        return found + 1
+
+    async def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
+        index = profile_index(profile)
+        return Edit(await self._finish(self._link.read_parameters(index, timeout)), index).profile
+
+    @asynccontextmanager
+    async def edit_profile(self, profile: int, *, timeout: float = 120.0) -> AsyncIterator[Profile]:
+        index = profile_index(profile)
+        edit = Edit(await self._finish(self._link.read_parameters(index, timeout)), index)
+        yield edit.profile
+        changed = edit.changed()
+        if changed:
+            await self._finish(self._link.write_parameters(changed, timeout))
+
+    async def get_variables(self, *names: str) -> list[float]:
+        found: list[float] = await self._finish(self._link.get_variables(list(names)))
+        return found
+
+    async def get_variable(self, name: str) -> float:
+        return (await self.get_variables(name))[0]
+
+    async def set_variables(self, values: Mapping[str, float]) -> None:
+        await self._finish(self._link.set_variables(list(values.items())))
+
+    async def save_variables(self) -> None:
+        await self._finish(self._link.save_variables())
+
+    async def backup(self, *, timeout: float = 60.0, progress: Optional[Progress] = None) -> str:
+        found: str = await self._finish(self._link.make_backup(timeout), progress)
+        return found
+
+    async def restore(
+        self,
+        backup: str,
+        save_current: Path,
+        *,
+        allow_other_model: bool = False,
+        allow_other_firmware: bool = False,
+        timeout: float = 180.0,
+        progress: Optional[Progress] = None,
+    ) -> str:
+        operation = self._link.restore(
+            backup, os.fspath(save_current), allow_other_model, allow_other_firmware, timeout
+        )
+        found: str = await self._finish(operation, progress)
+        return found
+
+    async def read_eeprom(self, address: int, size: int) -> bytes:
+        found: bytes = await self._finish(self._link.download_eeprom(address, size))
+        return found
+
+    async def read_file(self, file: int) -> bytes:
+        found: bytes = await self._finish(self._link.download_file(file))
+        return found
+
+    async def write_file(self, file: int, data: Union[bytes, bytearray, memoryview]) -> None:
+        await self._finish(self._link.upload_file(file, data))
+
+    async def delete_file(self, file: int) -> None:
+        await self._finish(self._link.delete_file(file))
+
+
+class Stream(Generic[M]):
+    """The samples of a data stream. It ends with its `async with` block, or with close()."""
+
+    def __init__(self, queue: _core.SampleQueue, gimbal: Gimbal, timeout: float) -> None:
+        self._queue, self._gimbal, self._timeout = queue, gimbal, timeout
+        self._is_open = True
+
+    async def __aenter__(self) -> Stream[M]:
+        return self
+
+    async def __aexit__(self, *error: object) -> None:
+        self.close()
+
+    def __aiter__(self) -> Stream[M]:
+        return self
+
+    async def __anext__(self) -> M:
+        """Wait for the next sample. Raises TimeoutError if none comes."""
+        async with asyncio.timeout(self._timeout):
+            while self._is_open:
+                rung = self._gimbal._rung
+                sample = self._queue.take(0)
+                if sample is not None:
+                    return wrap(sample)  # type: ignore[return-value]
+                await rung.wait()
+                if self._is_open:
+                    _ = self._gimbal.description  # raises if the line is closed
+        raise StopAsyncIteration
+
+    @property
+    def missed(self) -> int:
+        """How many samples were dropped because nobody took them."""
+        return self._queue.missed
+
+    def close(self) -> None:
+        self._is_open = False
+        self._queue.cancel()
+        self._gimbal._ring()
+
+
+class Connecting:
+    """A client that is being connected: to await, or for `async with`."""
+
+    def __init__(self, place: Union[str, Board], timeout: float, capture: Optional[Path]) -> None:
+        self._place, self._timeout = place, timeout
+        self._capture = None if capture is None else os.fspath(capture)
+        self._gimbal: Optional[Gimbal] = None
+
+    def __await__(self) -> Generator[Any, None, Gimbal]:
+        return self._connect().__await__()
+
+    async def _connect(self) -> Gimbal:
+        gimbal = Gimbal()
+        place = target_of(self._place)
+        try:
+            await gimbal._finish(gimbal._link.connect(place, self._timeout, self._capture))
+        except BaseException:
+            gimbal.close()
+            raise
+        return gimbal
+
+    async def __aenter__(self) -> Gimbal:
+        self._gimbal = await self._connect()
+        return self._gimbal
+
+    async def __aexit__(self, *error: object) -> None:
+        if self._gimbal is not None:
+            self._gimbal.close()
+
+
+def connect(
+    place: Union[str, Board], *, timeout: float = 20.0, capture: Optional[Path] = None
+) -> Connecting:
+    """Connect to a board, as sbgc.connect()."""
+    return Connecting(place, timeout, capture)

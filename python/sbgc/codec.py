@@ -1,0 +1,145 @@
+"""Bytes to messages, and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Optional, Union
+
+from sbgc import _core
+from sbgc.message import Contexts, Message, wrap
+from sbgc.msg.protocol import Framing
+
+Bytes = Union[bytes, bytearray, memoryview]
+
+
+class Direction(IntEnum):
+    """Who sends a message: one command id often has another message in each direction."""
+
+    TO_BOARD = 0
+    FROM_BOARD = 1
+
+
+def encode(message: Message, framing: Framing = Framing.V1) -> bytes:
+    """Return the frame of a message. Raises EncodeError."""
+    return message._message.frame(framing)
+
+
+def encode_body(message: Message) -> bytes:
+    """Return the body of a message, without a frame. Raises EncodeError."""
+    return message._message.body()
+
+
+def decode(
+    frame: Bytes,
+    direction: Direction = Direction.FROM_BOARD,
+    contexts: Optional[Contexts] = None,
+) -> Message:
+    """Decode one frame, in any framing. Raises DecodeError."""
+    known = None if contexts is None else contexts._contexts
+    return wrap(_core.decode_frame(frame, direction == Direction.FROM_BOARD, known))
+
+
+def decode_body(
+    id: int,
+    body: Bytes,
+    direction: Direction = Direction.FROM_BOARD,
+    contexts: Optional[Contexts] = None,
+) -> Message:
+    """Decode the body of a frame with this command id. Raises DecodeError."""
+    known = None if contexts is None else contexts._contexts
+    return wrap(_core.decode_body(id, body, direction == Direction.FROM_BOARD, known))
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame that a Parser has found. `offset` is that of its first byte in the stream."""
+
+    id: int
+    body: bytes
+    offset: int
+    framing: Framing
+
+    def decode(
+        self,
+        direction: Direction = Direction.FROM_BOARD,
+        contexts: Optional[Contexts] = None,
+    ) -> Message:
+        """Decode the body. Raises DecodeError."""
+        return decode_body(self.id, self.body, direction, contexts)
+
+
+@dataclass(frozen=True)
+class ParserCounters:
+    """What a Parser has counted since it was made; see the parser of the C++ library."""
+
+    frames: int
+    skipped_bytes: int
+    header_errors: int
+    body_errors: int
+    incomplete: int
+
+
+class Parser:
+    """Finds the frames in a stream of bytes, in one framing or in all of them.
+
+    It finds the same frames however the stream is cut into chunks.
+    """
+
+    def __init__(self, framing: Optional[Framing] = None) -> None:
+        self._parser = _core.StreamParser(None if framing is None else int(framing))
+
+    def feed(self, chunk: Bytes) -> list[Frame]:
+        """Take the next bytes; return the frames that they complete."""
+        return _frames(self._parser.feed(chunk))
+
+    def flush(self) -> list[Frame]:
+        """Give up on a frame that is still incomplete; return the frames among its bytes.
+
+        Call it when the stream has ended, or when the line has been idle.
+        """
+        return _frames(self._parser.flush())
+
+    @property
+    def waiting_bytes(self) -> int:
+        """The number of bytes that wait for the rest of their frame."""
+        return self._parser.waiting
+
+    @property
+    def counters(self) -> ParserCounters:
+        return ParserCounters(*self._parser.counters)
+
+
+def _frames(found: list[_core.Frame]) -> list[Frame]:
+    return [Frame(one.id, one.body, one.offset, Framing(one.framing)) for one in found]
+
+
+@dataclass(frozen=True)
+class Violation:
+    """A value that the specification does not allow.
+
+    `value` and `limit` are raw; `rule` is "minimum", "maximum", "alignment", "count", "order",
+    "firmware" or "board". The text is a sentence: "axes.roll.angle: 800 deg is above 720 deg".
+    """
+
+    field: str
+    text: str
+    value: float
+    limit: float
+    rule: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def validate(message: Message, firmware: int = 0, board: int = 0) -> list[Violation]:
+    """Return what a board with these versions does not allow; 0 stands for the newest one.
+
+    Versions are those of the wire: msg.FirmwareVersion, msg.BoardVersion.
+    """
+    return [Violation(*one) for one in message._message.violations(firmware, board)]
+
+
+def describe(message: Message) -> str:
+    """Return the text of a message: its name, and every value with its meaning."""
+    return repr(message)

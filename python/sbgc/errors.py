@@ -1,0 +1,70 @@
+"""The exceptions of the package. Their texts are the sentences of the C++ library."""
+
+from __future__ import annotations
+
+
+class Error(Exception):
+    """The base of all exceptions of the package."""
+
+
+class FieldError(Error, ValueError):
+    """A value that a field cannot have, or that the specification does not allow.
+
+    `field` is the path of the field, such as "axes.pitch.angle".
+    """
+
+    def __init__(self, text: str, field: str) -> None:
+        super().__init__(text)
+        self.field = field
+
+    def __reduce__(self) -> tuple[type[FieldError], tuple[str, str]]:
+        return type(self), (str(self), self.field)
+
+
+class CodecError(Error, ValueError):
+    """Bytes that are no message, or a message that has no bytes.
+
+    `code` is the name of the reason as in JSON, such as "too_short"; `field` the path of the field
+    in error, or ""; `offset` its offset in the body.
+    """
+
+    def __init__(self, text: str, code: str, field: str, offset: int) -> None:
+        super().__init__(text)
+        self.code = code
+        self.field = field
+        self.offset = offset
+
+    def __reduce__(self) -> tuple[type[CodecError], tuple[str, str, str, int]]:
+        return type(self), (str(self), self.code, self.field, self.offset)
+
+
+class DecodeError(CodecError):
+    """Bytes that are no frame, or a body that is no message."""
+
+
+class EncodeError(CodecError):
+    """A message that contradicts itself, such as one without a field that its flags announce."""
+
+
+class GimbalError(Error):
+    """The board, the line or the file did not do what was asked.
+
+    `code` is the name of the reason, such as "board_error" or "mismatch"; see ErrorCode of the C++
+    library. `detail` is the number that some of them carry, else 0.
+    """
+
+    def __init__(self, text: str, code: str, detail: int) -> None:
+        super().__init__(text)
+        self.code = code
+        self.detail = detail
+
+    def __reduce__(self) -> tuple[type[GimbalError], tuple[str, str, int]]:
+        return type(self), (str(self), self.code, self.detail)
+
+
+class GimbalTimeout(GimbalError, TimeoutError):
+    """No response, or not in time."""
+
+
+class GimbalDisconnected(GimbalError, ConnectionError):
+    """The line is closed, or was lost."""

@@ -1,0 +1,409 @@
+"""Fields of messages as attributes. Their values live in a message of the C++ library.
+
+A message, a structure in it, axes and lists all are a place: a message and a path in it. They change
+when the message does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, MutableSequence
+from enum import Enum
+from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, Union, cast, overload
+
+from sbgc import _core
+from sbgc.errors import FieldError
+from sbgc.values import UNSET
+
+T = TypeVar("T")
+Get = TypeVar("Get")
+Set = TypeVar("Set")
+S = TypeVar("S", bound="Structure")
+
+
+class Kind(Protocol):
+    """How the value at a path is read and written."""
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        ...
+
+    def write(self, message: _core.AnyMessage, path: str, value: Any) -> None:
+        ...
+
+
+class _Real:
+    """A number in its unit."""
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return message.get(path)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        message.set_real(path, value)
+
+
+class _Raw:
+    """A number as on the wire."""
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return message.get(path, True)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        message.set_raw(path, value)
+
+
+class _Bytes:
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return message.get(path)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        message.set_bytes(path, value)
+
+
+class _Tail(_Bytes):
+    """Bytes that a message without them has as well."""
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return message.get(path) or b""
+
+
+class _Text:
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return message.get(path)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        message.set_text(path, value)
+
+
+REAL, RAW, BYTES, TAIL, TEXT = _Real(), _Raw(), _Bytes(), _Tail(), _Text()
+
+
+class ValueOf:
+    """A value of an enum, of flags, or of a packed integer."""
+
+    def __init__(self, type_: Any) -> None:
+        self._type = type_
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return self._type(message.get(path, True))
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        if isinstance(value, Enum) and issubclass(self._type, Enum):
+            if not isinstance(value, self._type):
+                raise TypeError(f"{path}: {self._type.__name__} is needed, not {value!r}")
+        message.set_raw(path, value)
+
+
+class GroupOf:
+    """A structure."""
+
+    def __init__(self, type_: type[Structure]) -> None:
+        self._type = type_
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return self._type._at(message, path)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        if not isinstance(value, self._type):
+            raise TypeError(f"{path}: {self._type.__name__} is needed, not {value!r}")
+        message.copy_values(path, value._message, value._path)
+
+
+class AxesOf:
+    """A value for each axis of the gimbal, or of space."""
+
+    def __init__(self, kind: Kind, type_: Any = None) -> None:
+        self._kind = kind
+        self._type = type_ or Axes
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return self._type._at(message, path, self._kind)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        if not isinstance(value, self._type):
+            raise TypeError(f"{path}: {self._type.__name__} is needed, not {value!r}")
+        for name in self._type.names:
+            element = getattr(value, name)
+            if element is not UNSET:
+                self._kind.write(message, f"{path}.{name}", element)
+
+
+class ListOf:
+    """A list, whose size may be fixed."""
+
+    def __init__(self, kind: Kind) -> None:
+        self._kind = kind
+
+    def read(self, message: _core.AnyMessage, path: str) -> Any:
+        return Elements(message, path, self._kind)
+
+    def write(self, message: _core.AnyMessage, path: str, value: Iterable[object]) -> None:
+        values = list(value)
+        size = message.count(path)
+        if not message.remove(path) and len(values) != size:
+            raise FieldError(f"{path}: it has {size} elements, not {len(values)}", path)
+        message.add(path)
+        for index, element in enumerate(values):
+            self._kind.write(message, f"{path}[{index}]", element)
+
+
+class Field(Generic[Get, Set]):
+    """An attribute of a message or a structure."""
+
+    def __init__(self, kind: Kind, optional: bool = False, of: str = "") -> None:
+        self._kind = kind
+        self._optional = optional
+        self._name = of
+        self.is_second = bool(of)
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = self._name or name
+
+    @overload
+    def __get__(self, place: None, owner: type) -> Field[Get, Set]:
+        ...
+
+    @overload
+    def __get__(self, place: Structure, owner: type) -> Get:
+        ...
+
+    def __get__(self, place: Union[Structure, None], owner: type) -> Union[Field[Get, Set], Get]:
+        if place is None:
+            return self
+        path = place._path_of(self._name)
+        if self._optional and not place._message.has(path):
+            return cast(Get, None)
+        return cast(Get, self._kind.read(place._message, path))
+
+    def __set__(self, place: Structure, value: Set) -> None:
+        changed = place._message.copy()
+        self.write(changed, place._path_of(self._name), value)
+        place._message.take(changed)
+
+    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+        if self._optional and value is None:
+            message.remove(path)
+        else:
+            self._kind.write(message, path, value)
+
+
+class Structure:
+    """A group of fields: a place in a message.
+
+    A new structure has a message of its own, `_home`.
+    """
+
+    __slots__ = ("_message", "_path")
+    _home: tuple[str, str]
+    _message: _core.AnyMessage
+    _path: str
+
+    def _start(self, **values: object) -> None:
+        name, self._path = self._home
+        self._message = _core.AnyMessage(name)
+        if self._path:
+            self._message.add(self._path)
+        for field, value in values.items():
+            if value is not ...:
+                getattr(type(self), field).write(self._message, self._path_of(field), value)
+
+    @classmethod
+    def _at(cls: type[S], message: _core.AnyMessage, path: str) -> S:
+        made = object.__new__(cls)
+        made._message = message
+        made._path = path
+        return made
+
+    def _path_of(self, field: str) -> str:
+        return f"{self._path}.{field}" if self._path else field
+
+    def assign(self, path: str, text: str, validates: bool = True) -> None:
+        """Set a field to a value as people write it: `assign("angle", "-30deg")`.
+
+        Without `validates`, also to one that the specification does not allow.
+        """
+        self._message.assign(self._path_of(path), text, validates)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Structure) or type(other) is not type(self):
+            return NotImplemented
+        return self._message.is_equal(self._path, other._message, other._path)
+
+    __hash__ = None  # type: ignore[assignment]  # it can change
+
+    def __copy__(self: S) -> S:
+        return self._at(self._message.copy(), self._path)
+
+    def __deepcopy__(self: S, memo: object) -> S:
+        return self.__copy__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restore, (type(self), self._message.name, self._message.to_json(), self._path)
+
+    def __repr__(self) -> str:
+        return type(self).__name__ + self._message.text(self._path)
+
+
+def _restore(type_: type[S], name: str, json: str, path: str) -> S:
+    message = _core.AnyMessage(name)
+    message.read_json(json)
+    return type_._at(message, path)
+
+
+class _Element(Generic[T]):
+    """The value for one axis."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    @overload
+    def __get__(self, place: None, owner: type) -> _Element[T]:
+        ...
+
+    @overload
+    def __get__(self, place: _ByAxis[T], owner: type) -> T:
+        ...
+
+    def __get__(self, place: Union[_ByAxis[T], None], owner: type) -> Union[_Element[T], T]:
+        if place is None:
+            return self
+        if place._message is None:
+            return cast(T, place._values[self._name])
+        return cast(T, place._kind.read(place._message, f"{place._path}.{self._name}"))
+
+    def __set__(self, place: _ByAxis[T], value: T) -> None:
+        if place._message is None:
+            place._values[self._name] = value
+            return
+        changed = place._message.copy()
+        place._kind.write(changed, f"{place._path}.{self._name}", value)
+        place._message.take(changed)
+
+
+class _ByAxis(Generic[T]):
+    """Three values: of a message, or their own until they are stored in one."""
+
+    __slots__ = ("_message", "_path", "_kind", "_values")
+    names: tuple[str, str, str]
+    _message: Union[_core.AnyMessage, None]
+    _path: str
+    _kind: Kind
+    _values: dict[str, Any]
+
+    def _start(self, **values: object) -> None:
+        self._message = None
+        self._values = values
+
+    @classmethod
+    def _at(cls, message: _core.AnyMessage, path: str, kind: Kind) -> Any:
+        made = object.__new__(cls)
+        made._message, made._path, made._kind = message, path, kind
+        return made
+
+    def __iter__(self) -> Iterator[T]:
+        return iter([getattr(self, name) for name in self.names])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _ByAxis) or type(other) is not type(self):
+            return NotImplemented
+        return [*self] == [*other]
+
+    __hash__ = None  # type: ignore[assignment]  # it can change
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), tuple(self)
+
+    def __repr__(self) -> str:
+        if self._message is not None:
+            return type(self).__name__ + self._message.text(self._path)
+        said = (f"{name}={value!r}" for name, value in self._values.items() if value is not ...)
+        return f"{type(self).__name__}({', '.join(said)})"
+
+
+class Axes(_ByAxis[T]):
+    """A value for each axis of the gimbal. Axes without one keep theirs."""
+
+    __slots__ = ()
+    names = ("roll", "pitch", "yaw")
+    roll: _Element[T] = _Element()
+    pitch: _Element[T] = _Element()
+    yaw: _Element[T] = _Element()
+
+    def __init__(self, roll: T = UNSET, pitch: T = UNSET, yaw: T = UNSET) -> None:
+        self._start(roll=roll, pitch=pitch, yaw=yaw)
+
+
+class Xyz(_ByAxis[T]):
+    """A value for each axis of space."""
+
+    __slots__ = ()
+    names = ("x", "y", "z")
+    x: _Element[T] = _Element()
+    y: _Element[T] = _Element()
+    z: _Element[T] = _Element()
+
+    def __init__(self, x: T = UNSET, y: T = UNSET, z: T = UNSET) -> None:
+        self._start(x=x, y=y, z=z)
+
+
+class Elements(MutableSequence[T]):
+    """A list in a message. One of fixed size takes only as many elements as it has."""
+
+    __slots__ = ("_message", "_path", "_kind")
+
+    def __init__(self, message: _core.AnyMessage, path: str, kind: Kind) -> None:
+        self._message, self._path, self._kind = message, path, kind
+
+    def __len__(self) -> int:
+        return self._message.count(self._path)
+
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> T:
+        ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[T]:
+        ...
+
+    def __getitem__(self, index: Union[SupportsIndex, slice]) -> Union[T, list[T]]:
+        numbers = range(len(self))[index]
+        if isinstance(numbers, range):
+            return [self._read(number) for number in numbers]
+        return self._read(numbers)
+
+    def _read(self, number: int) -> T:
+        return cast(T, self._kind.read(self._message, f"{self._path}[{number}]"))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        if not isinstance(index, slice):
+            changed = self._message.copy()
+            self._kind.write(changed, f"{self._path}[{range(len(self))[index]}]", value)
+            self._message.take(changed)
+            return
+        self._edit(lambda values: values.__setitem__(index, value))
+
+    def __delitem__(self, index: Any) -> None:
+        self._edit(lambda values: values.__delitem__(index))
+
+    def insert(self, index: int, value: T) -> None:
+        self._edit(lambda values: values.insert(index, value))
+
+    def extend(self, values: Iterable[T]) -> None:
+        self._edit(lambda own: own.extend(values))
+
+    def _edit(self, edit: Any) -> None:
+        # Structures among the values stay places in this message.
+        values = list(self)
+        edit(values)
+        changed = self._message.copy()
+        ListOf(self._kind).write(changed, self._path, values)
+        self._message.take(changed)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, (Elements, list, tuple)):
+            return NotImplemented
+        return list(self) == list(other)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return list, (list(self),)
+
+    def __repr__(self) -> str:
+        return repr(list(self))

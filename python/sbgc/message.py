@@ -1,0 +1,59 @@
+"""Messages: what a frame carries."""
+
+from __future__ import annotations
+
+from typing import Optional, TypeVar, Union
+
+from sbgc import _core
+from sbgc.fields import TAIL, Field, Structure
+
+M = TypeVar("M", bound="Message")
+
+_types: dict[str, type[Message]] = {}
+
+
+class Message(Structure):
+    """A message of the protocol. `tail` has bytes after the fields that the protocol describes."""
+
+    __slots__ = ()
+    tail: Field[bytes, Union[bytes, bytearray, memoryview]] = Field(TAIL)
+
+    def __init_subclass__(cls) -> None:
+        cls._home = (cls.__name__, "")
+        _types[cls.__name__] = cls
+
+    @classmethod
+    def from_body(
+        cls: type[M], body: Union[bytes, bytearray, memoryview], contexts: Optional[Contexts] = None
+    ) -> M:
+        """Decode the body of a frame as this message, whatever its size. Raises DecodeError."""
+        message = _core.AnyMessage(cls.__name__)
+        message.decode(body, None if contexts is None else contexts._contexts)
+        return cls._at(message, "")
+
+    def to_json(self) -> str:
+        """Return the fields as JSON, as the command `sbgc decode` prints them: raw values."""
+        return self._message.to_json()
+
+    @classmethod
+    def from_json(cls: type[M], text: str) -> M:
+        """Read what to_json() returns; fields that are missing keep their defaults."""
+        message = _core.AnyMessage(cls.__name__)
+        message.read_json(text)
+        return cls._at(message, "")
+
+
+class Contexts:
+    """Facts of earlier messages that later ones need for decoding, such as requested flags."""
+
+    def __init__(self) -> None:
+        self._contexts = _core.Contexts()
+
+    def learn(self, message: Message) -> None:
+        """Store the facts of a message that later ones need. Most messages have none."""
+        self._contexts.learn(message._message)
+
+
+def wrap(message: _core.AnyMessage) -> Message:
+    """The Python object for a message of the library."""
+    return _types[message.name]._at(message, "")

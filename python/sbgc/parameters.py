@@ -1,0 +1,68 @@
+"""The parameters of a board, by the names of their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sbgc import _core
+from sbgc.message import Message, wrap
+
+
+class Profile:
+    """The parameters of a profile, and those of the whole board.
+
+    A name is the path of a field, or its end if only one field has it: "pitch.p". A value is a number
+    in the unit of the field, or a text as people write it: "20deg", "FOLLOW_MODE_FC".
+    """
+
+    def __init__(self, blocks: _core.Blocks) -> None:
+        self._blocks = blocks
+
+    def _find(self, name: str) -> tuple[_core.AnyMessage, str]:
+        found = [(message, path) for _, _, message in self._blocks for path in message.find(name)]
+        exact = [(message, path) for message, path in found if path == name]
+        if len(exact) == 1:
+            return exact[0]
+        if len(found) == 1:
+            return found[0]
+        if not found:
+            raise KeyError(f"no parameter of this board is called '{name}'")
+        paths = ", ".join(f"{path} of {message.name}" for message, path in found)
+        raise KeyError(f"'{name}' is the name of several parameters: {paths}")
+
+    def __getitem__(self, name: str) -> object:
+        message, path = self._find(name)
+        return message.get(path)
+
+    def __setitem__(self, name: str, value: object) -> None:
+        message, path = self._find(name)
+        message.put(path, value)
+
+    @property
+    def messages(self) -> Iterator[Message]:
+        """The messages that hold the parameters; changes of them count as well."""
+        return (wrap(message) for _, _, message in self._blocks)
+
+
+def profile_index(profile: int) -> int:
+    """The number of a profile on the wire, which counts from 0."""
+    if not isinstance(profile, int) or not 1 <= profile <= 5:
+        raise ValueError(f"profile: 1 to 5 are possible, not {profile!r}")
+    return profile - 1
+
+
+class Edit:
+    """Changes of a profile, which are written at the end."""
+
+    def __init__(self, read: _core.Blocks, index: int) -> None:
+        # What the board has once is read with every profile.
+        kept = {name for name, copy, _ in read if copy == index}
+        blocks = [block for block in read if block[1] == index or block[0] not in kept]
+        self._before = [message.copy() for _, _, message in blocks]
+        self._blocks = blocks
+        self.profile = Profile(blocks)
+
+    def changed(self) -> _core.Blocks:
+        """The blocks that differ from those that were read."""
+        pairs = zip(self._blocks, self._before)
+        return [block for block, before in pairs if not block[2] == before]

@@ -1,0 +1,77 @@
+"""Values of fields: enums that keep unknown values, and integers of several parts."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Any, Generic, TypeVar, Union, overload
+
+from sbgc import _core
+
+UNSET: Any = ...  # the default of arguments: the field keeps its value
+
+T = TypeVar("T")
+P = TypeVar("P", bound="Packed")
+
+
+class OpenEnum(IntEnum):
+    """An enum of the protocol. Values without a name are members as well: ControlMode(77)."""
+
+    @classmethod
+    def _missing_(cls, value: object) -> Any:
+        if not isinstance(value, int):
+            return None
+        member = int.__new__(cls, value)
+        member._name_ = str(value)
+        member._value_ = value
+        return member
+
+    def __reduce_ex__(self, protocol: object) -> Any:
+        return type(self), (self._value_,)
+
+
+class Packed(int):
+    """An integer of the wire with several parts, such as a version. No bit of it is lost.
+
+    The arguments replace parts: `ControlMode(old, mode=ControlModeKind.MODE_ANGLE)`.
+    """
+
+    def _with(self: P, **parts: object) -> P:
+        name, raw = type(self).__name__, int(self)
+        for part, value in parts.items():
+            if value is ...:
+                continue
+            if not isinstance(value, (int, float)):
+                raise TypeError(f"{name}: {part}: a number is needed, not {value!r}")
+            text = repr(float(value)) if isinstance(value, float) else str(int(value))
+            raw = _core.with_part(name, raw, part, text)
+        return int.__new__(type(self), raw)
+
+    def __str__(self) -> str:
+        return _core.packed_text(type(self).__name__, int(self)) or int.__repr__(self)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {int(self):#x}: {self}>"
+
+
+class Part(Generic[T]):
+    """A part of a packed integer, as an attribute of it."""
+
+    def __init__(self, type_: Any) -> None:
+        self._type = type_
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    @overload
+    def __get__(self, packed: None, owner: type) -> Part[T]:
+        ...
+
+    @overload
+    def __get__(self, packed: Packed, owner: type) -> T:
+        ...
+
+    def __get__(self, packed: Union[Packed, None], owner: type) -> Union[Part[T], T]:
+        if packed is None:
+            return self
+        value: T = self._type(_core.part_of(type(packed).__name__, int(packed), self._name))
+        return value

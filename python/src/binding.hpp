@@ -1,0 +1,66 @@
+/// What the parts of the extension share.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <pybind11/pybind11.h>
+
+#include <sbgc/any.hpp>
+#include <sbgc/text/status.hpp>
+
+namespace sbgc::python {
+
+namespace py = pybind11;
+
+// Each adds its part to the module.
+void bind_messages(py::module_& module);
+void bind_codec(py::module_& module);
+void bind_client(py::module_& module);
+void bind_emulator(py::module_& module);
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Calls `use` with the bytes of an object that has some.
+template <class Use>
+decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
+  Py_buffer view;
+  if (PyObject_GetBuffer(object.ptr(), &view, PyBUF_SIMPLE) != 0) throw py::error_already_set();
+  struct Release {
+    Py_buffer& view;
+    ~Release() { PyBuffer_Release(&view); }
+  } const release{view};
+  return use(Bytes(static_cast<const std::uint8_t*>(view.buf), static_cast<std::size_t>(view.len)));
+}
+
+/// Calls `use` while other threads of Python run. If the interpreter ends meanwhile, it ends this
+/// thread by unwinding its stack: not the guards of pybind11, whose destructors must not throw.
+template <class Use>
+auto released(const Use& use) {
+  PyThreadState* const thread = PyEval_SaveThread();
+  auto result = use();
+  PyEval_RestoreThread(thread);
+  return result;
+}
+
+inline py::bytes to_bytes(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT(*-reinterpret-cast)
+}
+
+/// Raises an exception of the package: type(text, *arguments).
+template <class... Arguments>
+[[noreturn]] void raise(const char* type, const std::string& text, const Arguments&... arguments) {
+  const py::object exception = py::module_::import("sbgc.errors").attr(type);
+  PyErr_SetObject(exception.ptr(), exception(text, arguments...).ptr());
+  throw py::error_already_set();
+}
+
+/// Raises a CodecError: "GetAngles: axes.roll: The body ends before this field does".
+[[noreturn]] inline void raise_status(const char* type, const std::string& what,
+                                      const Status& status) {
+  raise(type, what + ": " + to_string(status), name(status.code), status.field, status.offset);
+}
+
+}  // namespace sbgc::python

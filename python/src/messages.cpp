@@ -1,0 +1,428 @@
+// Messages of any type, whose fields are read and written by their paths.
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include <sbgc/json/hex.hpp>
+#include <sbgc/text.hpp>
+#include <sbgc/validate.hpp>
+
+#include "binding.hpp"
+
+namespace sbgc::python {
+
+namespace {
+
+/// True if this is the path "axes.roll.angle", or the elements of it that `at` has.
+bool is_at(const FieldPath* at, std::string_view path) {
+  if (at == nullptr) return path.empty();
+  if (*at->name != '\0') {
+    const std::string_view name = at->name;
+    if (!path.ends_with(name)) return false;
+    path.remove_suffix(name.size());
+    if (at->parent == nullptr) return path.empty();
+    if (!path.ends_with('.')) return false;
+    path.remove_suffix(1);
+  } else {
+    const std::size_t open = path.rfind('[');
+    if (open == std::string_view::npos || !path.ends_with(']')) return false;
+    std::size_t index = 0;
+    std::from_chars(path.data() + open + 1, path.data() + path.size(), index);
+    if (index != at->index) return false;
+    path = path.substr(0, open);
+  }
+  return is_at(at->parent, path);
+}
+
+/// Returns the last step of the path `at` that is the path itself; null if it leads elsewhere.
+const FieldPath* step_to(const FieldPath& at, std::string_view path) {
+  for (const FieldPath* step = &at; step != nullptr; step = step->parent) {
+    if (is_at(step, path)) return step;
+  }
+  return nullptr;
+}
+
+bool is_below(const FieldPath& at, std::string_view path) {
+  return path.empty() || step_to(at, path) != nullptr;
+}
+
+std::string number_text(double number) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+  return {buffer, end};
+}
+
+bool is_a_set(const Leaf& leaf) {
+  return leaf.packed != nullptr || (leaf.names != nullptr && leaf.names->is_flags);
+}
+
+/// Returns the value of a leaf: a float if it has a unit, unless `raw`.
+py::object value_of(const Leaf& leaf, bool raw) {
+  const UnitInfo* const unit = raw ? nullptr : leaf.unit;
+  switch (leaf.kind) {
+    case LeafKind::integer:
+    case LeafKind::counter: {
+      if (unit != nullptr) return py::float_(unit->real(static_cast<double>(leaf.integer)));
+      const auto bits = static_cast<std::uint64_t>(leaf.integer);
+      if (leaf.is_u64) return py::int_(bits);
+      if (is_a_set(leaf)) return py::int_(detail::low_bits(bits, leaf.size));
+      return py::int_(leaf.integer);
+    }
+    case LeafKind::real: return py::float_(unit != nullptr ? unit->real(leaf.real) : leaf.real);
+    case LeafKind::bytes: return to_bytes(leaf.bytes);
+    case LeafKind::text: break;
+  }
+  // Bytes that are not UTF-8 survive.
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+      leaf.text.data(), static_cast<Py_ssize_t>(leaf.text.size()), "surrogateescape"));
+}
+
+py::object get(const AnyMessage& message, std::string_view path, bool raw) {
+  py::object result = py::none();
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (is_at(&leaf.path, path)) result = value_of(leaf, raw);
+  });
+  return result;
+}
+
+/// Returns the number of elements at a path that have values.
+std::size_t count(const AnyMessage& message, std::string_view path) {
+  std::size_t result = 0;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    for (const FieldPath* step = &leaf.path; step != nullptr; step = step->parent) {
+      if (*step->name == '\0' && is_at(step->parent, path)) result = step->index + 1;
+    }
+  });
+  return result;
+}
+
+/// Assigns, and raises a FieldError with the reason if that is not possible.
+void assign(AnyMessage& message, std::string_view path, std::string_view text, bool validates) {
+  const std::string problem = message.assign(path, text, validates);
+  if (!problem.empty()) raise("FieldError", problem, path);
+}
+
+[[noreturn]] void raise_type(std::string_view path, const py::handle& value, const char* needed) {
+  PyErr_Clear();
+  throw py::type_error(std::string(path) + ": " + needed + " is needed, not " +
+                       py::repr(value).cast<std::string>());
+}
+
+/// Calls `use` with the leaf at a path, which is added if it is missing.
+template <class Use>
+void with_leaf(const AnyMessage& message, std::string_view path, const Use& use) {
+  const auto with = [&](const AnyMessage& one) {
+    bool is_found = false;
+    one.for_each_leaf([&](const Leaf& leaf) {
+      if (!is_at(&leaf.path, path)) return;
+      is_found = true;
+      use(leaf);
+    });
+    return is_found;
+  };
+  if (with(message)) return;
+  AnyMessage extended = message;
+  extended.add(path);
+  with(extended);
+}
+
+std::string announced_text(const Leaf& leaf, const std::string& number) {
+  return leaf.announced == NumberType::none ? number : name(leaf.announced) + (':' + number);
+}
+
+void set_real(AnyMessage& message, std::string_view path, const py::object& value) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (PyErr_Occurred() != nullptr) raise_type(path, value, "a number");
+  std::string text = number_text(number);
+  with_leaf(message, path, [&](const Leaf& leaf) {
+    text = announced_text(leaf, text);
+    // With its unit: a number without one can be a sentinel.
+    if (leaf.unit != nullptr && *leaf.unit->name != '\0')
+      text += ' ' + std::string(leaf.unit->name);
+  });
+  assign(message, path, text, true);
+}
+
+/// Sets the number on the wire.
+void set_raw(AnyMessage& message, std::string_view path, const py::object& value) {
+  if (PyFloat_Check(value.ptr())) {
+    assign(message, path, "raw:" + number_text(value.cast<double>()), true);
+    return;
+  }
+  const auto number = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
+  if (!number) raise_type(path, value, "an integer");
+  std::string text = py::repr(number).cast<std::string>();
+  with_leaf(message, path, [&](const Leaf& leaf) {
+    text = announced_text(leaf, leaf.unit != nullptr ? "raw:" + text : text);
+  });
+  assign(message, path, text, true);
+}
+
+void set_bytes(AnyMessage& message, std::string_view path, const py::object& value) {
+  if (PyObject_CheckBuffer(value.ptr()) == 0) raise_type(path, value, "a bytes-like object");
+  with_bytes(py::reinterpret_borrow<py::buffer>(value),
+             [&](Bytes bytes) { assign(message, path, detail::to_hex(bytes), true); });
+}
+
+void set_text(AnyMessage& message, std::string_view path, const py::object& value) {
+  const auto bytes = py::reinterpret_steal<py::bytes>(
+      PyUnicode_AsEncodedString(value.ptr(), "utf-8", "surrogateescape"));
+  if (!bytes) raise_type(path, value, "a text");
+  assign(message, path, std::string(bytes), true);
+}
+
+/// Sets a value of any kind: a text as people write it, a number in the unit of the field.
+void put(AnyMessage& message, std::string_view path, const py::object& value) {
+  bool is_number = false;
+  bool has_unit = false;
+  bool is_text = false;
+  with_leaf(message, path, [&](const Leaf& leaf) {
+    is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
+    has_unit = leaf.unit != nullptr || leaf.kind == LeafKind::real;
+    is_text = leaf.kind == LeafKind::text;
+  });
+  if (is_text || PyUnicode_Check(value.ptr())) {
+    if (is_text) return set_text(message, path, value);
+    return assign(message, path, value.cast<std::string>(), true);
+  }
+  if (!is_number) return set_bytes(message, path, value);
+  return has_unit ? set_real(message, path, value) : set_raw(message, path, value);
+}
+
+/// Returns the paths of the values that end with a name: "pitch.p" finds "axes.pitch.p".
+std::vector<std::string> find(const AnyMessage& message, const std::string& name) {
+  std::vector<std::string> found;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    std::string path = sbgc::to_string(leaf.path);
+    if (path == name || path.ends_with('.' + name)) found.push_back(std::move(path));
+  });
+  return found;
+}
+
+using Values = std::vector<std::pair<std::string, AnyValue>>;
+
+AnyValue raw_value(const Leaf& leaf) {
+  if (leaf.announced != NumberType::none) {
+    const auto bits = leaf.kind == LeafKind::real
+                          ? std::bit_cast<std::uint32_t>(static_cast<float>(leaf.real))
+                          : static_cast<std::uint32_t>(detail::low_bits(
+                                static_cast<std::uint64_t>(leaf.integer), leaf.size));
+    return Number{leaf.announced, bits};
+  }
+  switch (leaf.kind) {
+    case LeafKind::real: return leaf.real;
+    case LeafKind::bytes: return std::vector<std::uint8_t>(leaf.bytes.begin(), leaf.bytes.end());
+    case LeafKind::text: return std::string(leaf.text);
+    default: return leaf.integer;
+  }
+}
+
+/// Returns the values below a path, by their paths from there.
+Values values_below(const AnyMessage& message, std::string_view path) {
+  Values result;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.kind == LeafKind::counter || !is_below(leaf.path, path)) return;
+    result.emplace_back(sbgc::to_string(leaf.path).substr(path.size()), raw_value(leaf));
+  });
+  return result;
+}
+
+bool is_equal(const AnyMessage& a, std::string_view path, const AnyMessage& b,
+              std::string_view other) {
+  return values_below(a, path) == values_below(b, other);
+}
+
+/// Removes everything below a path that a message can lack.
+void clear(AnyMessage& message, std::string_view path) {
+  for (const auto& [rest, value] : values_below(message, path)) {
+    for (std::size_t end = 1; end <= rest.size(); ++end) {
+      const bool is_step = end == rest.size() || rest[end] == '.' || rest[end] == '[';
+      if (is_step) message.remove(std::string(path) + rest.substr(0, end));
+    }
+  }
+}
+
+/// Copies the values below a path of another message. A value keeps its size in its unit, which a
+/// flag may select.
+void copy_values(AnyMessage& to, std::string_view path, const AnyMessage& from,
+                 std::string_view other) {
+  clear(to, path);
+  to.add(path);
+  for (const auto& [rest, value] : values_below(from, other)) {
+    const std::string place = std::string(path) + rest;
+    if (!to.set(place, value)) {
+      raise("FieldError", place + ": it cannot have this value", place);
+    }
+    double real = 0;
+    const UnitInfo* unit = nullptr;
+    from.with_leaf(std::string(other) + rest, [&](const Leaf& leaf) {
+      unit = leaf.unit;
+      if (unit != nullptr) real = unit->real(static_cast<double>(leaf.integer));
+    });
+    if (unit == nullptr) continue;
+    const UnitInfo* actual = unit;
+    to.with_leaf(place, [&](const Leaf& leaf) { actual = leaf.unit; });
+    if (actual != unit) assign(to, place, number_text(real) + ' ' + unit->name, false);
+  }
+}
+
+/// Returns the text of the values below a path, as to_string() of a struct: "{angle = -30 deg, …}".
+std::string text_below(const AnyMessage& message, std::string_view path) {
+  std::string text;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.kind == LeafKind::counter || is_unused(leaf) || !is_below(leaf.path, path)) return;
+    std::string name = sbgc::to_string(leaf.path).substr(path.size());
+    if (name.starts_with('.')) name.erase(0, 1);
+    text += (text.empty() ? "" : ", ") + name + " = " + value_text(leaf);
+  });
+  return '{' + text + '}';
+}
+
+py::list violations(const AnyMessage& message, unsigned firmware, unsigned board) {
+  const Availability versions{
+      firmware == 0 ? newest.firmware : static_cast<std::uint16_t>(firmware),
+      board == 0 ? newest.board : static_cast<std::uint8_t>(board)};
+  py::list result;
+  message.validate(versions, [&](const Violation& violation) {
+    const double value = violation.value;
+    result.append(py::make_tuple(sbgc::to_string(violation.path), sbgc::to_string(violation), value,
+                                 violation.limit, name(violation.rule)));
+  });
+  return result;
+}
+
+py::bytes body_of(const AnyMessage& message) {
+  std::array<std::uint8_t, max_body_size> bytes{};
+  const WriteResult written = message.encode(bytes);
+  if (!written) {
+    raise_status("EncodeError", message.type().info->name, written.status);
+  }
+  return to_bytes(Bytes(bytes).first(written.size));
+}
+
+py::bytes frame_of(const AnyMessage& message, unsigned framing) {
+  std::array<std::uint8_t, max_frame_size> bytes{};
+  if (framing >= framings.size()) throw py::value_error("there is no such framing");
+  const WriteResult written = message.encode_frame(framings.at(framing), bytes);
+  if (!written) {
+    raise_status("EncodeError", message.type().info->name, written.status);
+  }
+  return to_bytes(Bytes(bytes).first(written.size));
+}
+
+void decode(AnyMessage& message, const py::buffer& body, const Contexts* contexts) {
+  const Status status = with_bytes(body, [&](Bytes bytes) {
+    return message.decode(bytes, contexts == nullptr ? Contexts{} : *contexts);
+  });
+  if (!status) raise_status("DecodeError", message.type().info->name, status);
+}
+
+AnyMessage make_message(std::string_view name) {
+  const MessageType* const type = find_message(name);
+  if (type == nullptr) throw py::value_error("there is no message " + std::string(name));
+  return type->make();
+}
+
+void read_json(AnyMessage& message, std::string_view text) {
+  const JsonResult read = message.from_json(text);
+  if (!read) raise("FieldError", sbgc::to_string(*read.problem), read.problem->field);
+}
+
+// Packed values
+
+void collect_packed(const std::vector<FieldType>& fields,
+                    std::map<std::string_view, const FieldType*>& types) {
+  for (const FieldType& field : fields) {
+    if (field.packed != nullptr) types.emplace(field.packed->name, &field);
+    collect_packed(field.members, types);
+  }
+}
+
+/// Returns the type of a field with this packed value.
+const FieldType& packed_type(std::string_view name) {
+  static const auto types = [] {
+    std::map<std::string_view, const FieldType*> result;
+    for (const MessageType* const type : message_types()) collect_packed(type->fields(), result);
+    return result;
+  }();
+  const auto found = types.find(name);
+  if (found == types.end()) throw py::value_error("no packed value " + std::string(name));
+  return *found->second;
+}
+
+py::object part_of(std::string_view packed, std::uint64_t raw, std::string_view part) {
+  for (const PartInfo& one : packed_type(packed).packed->parts) {
+    if (one.name != part) continue;
+    const std::int64_t value = detail::part_value(one, raw);
+    if (one.unit != nullptr) return py::float_(one.unit->real(static_cast<double>(value)));
+    return py::int_(value);
+  }
+  throw py::value_error(std::string(packed) + " has no part " + std::string(part));
+}
+
+std::uint64_t with_part(std::string_view packed, std::uint64_t raw, std::string_view part,
+                        const std::string& value) {
+  const FieldType& type = packed_type(packed);
+  const ParsedValue parsed = parse_value(type, nullptr, std::string(part) + ':' + value, raw);
+  if (!parsed) raise("FieldError", std::string(packed) + ": " + parsed.problem, part);
+  return detail::low_bits(static_cast<std::uint64_t>(std::get<std::int64_t>(parsed.value)),
+                          type.size);
+}
+
+std::string packed_text(std::string_view packed, std::uint64_t raw) {
+  return detail::packed_text(*packed_type(packed).packed, raw);
+}
+
+py::list message_names() {
+  py::list result;
+  for (const MessageType* const type : message_types()) result.append(type->info->name);
+  return result;
+}
+
+}  // namespace
+
+void bind_messages(py::module_& module) {
+  py::class_<AnyMessage>(module, "AnyMessage")
+      .def(py::init(&make_message))
+      .def_property_readonly("name", [](const AnyMessage& m) { return m.type().info->name; })
+      .def_property_readonly("id", [](const AnyMessage& m) { return m.type().info->id; })
+      .def("copy", [](const AnyMessage& m) { return m; })
+      .def("take", [](AnyMessage& m, const AnyMessage& other) { m = other; })
+      .def("get", &get, py::arg("path"), py::arg("raw") = false)
+      .def("has", &AnyMessage::has)
+      .def("count", &count)
+      .def("add", &AnyMessage::add)
+      .def("remove", &AnyMessage::remove)
+      .def("assign", &assign)
+      .def("set_real", &set_real)
+      .def("set_raw", &set_raw)
+      .def("set_bytes", &set_bytes)
+      .def("set_text", &set_text)
+      .def("put", &put)
+      .def("find", &find)
+      .def("copy_values", &copy_values)
+      .def("is_equal", &is_equal)
+      .def("text", &text_below)
+      .def("violations", &violations)
+      .def("decode", &decode, py::arg("body"), py::arg("contexts").none(true))
+      .def("body", &body_of)
+      .def("frame", &frame_of)
+      .def("to_json", &AnyMessage::to_json)
+      .def("read_json", &read_json)
+      .def("__eq__", [](const AnyMessage& a, const AnyMessage& b) { return a == b; });
+  module.def("message_names", &message_names);
+  module.def("part_of", &part_of);
+  module.def("with_part", &with_part);
+  module.def("packed_text", &packed_text);
+}
+
+}  // namespace sbgc::python

@@ -1,0 +1,102 @@
+/// What takes time: it runs on the thread of its client, and Python waits for it.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "binding.hpp"
+
+namespace sbgc::python {
+
+/// A file descriptor that is readable when something has happened: for asyncio, so that the
+/// client's thread never needs the interpreter.
+class Bell {
+ public:
+  Bell();
+  Bell(const Bell&) = delete;
+  Bell& operator=(const Bell&) = delete;
+  ~Bell();
+
+  void ring() noexcept;
+  void silence() noexcept;
+  int descriptor() const noexcept { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// An operation. Python calls wait() until it is over, and then result().
+class Operation {
+ public:
+  /// Makes the result for Python, or raises. Holds nothing of Python.
+  using Result = std::function<py::object()>;
+
+  explicit Operation(std::shared_ptr<Bell> bell) : bell_(std::move(bell)) {}
+
+  void end(Result result) {
+    {
+      const std::scoped_lock lock(mutex_);
+      result_ = std::move(result);
+    }
+    changed_.notify_all();
+    bell_->ring();
+  }
+  void report(Result progress) {
+    {
+      const std::scoped_lock lock(mutex_);
+      progress_ = std::move(progress);
+    }
+    bell_->ring();
+  }
+  /// Ends it soon, as an error; what moves the camera stops it first.
+  void cancel() {
+    if (cancel_) cancel_();
+  }
+  void wait_until(std::chrono::steady_clock::time_point time) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_until(lock, time, [this] { return static_cast<bool>(result_); });
+  }
+  void set_cancel(std::function<void()> cancel) { cancel_ = std::move(cancel); }
+
+  // For Python, whose interpreter is released meanwhile.
+
+  bool wait(double seconds) {
+    return released([&] {
+      std::unique_lock lock(mutex_);
+      return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                               [this] { return static_cast<bool>(result_); });
+    });
+  }
+  py::object result() {
+    Result result;
+    {
+      const std::scoped_lock lock(mutex_);
+      result = result_;
+    }
+    if (!result) throw std::runtime_error("the operation is not over");
+    return result();
+  }
+  /// Returns the last report, once; None without a new one.
+  py::object progress() {
+    Result progress;
+    {
+      const std::scoped_lock lock(mutex_);
+      progress = std::exchange(progress_, nullptr);
+    }
+    return progress ? progress() : py::none();
+  }
+
+ private:
+  std::shared_ptr<Bell> bell_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Result result_{};
+  Result progress_{};
+  std::function<void()> cancel_{};
+};
+
+}  // namespace sbgc::python

@@ -1,0 +1,156 @@
+"""The asynchronous client, with an emulated board."""
+
+from __future__ import annotations
+
+import asyncio
+import inspect
+import random
+import time
+from collections.abc import Awaitable, Callable
+
+import pytest
+
+import sbgc
+from sbgc import Board, aio, msg
+
+
+def with_gimbal(board: Board, use: Callable[[aio.Gimbal], Awaitable[None]]) -> None:
+    async def main() -> None:
+        async with aio.connect(board) as gimbal:
+            await gimbal.call(msg.MotorsOn())
+            await use(gimbal)
+
+    asyncio.run(main())
+
+
+def test_both_clients_have_the_same_calls() -> None:
+    def calls(type_: type) -> dict[str, list[str]]:
+        public = {n: f for n, f in vars(type_).items() if not n.startswith("_") and n != "close"}
+        return {n: list(inspect.signature(f).parameters) for n, f in public.items()}
+
+    assert calls(aio.Gimbal) == calls(sbgc.Gimbal)
+
+
+def test_calls_run_concurrently_with_the_loop(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        ticks = 0
+
+        async def tick() -> None:
+            nonlocal ticks
+            while True:
+                await asyncio.sleep(0.01)
+                ticks += 1
+
+        ticking = asyncio.create_task(tick())
+        moved = await gimbal.move_to(pitch=10, speed=30)
+        ticking.cancel()
+        assert moved.is_close and ticks > 10
+        answers = await asyncio.gather(*(gimbal.call(msg.GetAnglesRequest()) for _ in range(20)))
+        assert all(isinstance(answer, msg.GetAngles) for answer in answers)
+
+    with_gimbal(board, use)
+
+
+def test_a_cancelled_move_stops_the_camera_first(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        move = asyncio.create_task(gimbal.move_to(pitch=80, speed=20))
+        while board.angles.pitch < 3:
+            await asyncio.sleep(0.01)
+        begin = time.monotonic()
+        move.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await move
+        assert time.monotonic() - begin < 1.2
+        assert all(abs(speed) < 2 for speed in board.speeds)
+
+    with_gimbal(board, use)
+
+
+def test_a_cancelled_speed_stops_the_camera_first(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        async def turn() -> None:
+            async with gimbal.speed_control() as control:
+                while True:
+                    control.set(yaw=20)
+                    await asyncio.sleep(0.05)
+
+        turning = asyncio.create_task(turn())
+        while abs(board.speeds.yaw) < 10:
+            await asyncio.sleep(0.01)
+        turning.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await turning
+        assert all(abs(speed) < 2 for speed in board.speeds)
+
+    with_gimbal(board, use)
+
+
+def test_streams_are_asynchronous_iterators(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        taken = []
+        async with await gimbal.stream(msg.RealtimeData4, 0.02) as samples:
+            async for sample in samples:
+                taken.append(sample)
+                if len(taken) == 20:
+                    samples.close()
+        assert len(taken) == 20 and isinstance(taken[0], msg.RealtimeData4)
+
+    with_gimbal(board, use)
+
+
+def test_parameters_variables_and_errors_are_those_of_the_blocking_client(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        async with gimbal.edit_profile(2) as profile:
+            profile["pitch.p"] = 20
+        assert (await gimbal.read_profile(2))["pitch.p"] == 20
+        await gimbal.set_variables({"P_PITCH": 17})
+        assert await gimbal.get_variable("P_PITCH") == 17
+        with pytest.raises(sbgc.FieldError, match="pitch"):
+            await gimbal.move_to(pitch=1000)
+        board.unplug()
+        with pytest.raises(ConnectionError):
+            while True:
+                await gimbal.call(msg.GetAnglesRequest())
+
+    with_gimbal(board, use)
+
+
+def test_a_failed_connection_leaves_nothing_behind() -> None:
+    async def main() -> None:
+        with pytest.raises(sbgc.GimbalError, match="no-such-port"):
+            await aio.connect("/dev/no-such-port")
+
+    asyncio.run(main())
+
+
+def test_random_interleavings_neither_crash_nor_hang(board: Board) -> None:
+    """Calls that are begun, awaited and cancelled at random times."""
+    chance = random.Random(1)
+
+    async def use(gimbal: aio.Gimbal) -> None:
+        async def one() -> None:
+            kind = chance.randrange(4)
+            if kind == 0:
+                await gimbal.call(msg.GetAnglesRequest())
+            elif kind == 1:
+                await gimbal.begin_move(pitch=chance.uniform(-20, 20), speed=30)
+            elif kind == 2:
+                await gimbal.get_variables("P_PITCH", "P_ROLL")
+            else:
+                async with await gimbal.stream(msg.RealtimeData4, 0.02) as samples:
+                    async for _ in samples:
+                        break
+
+        running: list[asyncio.Task[None]] = []
+        for _ in range(1000):
+            running.append(asyncio.create_task(one()))
+            if chance.random() < 0.5:
+                chance.choice(running).cancel()
+            if len(running) > 8:
+                await asyncio.gather(running.pop(0), return_exceptions=True)
+            if chance.random() < 0.1:
+                await asyncio.sleep(chance.uniform(0, 0.01))
+        for result in await asyncio.gather(*running, return_exceptions=True):
+            assert result is None or isinstance(result, (asyncio.CancelledError, sbgc.GimbalError))
+
+    with_gimbal(board, use)

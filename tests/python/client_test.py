@@ -1,0 +1,286 @@
+"""The blocking client, with an emulated board."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+import sbgc
+from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, msg
+
+
+def is_still(board: Board) -> bool:
+    """True if the camera, which turned with 20 degrees a second, comes to rest."""
+    return all(abs(speed) < 2 for speed in board.speeds)
+
+
+def test_a_call_returns_the_response(gimbal: Gimbal) -> None:
+    angles = gimbal.call(msg.GetAnglesRequest())
+    assert isinstance(angles, msg.GetAngles)
+    assert gimbal.identity.firmware == "2.59"
+    assert gimbal.identity.info.board_ver == 30
+
+
+def test_a_board_may_have_later_firmware() -> None:
+    with sbgc.emulator("2.74") as board, sbgc.connect(board) as gimbal:
+        assert gimbal.identity.firmware == "2.74"
+    with pytest.raises(ValueError, match="no version of firmware"):
+        sbgc.emulator("9.9")
+
+
+def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) -> None:
+    seen: list[sbgc.Move] = []
+    moved = gimbal.move_to(pitch=10, speed=30, progress=seen.append)
+    assert moved.is_close
+    assert board.angles.pitch == pytest.approx(10, abs=0.6)
+    assert seen and seen[-1].angles.pitch > seen[0].angles.pitch - 1
+
+
+def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gimbal) -> None:
+    with pytest.raises(sbgc.FieldError, match="pitch: 1000.* does not fit: -720.* to 719.*deg"):
+        gimbal.move_to(pitch=1000)
+    with pytest.raises(TypeError):
+        gimbal.move_to(pitch="up")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="timeout"):
+        gimbal.move_to(pitch=1, timeout=-1)
+    sound = msg.BeepSound()
+    sound.assign("decay_factor", "16", validates=False)
+    with pytest.raises(GimbalError, match="decay_factor: 16 is above 15"):
+        gimbal.call(sound)
+
+
+def test_an_exception_stops_a_move(board: Board, gimbal: Gimbal) -> None:
+    def fail(move: sbgc.Move) -> None:
+        if abs(move.angles.pitch) > 2:
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        gimbal.move_to(pitch=80, speed=20, progress=fail)
+    assert is_still(board)
+    assert 1 < abs(board.angles.pitch) < 30
+
+
+def test_ctrl_c_stops_a_move_within_a_second(board: Board, gimbal: Gimbal) -> None:
+    def interrupt() -> None:
+        while board.angles.pitch < 3:
+            time.sleep(0.01)
+        interrupted.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    interrupted: list[float] = []
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        gimbal.move_to(pitch=80, speed=20)
+    assert time.monotonic() - interrupted[0] < 1.2
+    assert is_still(board)
+    thread.join()
+
+
+def test_a_speed_is_held_and_ends_with_the_block(board: Board, gimbal: Gimbal) -> None:
+    with pytest.raises(ZeroDivisionError), gimbal.speed_control() as control:
+        control.set(yaw=20)
+        while abs(board.speeds.yaw) < 15:
+            time.sleep(0.02)
+            control.refresh()
+        raise ZeroDivisionError
+    assert is_still(board)
+
+
+def test_a_speed_ends_if_its_owner_is_silent(board: Board, gimbal: Gimbal) -> None:
+    with gimbal.speed_control(silence=0.2) as control:
+        control.set(yaw=20)
+        time.sleep(1.0)
+        assert is_still(board)
+        with pytest.raises(GimbalError, match="the camera has been stopped"):
+            control.refresh()
+
+
+def test_closing_stops_a_move_of_another_thread(board: Board, gimbal: Gimbal) -> None:
+    errors: list[BaseException] = []
+
+    def move() -> None:
+        try:
+            gimbal.move_to(pitch=80, speed=20)
+        except GimbalError as error:
+            errors.append(error)
+
+    thread = threading.Thread(target=move)
+    thread.start()
+    while board.angles.pitch < 3:
+        time.sleep(0.01)
+    gimbal.close()
+    assert is_still(board)
+    thread.join()
+    assert errors
+    with pytest.raises(GimbalDisconnected):
+        gimbal.call(msg.GetAnglesRequest())
+
+
+def test_the_end_of_the_interpreter_stops_the_camera(tmp_path: Path) -> None:
+    script = """
+import threading, time
+import sbgc
+
+class Telling(sbgc.Gimbal):
+    def close(self):
+        super().close()
+        print(max(map(abs, board.speeds)) < 2, flush=True)
+
+board = sbgc.emulator(noise=0)
+gimbal = sbgc.connect(board)
+gimbal.__class__ = Telling
+gimbal.call(sbgc.msg.MotorsOn())
+threading.Thread(target=lambda: gimbal.move_to(pitch=80, speed=20), daemon=True).start()
+while board.angles.pitch < 3:
+    time.sleep(0.01)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=30, check=False
+    )
+    assert (done.stdout, done.returncode) == ("True\n", 0), done.stderr
+
+
+def test_streams_are_iterators_of_samples(gimbal: Gimbal) -> None:
+    with gimbal.stream(msg.RealtimeData4, 0.02) as samples:
+        taken = [next(samples) for _ in range(20)]
+    assert all(isinstance(sample, msg.RealtimeData4) for sample in taken)
+    assert samples.missed == 0
+    assert list(samples) == []
+    with pytest.raises(ValueError, match="no stream of GetAngles"):
+        gimbal.stream(msg.GetAngles, 0.02)
+
+
+def test_a_stream_raises_when_the_line_is_lost(board: Board, gimbal: Gimbal) -> None:
+    with gimbal.stream(msg.RealtimeData4, 0.02, timeout=0.5) as samples:
+        next(samples)
+        board.unplug()
+        with pytest.raises((GimbalDisconnected, TimeoutError)):
+            for _ in samples:
+                pass
+
+
+def test_a_lost_line_is_a_connection_error(board: Board, gimbal: Gimbal) -> None:
+    board.unplug()
+    with pytest.raises(ConnectionError):
+        for _ in range(100):
+            gimbal.call(msg.GetAnglesRequest())
+            time.sleep(0.01)
+
+
+def test_no_board_is_an_error_in_time() -> None:
+    begin = time.monotonic()
+    with sbgc.emulator(lost=1.0) as silent, pytest.raises(GimbalError, match="received nothing"):
+        sbgc.connect(silent, timeout=1.0)
+    assert time.monotonic() - begin < 1.3
+    with pytest.raises(GimbalError, match="no-such-port"):
+        sbgc.connect("/dev/no-such-port")
+
+
+def test_parameters_are_written_once_at_the_end(gimbal: Gimbal) -> None:
+    with gimbal.edit_profile(2) as profile:
+        before = profile["pitch.p"]
+        profile["pitch.p"] = 20
+        assert gimbal.read_profile(2)["pitch.p"] == before
+    assert gimbal.read_profile(2)["pitch.p"] == 20
+    assert gimbal.read_profile(1)["pitch.p"] == before
+    with pytest.raises(ZeroDivisionError), gimbal.edit_profile(2) as profile:
+        profile["pitch.p"] = 21
+        raise ZeroDivisionError
+    assert gimbal.read_profile(2)["pitch.p"] == 20
+
+
+def test_wrong_parameters_are_errors(gimbal: Gimbal) -> None:
+    with gimbal.edit_profile(1) as profile:
+        with pytest.raises(KeyError, match="no parameter of this board is called 'pitch.q'"):
+            profile["pitch.q"] = 1
+        with pytest.raises(KeyError, match="several parameters"):
+            profile["p"]
+        with pytest.raises(sbgc.FieldError, match="300 does not fit"):
+            profile["pitch.p"] = 300
+        with pytest.raises(TypeError):
+            profile["pitch.p"] = [1]
+    with pytest.raises(ValueError, match="profile: 1 to 5"):
+        gimbal.read_profile(0)
+
+
+def test_variables_have_names_and_units(gimbal: Gimbal) -> None:
+    gimbal.set_variables({"LPF_FREQ_ROLL": 120, "P_PITCH": 17})
+    assert gimbal.get_variables("LPF_FREQ_ROLL", "P_PITCH") == [120, 17]
+    gimbal.save_variables()
+    assert gimbal.read_profile(gimbal.active_profile())["pitch.p"] == 17
+    with pytest.raises(GimbalError, match="LPF_FREQ_ROLL"):
+        gimbal.get_variable("LPF_FREQ_ROL")
+
+
+def test_a_backup_is_restored(gimbal: Gimbal, tmp_path: Path) -> None:
+    backup = gimbal.backup()
+    with gimbal.edit_profile(3) as profile:
+        profile["yaw.d"] = 33
+    assert "axes.yaw.d" in sbgc.diff(backup, gimbal.backup())
+    gimbal.restore(backup, tmp_path / "before.json")
+    assert sbgc.diff(backup, gimbal.backup()) == ""
+    assert "33" in sbgc.diff(backup, (tmp_path / "before.json").read_text())
+
+
+def test_files_are_written_and_read(gimbal: Gimbal) -> None:
+    gimbal.write_file(0x0100, b"hello" * 100)
+    assert gimbal.read_file(0x0100) == b"hello" * 100
+    gimbal.delete_file(0x0100)
+    with pytest.raises(GimbalError):
+        gimbal.read_file(0x0100)
+    assert len(gimbal.read_eeprom(64, 100)) == 100
+
+
+def test_a_calibration_reports_its_progress(gimbal: Gimbal) -> None:
+    seen: list[tuple[object, ...]] = []
+    gimbal.calibrate_gyroscope(progress=lambda *found: seen.append(found))
+    assert seen and seen[-1][0] is True
+
+
+def test_a_client_that_is_forgotten_in_a_call_neither_crashes_nor_hangs(board: Board) -> None:
+    for _ in range(20):
+        gimbal = sbgc.connect(board)
+        gimbal._link.call(msg.GetAnglesRequest()._message, None, None, True)
+        gimbal._link.move_to(1.0, None, None, 0.0, 1.0, 0.5, True)
+        del gimbal
+        gc.collect()
+
+
+def test_a_forked_child_must_not_use_the_client(gimbal: Gimbal) -> None:
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            gimbal.call(msg.GetAnglesRequest())
+        except GimbalError as error:
+            status = 0 if "forked" in str(error) else 2
+        os._exit(status)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    assert gimbal.call(msg.GetAnglesRequest())
+
+
+def test_calls_of_several_threads_do_not_hold_the_interpreter(gimbal: Gimbal) -> None:
+    errors: list[BaseException] = []
+
+    def ask() -> None:
+        try:
+            for _ in range(50):
+                gimbal.call(msg.GetAnglesRequest())
+        except BaseException as error:
+            errors.append(error)
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not errors

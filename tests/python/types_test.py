@@ -1,0 +1,143 @@
+"""The classes of messages: construction, attributes, errors, text."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import pytest
+
+from sbgc import DecodeError, Direction, FieldError, Parser, decode, encode, msg, validate
+
+
+def test_fields_are_in_their_units_with_the_raw_number_beside() -> None:
+    axis = msg.ControlAxis(speed=10, angle=-30)
+    assert axis.angle == pytest.approx(-30, abs=0.02)
+    assert axis.angle_raw == -1365
+    axis.angle_raw = 4096
+    assert axis.angle == 90
+    assert repr(axis) == "ControlAxis{speed = 10.0101 deg/s, angle = 90 deg}"
+
+
+def test_a_message_is_made_with_keywords_and_changed_in_place() -> None:
+    message = msg.Control(
+        control_mode=msg.ControlMode(mode=msg.ControlModeKind.MODE_ANGLE),
+        axes=msg.Axes(pitch=msg.ControlAxis(angle=30)),
+    )
+    assert message.axes.roll.angle == 0
+    assert message.axes.pitch.angle == pytest.approx(30, abs=0.02)
+    pitch = message.axes.pitch
+    pitch.angle = 10
+    assert message.axes.pitch.angle == pytest.approx(10, abs=0.02)
+    assert decode(encode(message), Direction.TO_BOARD) == message
+
+
+def test_a_speed_keeps_its_size_in_the_unit_that_a_flag_selects() -> None:
+    fine = msg.ControlMode(flags=msg.ControlFlags.CONTROL_FLAG_HIGH_RES_SPEED)
+    message = msg.Control(control_mode=fine, axes=msg.Axes(yaw=msg.ControlAxis(speed=10)))
+    assert message.axes.yaw.speed == pytest.approx(10.01, abs=0.001)  # in steps of a structure
+    message.axes.yaw.speed = 10
+    assert message.axes.yaw.speed_raw == 10000
+
+
+def test_messages_are_matched_by_their_fields() -> None:
+    match msg.BeepSound(note_length=24):
+        case msg.BeepSound(note_length=length):
+            assert length == 24
+        case _:
+            pytest.fail("no match")
+
+
+def test_unknown_values_and_bits_survive() -> None:
+    assert msg.BoardErrorCode(211) == 211
+    assert pickle.loads(pickle.dumps(msg.BoardErrorCode(211))) == 211
+    flags = msg.BoardFeatures(0) | 0x8000
+    assert int(flags) & 0x8000
+    assert pickle.loads(pickle.dumps(flags)) == flags
+
+
+def test_copies_are_independent() -> None:
+    message = msg.Control(axes=msg.Axes(pitch=msg.ControlAxis(angle=30)))
+    other = copy.copy(message)
+    other.axes.pitch.angle = 0
+    axis = copy.deepcopy(message.axes.pitch)
+    axis.angle = 1
+    assert message.axes.pitch.angle == pytest.approx(30, abs=0.02)
+    assert pickle.loads(pickle.dumps(message.axes.pitch)) == message.axes.pitch
+
+
+def test_lists_behave_like_lists() -> None:
+    message = msg.BeepSound(note_freq_hz=[600, 700])
+    assert list(message.note_freq_hz) == [600, 700]
+    message.note_freq_hz.append(800)
+    del message.note_freq_hz[0]
+    message.note_freq_hz[0] = 900
+    assert message.note_freq_hz == [900, 800]
+    message.note_freq_hz_raw = [21000]
+    assert "pause" in repr(message)
+    with pytest.raises(FieldError):
+        message.note_freq_hz.extend([600] * 200)
+    assert message.note_freq_hz_raw == [21000]
+
+
+def test_errors_name_field_value_and_limit() -> None:
+    message = msg.Control()
+    with pytest.raises(FieldError, match=r"axes.pitch.angle: 1e\+06 deg does not fit: -720 deg to"):
+        message.axes.pitch.angle = 1e6
+    with pytest.raises(TypeError, match="axes.pitch.angle: a number is needed, not 'up'"):
+        message.axes.pitch.angle = "up"  # type: ignore[assignment]
+    with pytest.raises(TypeError, match="unexpected keyword argument 'contrl_mode'"):
+        msg.Control(contrl_mode=1)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="axes: Axes is needed"):
+        message.axes = 3  # type: ignore[assignment]
+    with pytest.raises(TypeError, match="axes.roll: ControlAxis is needed"):
+        message.axes.roll = msg.AxisState()  # type: ignore[assignment]
+    with pytest.raises(FieldError, match=r"note_length: 1e\+09 ms does not fit: 0 ms to 2040 ms"):
+        msg.BeepSound(note_length=1e9)
+    with pytest.raises(AttributeError):
+        message.pitch = 3  # type: ignore[attr-defined]
+    assert message == msg.Control()
+
+
+def test_what_the_specification_does_not_allow_is_refused_unless_asked() -> None:
+    message = msg.BeepSound()
+    with pytest.raises(FieldError) as caught:
+        message.decay_factor = 16
+    assert caught.value.field == "decay_factor"
+    assert str(caught.value) == "decay_factor: 16 is above 15"
+    message.assign("decay_factor", "16", validates=False)
+    (violation,) = [v for v in validate(message) if v.field == "decay_factor"]
+    assert (violation.value, violation.limit, violation.rule) == (16, 15, "maximum")
+
+
+def test_frames_that_are_none_say_why() -> None:
+    frame = encode(msg.GetAnglesRequest())
+    with pytest.raises(DecodeError, match="the checksum of the header"):
+        decode(frame[:3] + b"\0")
+    with pytest.raises(DecodeError, match="incomplete"):
+        decode(frame[:-1])
+    with pytest.raises(DecodeError, match="1 more follow"):
+        decode(frame + b"\0")
+    with pytest.raises(DecodeError, match="no start"):
+        decode(b"hello")
+    with pytest.raises(DecodeError, match="GetAngles: The body ends|body"):
+        decode(frame, Direction.FROM_BOARD)
+
+
+def test_a_parser_counts_what_it_skips() -> None:
+    parser = Parser()
+    frame = encode(msg.GetAnglesRequest())
+    found = parser.feed(b"noise" + frame + frame[:3])
+    assert [one.offset for one in found] == [5]
+    assert parser.waiting_bytes == 3
+    assert parser.flush() == []
+    assert parser.counters.skipped_bytes == 8
+
+
+def test_packed_values_have_parts() -> None:
+    version = msg.FirmwareVersion(2740)
+    assert str(version) == "2.74"
+    mode = msg.ControlMode(mode=msg.ControlModeKind.MODE_SPEED)
+    assert msg.ControlMode(mode, mode=msg.ControlModeKind.MODE_ANGLE).mode == 2
+    with pytest.raises(FieldError, match="does not fit into 'mode'"):
+        msg.ControlMode(mode=9999)  # type: ignore[arg-type]
