@@ -276,7 +276,6 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   };
   Subscription samples =
       ends ? stream.listen(client, take) : value_of(stream.start(client, interval, take));
-  const auto end = options.time ? start + *options.time : Clock::time_point::max();
   // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
   const auto settled =
       Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 3 * interval);
