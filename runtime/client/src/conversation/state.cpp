@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/clock.hpp>
-
-#include "text.hpp"
 
 namespace sbgc::detail {
 

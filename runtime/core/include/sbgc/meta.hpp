@@ -172,6 +172,10 @@ struct MessageInfo {
   Effects effects{};        ///< empty for a message from the board
   /// What to do before the request is sent, such as how to hold the camera; "" if nothing.
   const char* preparation = "";
+
+  constexpr bool travels(Direction way) const noexcept {
+    return direction == way || direction == Direction::both;
+  }
 };
 
 /// The element count of a list, for which the protocol has a field. Messages do not store it: the
