@@ -24,6 +24,7 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
 }
 
 msg::MillisecondClock Device::clock(Instant now) const {
+  // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
   return msg::MillisecondClock(static_cast<std::uint16_t>((now - restarts.started()).us / 1000));
 }
 

@@ -9,18 +9,37 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board_options.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
 #include "hosts/listen.hpp"
-#include "serving/argument_text.hpp"
 #include "serving/motion_file.hpp"
 
 namespace sbgc::serving {
 
 namespace {
+
+[[noreturn]] void refuse(const std::string& text, const char* wanted) {
+  throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
+}
+
+/// Reads an unsigned number of at most `most`.
+template <class Number>
+bool read(std::string_view text, Number most, Number& number) {
+  const auto read = sbgc::detail::parse_number<Number>(text);
+  if (!read || text.front() == '-' || !(*read <= most)) return false;  // also for NaN
+  number = *read;
+  return true;
+}
+
+/// Returns the texts before and after the separator.
+std::pair<std::string_view, std::string_view> split(std::string_view text, char separator) {
+  const std::size_t at = std::min(text.find(separator), text.size());
+  return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
+}
 
 /// About 11 days: longer times are considered a mistake.
 constexpr double most_seconds = 1e6;

@@ -161,9 +161,7 @@ class Paragraphs {
 };
 
 std::string joined(const std::vector<std::string>& words) {
-  std::string result;
-  for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
-  return result.empty() ? "none" : result;
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
 void print_text(const Info& info) {

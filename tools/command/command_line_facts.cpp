@@ -36,13 +36,6 @@ const CLI::App* find_subcommand(const CLI::App& command, const std::string& name
   return nullptr;
 }
 
-const CLI::Option* find_option(const CLI::App& command, const std::string& name) {
-  for (const CLI::Option* const option : command.get_options()) {
-    if (!option->get_positional() && option->check_name(name)) return option;
-  }
-  return nullptr;
-}
-
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
 std::vector<std::string> choices_of(const CLI::Option& option) {

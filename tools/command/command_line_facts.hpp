@@ -20,9 +20,6 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& command);
 /// Returns the subcommand with this name; null if there is none.
 const CLI::App* find_subcommand(const CLI::App& command, const std::string& name);
 
-/// Returns the option with this name, such as "-p" or "--port"; null if there is none.
-const CLI::Option* find_option(const CLI::App& command, const std::string& name);
-
 /// True if the option takes a value.
 bool takes_value(const CLI::Option& option);
 

@@ -1,9 +1,12 @@
 #include "command/help_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/detail/parse_number.hpp>
 
 #include "command/command_line_facts.hpp"
 #include "command/system.hpp"
@@ -19,10 +22,7 @@ constexpr std::size_t widest_names = 30;  // with the spaces around them
 std::size_t width_from_environment() {
   const char* const text = std::getenv("COLUMNS");
   if (text == nullptr) return 0;
-  const std::string_view digits(text);
-  std::size_t width = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), width);
-  return error == std::errc{} && end == digits.data() + digits.size() ? width : 0;
+  return detail::parse_number<std::size_t>(text).value_or(0);
 }
 
 /// Removes the text up to `separator` from the front of `text` and returns it.
@@ -111,11 +111,9 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (!takes_value(*option)) return "";
-  std::string result;
   const std::vector<std::string> choices = choices_of(*option);
-  for (const std::string& choice : choices) result += (result.empty() ? "" : "|") + choice;
-  result.insert(0, 1, ' ');
-  if (choices.empty()) result += value_name(*option);
+  std::string result =
+      choices.empty() ? ' ' + value_name(*option) : fmt::format(" {}", fmt::join(choices, "|"));
   if (!option->get_default_str().empty()) result += " (" + option->get_default_str() + ")";
   return result;
 }

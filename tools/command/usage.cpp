@@ -1,7 +1,6 @@
 #include "command/usage.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <regex>
 #include <sstream>
@@ -10,8 +9,10 @@
 #include <fmt/format.h>
 
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 
 #include "command/command_error.hpp"
+#include "command/command_line_facts.hpp"
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 
@@ -21,10 +22,7 @@ namespace {
 
 std::vector<std::string> command_names(const CLI::App& command) {
   std::vector<std::string> result;
-  for (const CLI::App* const one : command.get_subcommands({})) {
-    const bool is_group = one->get_name().empty();
-    if (!is_group && !one->get_group().empty()) result.push_back(one->get_name());
-  }
+  for (const CLI::App* const one : subcommands_of(command)) result.push_back(one->get_name());
   return result;
 }
 
@@ -70,10 +68,8 @@ std::string shown_name(const CLI::App& command, const std::string& name) {
   const std::string type = option == nullptr ? "" : option->get_type_name();
   const bool is_given =
       !type.empty() && type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ=-") == std::string::npos;
-  std::string shown = is_given && type != "TEXT" && type != "UINT" && type != "INT" ? type : name;
-  std::ranges::transform(shown, shown.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return shown;
+  return detail::upper_case(is_given && type != "TEXT" && type != "UINT" && type != "INT" ? type
+                                                                                          : name);
 }
 
 /// The number without trailing zeros.

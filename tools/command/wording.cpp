@@ -31,9 +31,4 @@ std::string as_message(std::string sentence) {
   return sentence.ends_with("..") ? sentence : without_period(std::move(sentence));
 }
 
-std::string without_period(std::string sentence) {
-  if (sentence.ends_with('.')) sentence.pop_back();
-  return sentence;
-}
-
 }  // namespace sbgc::tools

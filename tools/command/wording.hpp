@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/detail/words.hpp>
+
 namespace sbgc::tools {
 
 /// For example "1 byte" or "2 bytes".
@@ -18,8 +20,7 @@ std::string clipped(std::string_view message);
 /// a terminal, and for each byte that is not UTF-8.
 std::string printable(std::string_view text);
 
-/// Returns the sentence without a period at its end, as part of a longer message.
-std::string without_period(std::string sentence);
+using detail::without_period;
 
 /// Returns the sentence as messages of the command are written, after "sbgc: ": in lower case and
 /// without the final period. A name at its beginning stays as it is.

@@ -10,51 +10,34 @@ namespace sbgc::tools {
 
 namespace {
 
-bool travels(const MessageInfo& info, Direction direction) {
-  return info.direction == direction || info.direction == Direction::both;
-}
+constexpr std::array directions{Direction::to_board, Direction::from_board};
 
-/// The names of all ids in both directions.
-class CommandNames {
- public:
-  CommandNames() {
-    AllMessages::for_each([this]<class M>(Type<M>) {
-      const MessageInfo& info = Meta<M>::info;
-      for (const Direction direction : {Direction::to_board, Direction::from_board}) {
-        if (travels(info, direction)) place(info.id, direction) = info.command;
-      }
-    });
-    // Otherwise, the name of the id in the other direction.
-    add(EnumMeta<msg::CommandFromBoard>::values);
-    add(EnumMeta<msg::CommandToBoard>::values);
-  }
+/// The names of all ids, by direction; null for an unknown one.
+using CommandNames = std::array<std::array<const char*, 256>, directions.size()>;
 
-  const char* of(std::uint8_t id, Direction direction) const {
-    return names_[index(direction)][id];
-  }
+std::size_t index(Direction direction) { return direction == Direction::to_board ? 0 : 1; }
 
- private:
-  using Names = std::array<const char*, 256>;
-
-  static std::size_t index(Direction direction) { return direction == Direction::to_board ? 0 : 1; }
-  static constexpr Names without_names() {
-    Names names{};
-    names.fill("");
-    return names;
-  }
-
-  const char*& place(std::uint8_t id, Direction direction) { return names_[index(direction)][id]; }
-  void add(std::span<const ValueInfo> commands) {
+CommandNames all_names() {
+  CommandNames names{};
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const MessageInfo& info = Meta<M>::info;
+    for (const Direction direction : directions) {
+      if (info.travels(direction)) names[index(direction)][info.id] = info.command;
+    }
+  });
+  // Otherwise, the name of the id in the other direction.
+  const auto add = [&](std::span<const ValueInfo> commands) {
     for (const ValueInfo& command : commands) {
-      for (Names& names : names_) {
-        const char*& name = names[static_cast<std::uint8_t>(command.value)];
-        if (*name == '\0') name = command.name;
+      for (auto& of_direction : names) {
+        const char*& name = of_direction[static_cast<std::uint8_t>(command.value)];
+        if (name == nullptr) name = command.name;
       }
     }
-  }
-
-  std::array<Names, 2> names_{without_names(), without_names()};
-};
+  };
+  add(EnumMeta<msg::CommandFromBoard>::values);
+  add(EnumMeta<msg::CommandToBoard>::values);
+  return names;
+}
 
 }  // namespace
 
@@ -82,7 +65,7 @@ bool has_command(Direction direction, std::uint8_t id) {
 std::string body_sizes(Direction direction, std::uint8_t id) {
   std::string result;
   AllMessages::for_each([&]<class M>(Type<M>) {
-    if (Meta<M>::info.id != id || !travels(Meta<M>::info, direction)) return;
+    if (Meta<M>::info.id != id || !Meta<M>::info.travels(direction)) return;
     result += (result.empty() ? "" : ", ") + std::to_string(M::min_size);
     if (M::max_size != M::min_size) result += " to " + std::to_string(M::max_size);
   });
@@ -90,8 +73,9 @@ std::string body_sizes(Direction direction, std::uint8_t id) {
 }
 
 const char* command_name(std::uint8_t id, Direction direction) {
-  static const CommandNames names;
-  return names.of(id, direction);
+  static const CommandNames names = all_names();
+  const char* const name = names[index(direction)][id];
+  return name == nullptr ? "" : name;
 }
 
 }  // namespace sbgc::tools

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/words.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/parser.hpp>
@@ -70,12 +71,10 @@ struct DecodePlan {
 /// Parses seconds, such as "12.5", or a duration with a unit.
 std::optional<std::chrono::microseconds> parse_time(const std::string& text) {
   if (const auto duration = parse_duration(text)) return *duration;
-  double seconds{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const auto seconds = detail::parse_number<double>(text);
   constexpr double longest = 1e9;
-  const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  if (!is_number || !(seconds >= 0 && seconds <= longest)) return std::nullopt;
-  return std::chrono::microseconds(std::llround(seconds * 1e6));
+  if (!seconds || !(*seconds >= 0 && *seconds <= longest)) return std::nullopt;
+  return std::chrono::microseconds(std::llround(*seconds * 1e6));
 }
 
 std::optional<Direction> parse_side(const std::string& text) {
@@ -106,12 +105,10 @@ DecodePlan plan_of(const DecodeOptions& options) {
   if (plan.times.from > plan.times.to) {
     throw CommandError("the time of --from is after that of --to", wrong_usage);
   }
-  plan.output.format = options.format == "text"    ? FrameFormat::text
-                       : options.format == "jsonl" ? FrameFormat::jsonl
-                                                   : FrameFormat::csv;
+  plan.output.format = format_named(options.format);
   plan.output.real = options.real;
   if (options.shows_passwords) plan.output.secrets = Secrets::shown;
-  if (options.real && plan.output.format != FrameFormat::jsonl) {
+  if (options.real && plan.output.format != OutputFormat::jsonl) {
     throw CommandError("--real is for --format jsonl: the other formats always show these values",
                        wrong_usage);
   }
@@ -132,19 +129,20 @@ std::string to_text(const RejectedCandidate& candidate) {
   return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
 }
 
-/// Reports input without a frame, and guesses what it is.
-[[nodiscard]] int no_frame(std::uint64_t size, const std::string& guess,
+/// Reports input without a frame, with a guess what it is. `is_meant`: it probably has frames,
+/// whose damage is explained unless `shows_gaps` has done it.
+[[nodiscard]] int no_frame(std::uint64_t size, std::string guess, bool is_meant, bool shows_gaps,
                            std::span<const RejectedCandidate> rejected) {
+  if (guess.empty() && !is_meant) {
+    guess = "if they come from a serial line, its baud rate or parity may be wrong";
+  }
   remark("sbgc: found no frame in {}{}{}\n", counted(size, "byte"), guess.empty() ? "" : "; ",
          guess);
   for (const RejectedCandidate& candidate : rejected) {
-    if (candidate.has_header) remark("{}", to_text(candidate));
+    if (is_meant && !shows_gaps && candidate.has_header) remark("{}", to_text(candidate));
   }
   return failure;
 }
-
-constexpr const char* line_may_be_wrong =
-    "if they come from a serial line, its baud rate or parity may be wrong";
 
 std::string to_text(const ParserCounters& counters) {
   return fmt::format("{}, {} skipped (bad headers: {}, bad bodies: {})\n",
@@ -177,7 +175,7 @@ class RawDecoder {
         text_(text),
         direction_(plan.direction),
         // Gaps belong to no frame that a filter could choose.
-        shows_gaps_(plan.output.format == FrameFormat::text && plan.output.filter.is_empty()),
+        shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
         output_(plan.output, out),
         explainer_(direction_) {
     if (plan.has_times) {
@@ -212,12 +210,8 @@ class RawDecoder {
   int finish() {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
-    std::string guess = guess_input(begin_, text_ != nullptr);
     const bool is_meant = looks_intended(parser_.counters()) || looks_changed(rejected);
-    if (guess.empty() && !is_meant) guess = line_may_be_wrong;
-    const bool explains = !shows_gaps_ && is_meant;
-    return no_frame(size_, guess,
-                    explains ? std::span(rejected) : std::span<const RejectedCandidate>());
+    return no_frame(size_, guess_input(begin_, text_ != nullptr), is_meant, shows_gaps_, rejected);
   }
 
  private:
@@ -285,7 +279,7 @@ class CaptureDecoder final : private CaptureListener {
       : out_(out),
         only_(plan.direction),
         times_(plan.times),
-        shows_gaps_(plan.output.format == FrameFormat::text && plan.output.filter.is_empty()),
+        shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
         output_(plan.output, out),
         frames_(*this) {}
 
@@ -306,10 +300,7 @@ class CaptureDecoder final : private CaptureListener {
     const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
                           looks_intended(frames_.counters(Direction::from_board)) ||
                           looks_changed(rejected_);
-    const bool explains = !shows_gaps_ && is_meant;
-    return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
-                    explains ? std::span<const RejectedCandidate>(rejected_)
-                             : std::span<const RejectedCandidate>());
+    return no_frame(skipped_, "", is_meant, shows_gaps_, rejected_);
   }
 
  private:

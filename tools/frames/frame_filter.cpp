@@ -31,11 +31,8 @@ std::vector<FoundField> fields_named(const MessageType& message, const std::stri
 }  // namespace
 
 bool FieldCondition::Target::means(std::string_view path) const {
-  return std::ranges::any_of(paths, [&](const std::string& one) {
-    const bool is_element = path.size() > one.size() && path.starts_with(one) &&
-                            (path[one.size()] == '.' || path[one.size()] == '[');
-    return path == one || is_element;
-  });
+  return std::ranges::any_of(
+      paths, [&](const std::string& one) { return detail::is_in_field(path, one); });
 }
 
 FieldCondition::FieldCondition(const std::string& text) {

@@ -51,15 +51,15 @@ bool FrameOutput::print(const Frame& frame, std::optional<Direction> direction,
   if (!options_.filter.is_empty() && !options_.filter.wants(decoded)) return false;
   has_printed_ = true;
   switch (options_.format) {
-    case FrameFormat::text:
+    case OutputFormat::text:
       out_.put(heading);
       put_text(out_, decoded, colors_);
       return true;
-    case FrameFormat::jsonl:
+    case OutputFormat::jsonl:
       put_json(out_, decoded, place, options_.real ? values_text(decoded) : "");
       out_.put('\n');
       return true;
-    case FrameFormat::csv:
+    case OutputFormat::csv:
       if (!has_values(decoded)) return false;
       put_csv(decoded, place);
       return true;
@@ -93,7 +93,7 @@ void FrameOutput::begin_table(const DecodedFrame& decoded, SampleKey key) {
     table_units_.emplace(columns.back().path, columns.back().unit);
   });
   table_message_ = decoded.message;
-  table_ = SampleWriter::make(SampleFormat::csv, table_message_->name, std::move(columns), 0, key);
+  table_ = SampleWriter::make(OutputFormat::csv, table_message_->name, std::move(columns), 0, key);
   out_.put(table_->header());
 }
 

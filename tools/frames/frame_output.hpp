@@ -16,11 +16,9 @@
 
 namespace sbgc::tools {
 
-enum class FrameFormat : std::uint8_t { text, jsonl, csv };
-
 /// What to print, and how.
 struct FrameOutputOptions {
-  FrameFormat format = FrameFormat::text;
+  OutputFormat format = OutputFormat::text;
   bool real = false;                       ///< JSON lines also have the values in their units
   Secrets secrets{};                       ///< whether they are shown
   std::optional<Availability> versions{};  ///< of the firmware whose objections are wanted
@@ -32,7 +30,7 @@ class FrameOutput {
  public:
   FrameOutput(const FrameOutputOptions& options, StandardOutput& out);
 
-  bool is_text() const { return options_.format == FrameFormat::text; }
+  bool is_text() const { return options_.format == OutputFormat::text; }
 
   /// Decodes a frame, and prints it unless the filter rejects it. Frames of a capture have a place.
   /// `heading` precedes the text of a frame. Returns true if it was printed.

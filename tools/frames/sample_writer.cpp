@@ -161,14 +161,19 @@ class TableWriter final : public SampleWriter {
 
 }  // namespace
 
-std::unique_ptr<SampleWriter> SampleWriter::make(SampleFormat format, std::string message,
+OutputFormat format_named(std::string_view name) {
+  if (name == "csv") return OutputFormat::csv;
+  return name == "jsonl" ? OutputFormat::jsonl : OutputFormat::text;
+}
+
+std::unique_ptr<SampleWriter> SampleWriter::make(OutputFormat format, std::string message,
                                                  std::vector<StreamField> fields, std::size_t width,
                                                  SampleKey key) {
   switch (format) {
-    case SampleFormat::csv: return std::make_unique<CsvWriter>(std::move(fields), key);
-    case SampleFormat::jsonl:
+    case OutputFormat::csv: return std::make_unique<CsvWriter>(std::move(fields), key);
+    case OutputFormat::jsonl:
       return std::make_unique<JsonWriter>(std::move(message), std::move(fields));
-    case SampleFormat::text: break;
+    case OutputFormat::text: break;
   }
   return std::make_unique<TableWriter>(std::move(fields), width, key);
 }

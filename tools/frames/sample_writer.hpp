@@ -12,11 +12,14 @@
 namespace sbgc::tools {
 
 /// The layout of the output. All numbers are written independently of the locale.
-enum class SampleFormat : unsigned char {
-  text,   ///< a table for people
-  csv,    ///< one header line with units, one line per sample; numbers, and empty where missing
-  jsonl,  ///< one object per sample with raw values and their meanings
+enum class OutputFormat : unsigned char {
+  text,   ///< for people
+  csv,    ///< one header line with units, one line per message; numbers, and empty where missing
+  jsonl,  ///< one object per message
 };
+
+/// Of --format.
+OutputFormat format_named(std::string_view name);
 
 /// What the first column of a table in CSV is.
 enum class SampleKey : unsigned char {
@@ -29,7 +32,7 @@ enum class SampleKey : unsigned char {
 class SampleWriter {
  public:
   /// `width` limits the lines of a text table; 0: no limit.
-  static std::unique_ptr<SampleWriter> make(SampleFormat format, std::string message,
+  static std::unique_ptr<SampleWriter> make(OutputFormat format, std::string message,
                                             std::vector<StreamField> fields, std::size_t width,
                                             SampleKey key = SampleKey::time);
 

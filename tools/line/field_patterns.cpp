@@ -15,11 +15,6 @@ namespace sbgc::tools {
 
 namespace {
 
-bool is_inside(std::string_view path, std::string_view group) {
-  return path.starts_with(group) && path.size() > group.size() &&
-         (path[group.size()] == '.' || path[group.size()] == '[');
-}
-
 bool is_end_of(std::string_view path, std::string_view end) {
   return path.ends_with(end) && path.size() > end.size() &&
          path[path.size() - end.size() - 1] == '.';
@@ -66,7 +61,7 @@ std::vector<std::string> paths_named(std::string_view name, const MessageType& m
 void apply(std::string_view pattern, const MessageType& message,
            const std::vector<std::string>& paths, std::vector<bool>& chosen) {
   const auto is_glob = [&](const std::string& path) { return matches_glob(pattern, path); };
-  const auto is_group = [&](const std::string& path) { return is_inside(path, pattern); };
+  const auto is_group = [&](const std::string& path) { return detail::is_in_field(path, pattern); };
   if (choose(paths, chosen, is_glob) || choose(paths, chosen, is_group)) return;
   std::vector<std::string> ends;
   for (const std::string& path : paths) {
@@ -80,7 +75,7 @@ void apply(std::string_view pattern, const MessageType& message,
   if (ends.empty()) ends = paths_named(pattern, message);
   const auto is_named = [&](const std::string& path) {
     return std::ranges::any_of(
-        ends, [&](const std::string& end) { return path == end || is_inside(path, end); });
+        ends, [&](const std::string& end) { return detail::is_in_field(path, end); });
   };
   if (choose(paths, chosen, is_named)) return;
   throw CommandError(fmt::format("no field matches '{}'{}", clipped(pattern),

@@ -93,11 +93,6 @@ class SampleCounter {
   std::int64_t lost_ = 0;
 };
 
-SampleFormat format_named(std::string_view name) {
-  if (name == "csv") return SampleFormat::csv;
-  return name == "jsonl" ? SampleFormat::jsonl : SampleFormat::text;
-}
-
 /// Writes to the standard output; returns false if its reader has left.
 bool write_out(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -112,10 +107,8 @@ StreamType chosen_stream(const StreamOptions& options) {
   stream.configure(options.with);
   if (!options.fields.empty() && options.with.empty()) stream.configure_for(options.fields);
   if (stream.lacks_flags() && options.with.empty()) {
-    std::string names;
-    for (const std::string& name : stream.flags()) names += (names.empty() ? "" : ", ") + name;
     throw CommandError(fmt::format("choose what {} contains with --fields or --with; there are {}",
-                                   stream.info().name, names),
+                                   stream.info().name, fmt::join(stream.flags(), ", ")),
                        wrong_usage);
   }
   return stream;

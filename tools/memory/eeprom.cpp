@@ -59,9 +59,8 @@ int read_eeprom(const EepromToRead& options, const CommandContext& context) {
   const std::size_t size =
       options.size ? *options.size : rest_of(client.identity(), options.address);
   ProgressBar bar("bytes");
-  TransferOptions transfer;
-  transfer.progress = bar.handler();
-  const auto data = value_of(client.download_eeprom(options.address, size, transfer));
+  const auto data =
+      value_of(client.download_eeprom(options.address, size, {.progress = bar.handler()}));
   write_local_file(options.file, data, options.force);
   bar.clear();
   remark("{} written to {}\n", counted(data.size(), "byte"), options.file);
@@ -86,10 +85,8 @@ int write_eeprom(const EepromToWrite& options, const CommandContext& context) {
                   counted(data.size(), "byte"), options.address));
   const Interruption interruption;
   ProgressBar bar("bytes");
-  TransferOptions transfer;
-  transfer.progress = bar.handler();
   const std::size_t size = data.size();
-  value_of(client.upload_eeprom(options.address, std::move(data), transfer));
+  value_of(client.upload_eeprom(options.address, std::move(data), {.progress = bar.handler()}));
   bar.clear();
   remark("{} written and read back; some take effect at the next start\n", counted(size, "byte"));
   return success;

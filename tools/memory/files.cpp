@@ -45,12 +45,6 @@ struct FilesToDelete {
   Arming arming{};
 };
 
-TransferOptions with_progress(ProgressBar& bar) {
-  TransferOptions options;
-  options.progress = bar.handler();
-  return options;
-}
-
 int list_files(const FilesToList& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   const Interruption interruption;
@@ -73,7 +67,7 @@ int get_file(const FileToGet& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   const Interruption interruption;
   ProgressBar bar("bytes");
-  const auto data = value_of(client.download_file(options.id, with_progress(bar)));
+  const auto data = value_of(client.download_file(options.id, {.progress = bar.handler()}));
   write_local_file(options.file, data, options.force);
   bar.clear();
   remark("{} written to {}\n", counted(data.size(), "byte"), options.file);
@@ -91,7 +85,7 @@ int put_file(const FileToPut& options, const CommandContext& context) {
   const Interruption interruption;
   ProgressBar bar("bytes");
   const std::size_t size = data.size();
-  value_of(client.upload_file(options.id, std::move(data), with_progress(bar)));
+  value_of(client.upload_file(options.id, std::move(data), {.progress = bar.handler()}));
   bar.clear();
   remark("{} written and read back\n", counted(size, "byte"));
   return success;

@@ -1,13 +1,12 @@
 #include "motion/axis_values.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include <sbgc/axis_directions.hpp>
+#include <sbgc/detail/parse_number.hpp>
 
 #include "command/command_error.hpp"
 
@@ -33,10 +32,8 @@ CLI::Validator number_with_unit(const std::string& unit) {
     if (number.ends_with(unit)) number.resize(number.size() - unit.size());
     while (number.ends_with(' ')) number.pop_back();
     if (number.starts_with('+')) number.erase(0, 1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    const bool is_number = error == std::errc() && end == number.data() + number.size();
-    if (!is_number || !std::isfinite(value)) {
+    const auto value = detail::parse_number<double>(number);
+    if (!value || !std::isfinite(*value)) {
       return fmt::format("must be a number in {}, not '{}'", unit, text);
     }
     text = number;

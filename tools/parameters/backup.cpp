@@ -57,13 +57,6 @@ std::string dated_name(const std::filesystem::path& file, const char* what) {
   return unique.string();
 }
 
-/// A backup in a task has no date: a task has no clock.
-Result<void> save_dated(const Backup& backup, const std::string& file) {
-  Backup dated = backup;
-  dated.created = utc_now();
-  return save_backup(dated, file);
-}
-
 // ---- backup ----
 
 struct BackupOptions {
@@ -147,7 +140,7 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   bool is_saved = false;
   restoring.dry_run = false;
   restoring.save_current = [&](const Backup& present) {
-    Result<void> saved = save_dated(present, save_to);
+    Result<void> saved = sbgc::save_to(save_to)(present);
     is_saved = static_cast<bool>(saved);
     return saved;
   };

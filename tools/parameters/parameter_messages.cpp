@@ -9,7 +9,9 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/text.hpp>
 
+#include "command/command_error.hpp"
 #include "command/wording.hpp"
+#include "values/field_text.hpp"
 #include "values/names.hpp"
 
 namespace sbgc::tools {
@@ -73,6 +75,13 @@ FoundParameters find_parameters(std::string_view name) {
                                                                   : "is reserved"));
   }
   return {&parameter_messages()[found.source], found.fields};
+}
+
+void fail_lacking(const FoundField& field) {
+  const std::string since =
+      field.type->info == nullptr ? "" : versions_text(field.type->info->since);
+  throw CommandError(fmt::format("this board does not have {}{}", steps_text(field.steps),
+                                 since.empty() ? "" : "; it needs " + since));
 }
 
 bool is_general(const FoundField& field) {

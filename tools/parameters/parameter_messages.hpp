@@ -40,6 +40,9 @@ struct FoundParameters {
 /// name of the message in front if several have it. Throws ValueError, with suggestions.
 FoundParameters find_parameters(std::string_view name);
 
+/// Ends the command, because the board does not have the field. Throws CommandError.
+[[noreturn]] void fail_lacking(const FoundField& field);
+
 /// True if the field is the same in all profiles.
 bool is_general(const FoundField& field);
 

@@ -22,7 +22,6 @@
 #include "parameters/profile_choice.hpp"
 #include "parameters/write_outcome.hpp"
 #include "values/assignments.hpp"
-#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 
@@ -61,12 +60,7 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
     auto at = std::ranges::find(result, found.message, &MessageValues::message);
     if (at == result.end()) at = result.insert(at, {found.message, {}});
     for (FieldValue& value : values_for(found.fields, assignment.value)) {
-      const std::string path = steps_text(value.field.steps);
-      const bool is_again = std::ranges::any_of(at->values, [&](const FieldValue& other) {
-        return steps_text(other.field.steps) == path;
-      });
-      if (is_again) throw ValueError(fmt::format("{} is set twice", path));
-      at->values.push_back(std::move(value));
+      add_value(at->values, std::move(value));
     }
   }
   for (const MessageValues& one : result) {
@@ -93,15 +87,6 @@ std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& 
     if (is_general(value.field)) general.push_back(value);
   }
   return general;
-}
-
-/// Throws CommandError if the board does not have the field.
-void check_presence(const AnyMessage& message, const FieldValue& value) {
-  if (message.has(std::get<std::string>(value.field.steps.front()))) return;
-  const FieldInfo* const info = value.field.type->info;
-  const std::string since = info == nullptr ? "" : versions_text(info->since);
-  throw CommandError(fmt::format("this board does not have {}{}", steps_text(value.field.steps),
-                                 since.empty() ? "" : "; it needs " + since));
 }
 
 /// True if the change is one of a parameter that is the same in all profiles.
@@ -161,7 +146,11 @@ int set_parameters(const SetOptions& options, const CommandContext& context) {
       is_present = true;
       AnyMessage message = message_in(block);
       const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
-      for (const FieldValue& value : here) check_presence(message, value);
+      for (const FieldValue& value : here) {
+        if (!message.has(std::get<std::string>(value.field.steps.front()))) {
+          fail_lacking(value.field);
+        }
+      }
       try {
         set_values(message, here, client.identity().versions());
         value_of(wanted.put(block_of(block.id, message)));

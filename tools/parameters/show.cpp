@@ -104,11 +104,6 @@ int show(const ShowOptions& options, const CommandContext& context) {
   return success;
 }
 
-bool is_inside(const std::string& path, const std::string& whole) {
-  if (!path.starts_with(whole)) return false;
-  return path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[';
-}
-
 int get(const ShowOptions& options, const CommandContext& context) {
   std::vector<FoundParameters> wanted;
   try {
@@ -136,15 +131,12 @@ int get(const ShowOptions& options, const CommandContext& context) {
       const std::string path = steps_text(field.steps);
       const std::size_t before = parameters.size();
       for (const ShownParameter& parameter : all) {
-        if (!is_inside(parameter.path, path)) continue;
+        if (!detail::is_in_field(parameter.path, path)) continue;
         parameters.push_back(parameter);
         types.push_back(field.type);
       }
       if (parameters.size() != before) continue;
-      const std::string since =
-          field.type->info == nullptr ? "" : versions_text(field.type->info->since);
-      throw CommandError(fmt::format("this board does not have {}{}", path,
-                                     since.empty() ? "" : "; it needs " + since));
+      fail_lacking(field);
     }
   }
   if (options.format == "json") {

@@ -33,7 +33,7 @@ void require_use_of_gimbal_options(const CLI::App& app) {
   const CLI::App& command = chosen_command(app);
   for (const CLI::Option* const option : app.get_options()) {
     const bool is_of_gimbal = option->get_group() == gimbal_group && option->count() != 0;
-    if (is_of_gimbal && find_option(command, "--port") == nullptr) {
+    if (is_of_gimbal && command.get_option_no_throw("--port") == nullptr) {
       throw CommandError(fmt::format("{} is not for `{}`, which does not talk to a gimbal",
                                      option->get_name(), full_name(command)),
                          wrong_usage);

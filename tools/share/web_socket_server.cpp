@@ -58,12 +58,12 @@ WebSocketServer::Events with_fewer_refusals(WebSocketServer::Events events) {
   return events;
 }
 
-class Session;
-
 }  // namespace
 
 /// All functions run on the server's thread, unless documented otherwise.
 class WebSocketServer::Impl : public std::enable_shared_from_this<WebSocketServer::Impl> {
+  class Session;
+
  public:
   Impl(WebSocketAccess who, Events all_events)
       : access(std::move(who)), events(with_fewer_refusals(std::move(all_events))) {}
@@ -99,26 +99,13 @@ class WebSocketServer::Impl : public std::enable_shared_from_this<WebSocketServe
   std::thread thread_;
 };
 
-namespace {
-
 /// One connection.
-class Session : public std::enable_shared_from_this<Session> {
+class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Session> {
  public:
-  template <class Owner>
-  Session(Tcp::socket socket, std::shared_ptr<Owner> server, WebSocketServer::SessionId id,
-          std::string name)
+  Session(Tcp::socket socket, const std::shared_ptr<Impl>& server, SessionId id, std::string name)
       : events_(server->events),
         access_(server->access),
-        at_end_([weak = std::weak_ptr(server), id](bool was_open) {
-          const auto owner = weak.lock();
-          if (owner == nullptr) return;  // the server is being destroyed
-          owner->left(id);
-          if (was_open) owner->events.closed(id);
-        }),
-        may_open_([weak = std::weak_ptr(server)] {
-          const auto owner = weak.lock();
-          return owner != nullptr && owner->has_place();
-        }),
+        server_(server),
         stream_(std::move(socket)),
         id_(id),
         name_(std::move(name)) {
@@ -145,13 +132,13 @@ class Session : public std::enable_shared_from_this<Session> {
       if (!self->stream_.got_binary()) return self->close("binary messages only");
       const auto data = self->buffer_.cdata();
       const auto* const begin = static_cast<const std::uint8_t*>(data.data());
-      WebSocketServer::Bytes bytes(begin, begin + data.size());
+      Bytes bytes(begin, begin + data.size());
       self->buffer_.consume(data.size());
       self->events_.received(self->id_, std::move(bytes));
     });
   }
 
-  void write(WebSocketServer::Bytes bytes) {
+  void write(Bytes bytes) {
     output_ = std::move(bytes);
     stream_.binary(true);
     stream_.async_write(net::buffer(output_),
@@ -201,7 +188,8 @@ class Session : public std::enable_shared_from_this<Session> {
       events_.refused(name_ + " refused: it does not offer the subprotocol 'sbgc'");
       return refuse(http::status::bad_request);
     }
-    if (!may_open_()) {
+    const auto server = server_.lock();
+    if (server == nullptr || !server->has_place()) {
       events_.refused(name_ + " refused: all places for WebSockets are in use");
       return refuse(http::status::service_unavailable);
     }
@@ -235,26 +223,27 @@ class Session : public std::enable_shared_from_this<Session> {
     beast::error_code ignored;
     stream_.next_layer().socket().shutdown(Tcp::socket::shutdown_both, ignored);
     stream_.next_layer().close();
-    if (const auto at_end = std::exchange(at_end_, nullptr)) at_end(is_open_);
+    const auto server = server_.lock();  // null while it is being destroyed
+    if (server == nullptr || std::exchange(is_finished_, true)) return;
+    server->left(id_);
+    if (is_open_) events_.closed(id_);
   }
 
-  const WebSocketServer::Events& events_;
+  const Events& events_;
   const WebSocketAccess& access_;
-  std::function<void(bool was_open)> at_end_;
-  std::function<bool()> may_open_;
+  const std::weak_ptr<Impl> server_;
   websocket::stream<beast::tcp_stream> stream_;
-  WebSocketServer::SessionId id_;
+  SessionId id_;
   std::string name_;
   bool is_accepted_ = false;
   bool is_open_ = false;
   bool is_closing_ = false;
+  bool is_finished_ = false;
   http::request_parser<http::empty_body> parser_;
   http::response<http::empty_body> response_;
   beast::flat_buffer buffer_{max_message + max_header};
-  WebSocketServer::Bytes output_;
+  Bytes output_;
 };
-
-}  // namespace
 
 template <class Use>
 void WebSocketServer::Impl::with(SessionId id, Use use) {
@@ -344,16 +333,16 @@ std::string WebSocketServer::address() const { return "ws://" + place_of(impl_->
 bool WebSocketServer::is_loopback() const { return impl_->endpoint().address().is_loopback(); }
 
 void WebSocketServer::read_next(SessionId session) {
-  impl_->with(session, [](Session& one) { one.read_next(); });
+  impl_->with(session, [](auto& one) { one.read_next(); });
 }
 
 void WebSocketServer::write(SessionId session, Bytes bytes) {
   impl_->with(session,
-              [bytes = std::move(bytes)](Session& one) mutable { one.write(std::move(bytes)); });
+              [bytes = std::move(bytes)](auto& one) mutable { one.write(std::move(bytes)); });
 }
 
 void WebSocketServer::close(SessionId session, const std::string& reason) {
-  impl_->with(session, [reason](Session& one) { one.close(reason); });
+  impl_->with(session, [reason](auto& one) { one.close(reason); });
 }
 
 }  // namespace sbgc::tools

@@ -257,7 +257,8 @@ Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
     if (awaiting != nullptr) {
       awaiting = nullptr;
     } else if (word.starts_with('-') && word != "-") {
-      const CLI::Option* const option = find_option(*command, word.substr(0, word.find('=')));
+      const CLI::Option* const option =
+          command->get_option_no_throw(word.substr(0, word.find('=')));
       if (option != nullptr && takes_value(*option) && word.find('=') == std::string::npos) {
         awaiting = option;
       }

@@ -76,6 +76,13 @@ std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const 
   return result;
 }
 
+void add_value(std::vector<FieldValue>& values, FieldValue value) {
+  const bool is_again = std::ranges::any_of(
+      values, [&](const FieldValue& other) { return other.field.steps == value.field.steps; });
+  if (is_again) throw ValueError(fmt::format("{} is set twice", steps_text(value.field.steps)));
+  values.push_back(std::move(value));
+}
+
 std::vector<FieldValue> find_values(const MessageType& type,
                                     const std::vector<Assignment>& assignments) {
   std::vector<FieldValue> result;
@@ -90,14 +97,11 @@ std::vector<FieldValue> find_values(const MessageType& type,
                                            "`sbgc describe " + name + "` lists them")));
     }
     for (FieldValue& value : values_for(found, assignment.value)) {
-      const std::string path = steps_text(value.field.steps);
-      const bool is_again = std::ranges::any_of(
-          result, [&](const FieldValue& other) { return steps_text(other.field.steps) == path; });
-      if (is_again) throw ValueError(fmt::format("{} is set twice", path));
       if (value.field.type->is_counter) {
-        throw ValueError(fmt::format("{} follows from the number of elements", path));
+        throw ValueError(
+            fmt::format("{} follows from the number of elements", steps_text(value.field.steps)));
       }
-      result.push_back(std::move(value));
+      add_value(result, std::move(value));
     }
   }
   return result;

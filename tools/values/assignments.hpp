@@ -30,6 +30,9 @@ struct FieldValue {
 /// separated by commas; otherwise all get the same.
 std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const std::string& text);
 
+/// Adds a value. Throws ValueError if the field has one already.
+void add_value(std::vector<FieldValue>& values, FieldValue value);
+
 /// Returns the fields that the assignments mean. Throws ValueError if one does not exist or is
 /// assigned twice.
 std::vector<FieldValue> find_values(const MessageType& type,

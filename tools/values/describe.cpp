@@ -177,10 +177,7 @@ const char* direction_text(Direction direction) {
 }
 
 std::string answer_text(const MessageInfo& info, const MessageReference& reference) {
-  std::string result;
-  for (const char* const answer : info.answers) {
-    result += (result.empty() ? "" : " or ") + std::string(answer);
-  }
+  std::string result = fmt::format("{}", fmt::join(info.answers, " or "));
   const std::string_view confirm = reference.confirm;
   if (confirm == "always" || confirm == "possible") {
     const std::string number = reference.confirmations > 1

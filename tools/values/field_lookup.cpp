@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
@@ -57,10 +58,8 @@ std::vector<Token> tokens_of(std::string_view name) {
     if (name.front() == '[') {
       const std::size_t close = name.find(']');
       if (close == std::string_view::npos) fail();
-      std::size_t index = 0;
-      const char* const end = name.data() + close;
-      const auto [at, error] = std::from_chars(name.data() + 1, end, index);
-      if (error != std::errc{} || at != end) fail();
+      const auto index = detail::parse_number<std::size_t>(name.substr(1, close - 1));
+      if (!index) fail();
       tokens.push_back({.index = index});
       name.remove_prefix(close + 1);
     } else {
@@ -151,13 +150,11 @@ bool matches_specification(std::string_view name, const Way& way, Choice& choice
     if (way[i].elements->shape == FieldShape::axes) {
       choice[i] = axis_of(*way[i].elements, middle);
     } else {
-      std::size_t number = 0;
+      const auto number = detail::parse_number<std::size_t>(middle);
       std::size_t first = 0;
-      const auto read = std::from_chars(middle.data(), middle.data() + middle.size(), number);
       std::from_chars(pattern.data() + open + 1, pattern.data() + pattern.size(), first);
-      const bool is_number = read.ec == std::errc{} && read.ptr == middle.data() + middle.size();
-      const FieldType& list = *way[i].elements;
-      if (is_number && number >= first && number - first < list.count) choice[i] = number - first;
+      const bool fits = number && *number >= first && *number - first < way[i].elements->count;
+      if (fits) choice[i] = *number - first;
     }
     return choice[i].has_value() && i + 1 >= last;
   }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/enums.hpp>
 
 namespace sbgc::tools {
@@ -20,13 +19,9 @@ inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text)
   if (text.ends_with('.') || text.ends_with('b')) return {};
   const auto take = [&](char end, std::size_t least, std::size_t most) -> std::optional<unsigned> {
     const std::size_t size = std::min(text.find(end), text.size());
-    unsigned value = 0;
-    const auto [stopped, error] = std::from_chars(text.data(), text.data() + size, value);
-    if (error != std::errc{} || stopped != text.data() + size || size < least || size > most) {
-      return {};
-    }
+    const auto value = detail::parse_number<unsigned>(text.substr(0, size));
     text.remove_prefix(std::min(size + 1, text.size()));
-    return value;
+    return size >= least && size <= most ? value : std::nullopt;
   };
   const auto major = take('.', 1, 2);
   // From 2.73 on, the last number comes after another point.

@@ -15,47 +15,6 @@ namespace sbgc::tools {
 
 namespace {
 
-Json initial_fields(const std::vector<FieldType>& members);
-
-/// Returns the value of a field in a new message.
-Json initial_value(const FieldType& type) {
-  switch (type.shape) {
-    case FieldShape::group: return initial_fields(type.members);
-    case FieldShape::axes: {
-      Json result = Json::object();
-      for (const char* const axis : type.axes) result[axis] = initial_value(type.members.front());
-      return result;
-    }
-    case FieldShape::list: {
-      Json result = Json::array();
-      const std::size_t least = type.info == nullptr ? 0 : type.info->min_count;
-      const std::size_t size = type.has_count ? type.count : least;
-      for (std::size_t i = 0; i < size; ++i) {
-        result.push_back(initial_value(type.members.front()));
-      }
-      return result;
-    }
-    case FieldShape::integer:
-      // 64 bits are text.
-      return type.size == sizeof(std::uint64_t) ? Json(std::to_string(type.initial))
-                                                : Json(type.initial);
-    case FieldShape::real: return 0.0;
-    case FieldShape::bytes: return std::string(type.has_count ? 2 * type.count : 0, '0');
-    case FieldShape::text: return "";
-    case FieldShape::announced: return Json{{name(NumberType::u8), 0}};
-  }
-  return {};
-}
-
-Json initial_fields(const std::vector<FieldType>& members) {
-  Json result = Json::object();
-  for (const FieldType& member : members) {
-    if (member.is_optional || member.is_counter || member.is_tail()) continue;
-    result[member.name] = initial_value(member);
-  }
-  return result;
-}
-
 /// Returns the JSON of a name or several; an integer of 64 bits is text.
 Json number_of(const FieldType& type, const std::string& text) {
   const ParsedValue parsed = parse_value(type, nullptr, text);
@@ -124,26 +83,54 @@ void replace_in(const FieldType& type, Json& value, const std::string& path) {
   }
 }
 
-void complete(const std::vector<FieldType>& members, Json& fields) {
+/// Stands for a value that a line leaves out; no text has it.
+const Json missing(Json::value_t::discarded);
+
+void complete(const FieldType& type, Json& value);
+
+void complete_members(const std::vector<FieldType>& members, Json& fields) {
   if (!fields.is_object()) return;
   for (const FieldType& member : members) {
-    if (!fields.contains(member.name)) {
-      if (member.is_optional || member.is_counter || member.is_tail()) continue;
-      fields[member.name] = initial_value(member);
-      continue;
-    }
-    Json& value = fields[member.name];
-    if (member.shape == FieldShape::group) complete(member.members, value);
-    if (!member.has_elements()) continue;
-    const FieldType& element = member.members.front();
-    if (member.shape == FieldShape::axes && value.is_object()) {
-      for (const char* const axis : member.axes) {
-        if (!value.contains(axis)) value[axis] = initial_value(element);
+    const bool is_demanded = !member.is_optional && !member.is_counter && !member.is_tail();
+    if (is_demanded && !fields.contains(member.name)) fields[member.name] = missing;
+    if (fields.contains(member.name)) complete(member, fields[member.name]);
+  }
+}
+
+/// Fills in what a value lacks, as in a new message. The reader objects to what has another shape.
+void complete(const FieldType& type, Json& value) {
+  const bool is_new = value.is_discarded();
+  switch (type.shape) {
+    case FieldShape::group:
+      if (is_new) value = Json::object();
+      return complete_members(type.members, value);
+    case FieldShape::axes:
+      if (is_new) value = Json::object();
+      if (!value.is_object()) return;
+      for (const char* const axis : type.axes) {
+        if (!value.contains(axis)) value[axis] = missing;
+        complete(type.members.front(), value[axis]);
       }
+      return;
+    case FieldShape::list: {
+      const std::size_t least = type.info == nullptr ? 0 : type.info->min_count;
+      if (is_new) value = Json(type.has_count ? type.count : least, missing);
+      if (!value.is_array()) return;
+      for (Json& one : value) complete(type.members.front(), one);
+      return;
     }
-    const bool has_elements = value.is_object() || value.is_array();
-    if (element.shape != FieldShape::group || !has_elements) continue;
-    for (Json& one : value) complete(element.members, one);
+    default: break;
+  }
+  if (!is_new) return;
+  switch (type.shape) {
+    case FieldShape::bytes: value = std::string(type.has_count ? 2 * type.count : 0, '0'); return;
+    case FieldShape::text: value = ""; return;
+    case FieldShape::announced: value = {{name(NumberType::u8), 0}}; return;
+    case FieldShape::real: value = 0.0; return;
+    default:
+      // 64 bits are text.
+      value = type.size == sizeof(std::uint64_t) ? Json(std::to_string(type.initial))
+                                                 : Json(type.initial);
   }
 }
 
@@ -158,7 +145,7 @@ AnyMessage message_of(const MessageType& type, const Json& fields) {
 }
 
 AnyMessage message_with_defaults(const MessageType& type, Json fields) {
-  complete(type.fields(), fields);
+  complete_members(type.fields(), fields);
   AnyMessage message = message_of(type, fields);
   add_demanded(message);
   return message;

@@ -1,10 +1,10 @@
 #include "values/message_names.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
@@ -12,14 +12,6 @@
 #include "values/field_lookup.hpp"
 
 namespace sbgc::tools {
-
-namespace {
-
-bool travels_in(const MessageInfo& info, Direction direction) {
-  return info.direction == direction || info.direction == Direction::both;
-}
-
-}  // namespace
 
 bool is_command_name(std::string_view word, std::string_view command) {
   constexpr std::string_view prefix = "CMD_";
@@ -30,25 +22,21 @@ bool is_command_name(std::string_view word, std::string_view command) {
 std::optional<std::uint8_t> parse_command_id(std::string_view word) {
   const bool is_hex = word.starts_with("0x") || word.starts_with("0X");
   if (is_hex) word.remove_prefix(2);
-  std::uint8_t id = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, id, is_hex ? 16 : 10);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return id;
+  return detail::parse_number<std::uint8_t>(word, is_hex ? 16 : 10);
 }
 
 std::vector<const MessageType*> messages_named(std::string_view name, Direction direction) {
   if (const MessageType* const found = find_message(name)) return {found};
   std::vector<const MessageType*> forms;
   for (const MessageType* const type : message_types()) {
-    if (!travels_in(*type->info, direction)) continue;
+    if (!type->info->travels(direction)) continue;
     if (is_command_name(name, type->info->command)) forms.push_back(type);
   }
   if (!forms.empty()) return forms;
   const MessageType* other = nullptr;
   for (const MessageType* const type : message_types()) {
     if (!detail::is_same_word(name, type->info->name)) continue;
-    if (travels_in(*type->info, direction)) return {type};
+    if (type->info->travels(direction)) return {type};
     other = type;
   }
   return other != nullptr ? std::vector{other} : std::vector<const MessageType*>{};

@@ -84,20 +84,18 @@ class Decoding {
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
     StringOutput line(out);
+    const auto put = [&](const char* name, std::uint64_t value) {
+      line.put(name);
+      line.put(value);
+    };
     line.put(R"({"end":{"reading":)");
     put_json_string(line, reading());
-    line.put(",\"bytes\":");
-    line.put(size_);
-    line.put(",\"frames\":");
-    line.put(counters.frames);
-    line.put(",\"skipped_bytes\":");
-    line.put(counters.skipped_bytes);
-    line.put(",\"header_errors\":");
-    line.put(counters.header_errors);
-    line.put(",\"body_errors\":");
-    line.put(counters.body_errors);
-    line.put(",\"incomplete\":");
-    line.put(counters.incomplete);
+    put(",\"bytes\":", size_);
+    put(",\"frames\":", counters.frames);
+    put(",\"skipped_bytes\":", counters.skipped_bytes);
+    put(",\"header_errors\":", counters.header_errors);
+    put(",\"body_errors\":", counters.body_errors);
+    put(",\"incomplete\":", counters.incomplete);
     line.put("}}\n");
     line.finish();
   }

@@ -27,9 +27,9 @@ constexpr unsigned patience = 3;
 
 /// What the board does during a calibration.
 struct KindFacts {
-  Kind kind;
-  msg::CalibMode mode;
-  Duration length;  ///< on a real board; assumption: the specification gives none
+  Kind kind{};
+  msg::CalibMode mode{};
+  Duration length{};  ///< on a real board; assumption: the specification gives none
   bool needs_rest = false;
 };
 constexpr KindFacts kinds[] = {

@@ -3,6 +3,7 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/text.hpp>
 
 #include "field_setter.hpp"
@@ -43,12 +44,6 @@ const FieldType* type_at(const std::vector<FieldType>& fields, std::string_view 
   return at;
 }
 
-/// True if the path is that of a field or of a part of it.
-bool is_in(std::string_view path, std::string_view field) {
-  return path.starts_with(field) &&
-         (path.size() == field.size() || path[field.size()] == '.' || path[field.size()] == '[');
-}
-
 }  // namespace
 
 std::string AnyMessage::assign(std::string_view path, std::string_view text, bool validates,
@@ -61,7 +56,8 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
   if (!problem.empty()) return name + ": " + problem;
   auto note = [&](const Violation& violation) {
     const std::string place = sbgc::to_string(violation.path);
-    if (!problem.empty() || !(is_in(place, name) || is_in(name, place))) return;
+    if (!problem.empty()) return;
+    if (!detail::is_in_field(place, name) && !detail::is_in_field(name, place)) return;
     problem = sbgc::to_string(violation);
   };
   if (validates) changed.validate(versions.firmware != 0 ? versions : newest, note);
@@ -70,9 +66,11 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
 }
 
 bool AnyMessage::has(std::string_view path) const {
-  detail::FieldSetter finder(path, nullptr, detail::FieldSetter::End::find);
-  type_->operations->set(memory_.get(), finder);
-  return finder.is_done();
+  bool result = false;
+  for_each_leaf([&](const Leaf& leaf) {
+    result = result || detail::is_in_field(sbgc::to_string(leaf.path), path);
+  });
+  return result;
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,

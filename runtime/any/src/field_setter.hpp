@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include <sbgc/detail/compiler.hpp>
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/walk.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/value_text.hpp>
@@ -143,12 +143,11 @@ class FieldSetter {
   /// Returns the index at the beginning of the rest; a huge one if there is none.
   std::size_t take_index() {
     const std::size_t close = rest_.find(']');
-    std::size_t index = 0;
     if (!rest_.starts_with('[') || close == std::string_view::npos) return ~std::size_t{0};
-    const auto read = std::from_chars(rest_.data() + 1, rest_.data() + close, index);
-    if (read.ec != std::errc{} || read.ptr != rest_.data() + close) return ~std::size_t{0};
+    const auto index = parse_number<std::size_t>(rest_.substr(1, close - 1));
+    if (!index) return ~std::size_t{0};
     rest_.remove_prefix(close + 1);
-    return index;
+    return *index;
   }
 
   std::string_view rest_;

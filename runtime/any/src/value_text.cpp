@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/parse_real.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
@@ -34,13 +34,10 @@ std::optional<std::int64_t> integer_of(std::string_view text) {
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
   const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
   if (is_hex) text.remove_prefix(2);
-  std::uint64_t size = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), size, is_hex ? 16 : 10);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  const auto size = parse_number<std::uint64_t>(text, is_hex ? 16 : 10);
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  if (size > most) return std::nullopt;
-  const auto number = static_cast<std::int64_t>(size);
+  if (!size || *size > most) return std::nullopt;
+  const auto number = static_cast<std::int64_t>(*size);
   return is_negative ? -number : number;
 }
 
@@ -184,10 +181,8 @@ class ValueParser {
     }
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
     if (type_.is_wide) {
-      std::uint64_t number = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-      const bool is_whole = error == std::errc{} && end == text.data() + text.size();
-      if (is_whole) return static_cast<std::int64_t>(number);
+      const auto number = parse_number<std::uint64_t>(text);
+      if (number) return static_cast<std::int64_t>(*number);
     }
     const auto number = integer_of(text);
     const auto measure = number ? std::nullopt : measure_of(text);

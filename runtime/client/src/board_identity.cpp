@@ -1,7 +1,5 @@
-#include <array>
-#include <cstdio>
-
 #include <sbgc/client/board_identity.hpp>
+#include <sbgc/json/hex.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
@@ -16,14 +14,7 @@ std::string BoardIdentity::board_version() const {
 }
 
 std::string BoardIdentity::serial_number() const {
-  std::string text;
-  if (!details) return text;
-  for (const std::uint8_t byte : roles::serial_number(*details)) {
-    std::array<char, 3> digits{};
-    std::snprintf(digits.data(), digits.size(), "%02x", byte);
-    text += digits.data();
-  }
-  return text;
+  return details ? detail::to_hex(roles::serial_number(*details)) : "";
 }
 
 }  // namespace sbgc

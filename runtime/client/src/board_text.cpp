@@ -12,8 +12,7 @@ namespace sbgc::detail {
 std::string command_name(std::uint8_t id, Direction direction) {
   for (const MessageType* const type : message_types()) {
     const MessageInfo& info = *type->info;
-    const bool goes_there = info.direction == direction || info.direction == Direction::both;
-    if (goes_there && info.id == id) return info.command;
+    if (info.travels(direction) && info.id == id) return info.command;
   }
   return "command " + std::to_string(id);
 }

@@ -8,6 +8,7 @@
 
 #include <asio/strand.hpp>
 
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/line.hpp>
@@ -17,7 +18,6 @@
 
 #include "conversation/state.hpp"
 #include "introduction.hpp"
-#include "text.hpp"
 #include "waiter.hpp"
 
 namespace sbgc::detail {

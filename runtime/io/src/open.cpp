@@ -1,5 +1,4 @@
 #include <array>
-#include <charconv>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -8,6 +7,8 @@
 
 #include <sys/stat.h>
 
+#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/network.hpp>
 #include <sbgc/io/open.hpp>
@@ -20,6 +21,8 @@ namespace sbgc::io {
 
 namespace {
 
+using sbgc::detail::lower_case;
+
 /// Thrown to end parsing; never leaves this file.
 struct Malformed {
   std::string reason;
@@ -27,18 +30,8 @@ struct Malformed {
 
 /// Parses a decimal number from 1 to `max`.
 std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value == 0 || value > max) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
+  const auto value = sbgc::detail::parse_number<std::uint32_t>(text);
+  return value && *value != 0 && *value <= max ? value : std::nullopt;
 }
 
 bool is_number(std::string_view text) {

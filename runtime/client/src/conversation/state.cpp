@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/clock.hpp>
 
 #include "introduction.hpp"
-#include "text.hpp"
 
 namespace sbgc::detail {
 

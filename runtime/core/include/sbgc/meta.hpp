@@ -218,6 +218,9 @@ struct MessageInfo {
   const char* preparation = "";
 
   constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }
+  constexpr bool travels(Direction way) const noexcept {
+    return direction == way || direction == Direction::both;
+  }
 };
 
 /// The element count of a list, for which the protocol has a field. Messages do not store it: the

@@ -1,7 +1,6 @@
 /// Bytes as hex.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <sbgc/detail/parse_number.hpp>
 
 namespace sbgc::detail {
 
@@ -29,9 +30,9 @@ inline std::optional<std::vector<std::uint8_t>> from_hex(std::string_view text) 
   if (text.size() % 2 != 0) return std::nullopt;
   std::vector<std::uint8_t> result(text.size() / 2);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const char* const digits = text.data() + 2 * i;
-    const auto [end, error] = std::from_chars(digits, digits + 2, result[i], 16);
-    if (error != std::errc{} || end != digits + 2) return std::nullopt;
+    const auto byte = parse_number<std::uint8_t>(text.substr(2 * i, 2), 16);
+    if (!byte) return std::nullopt;
+    result[i] = *byte;
   }
   return result;
 }

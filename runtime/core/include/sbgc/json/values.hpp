@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <type_traits>
 
 #include <sbgc/detail/characters.hpp>
+#include <sbgc/detail/parse_number.hpp>
 
 namespace sbgc::detail {
 
@@ -94,11 +94,9 @@ std::optional<Float> float_of_name(std::string_view text) {
   if (text == "inf") return std::numeric_limits<Float>::infinity();
   if (text == "-inf") return -std::numeric_limits<Float>::infinity();
   if (!text.starts_with("nan:") || text.size() != 4 + 2 * sizeof(Float)) return std::nullopt;
-  FloatBits<Float> bits = 0;
-  const char* const all = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
-  if (error != std::errc{} || end != all || !is_nan<Float>(bits)) return std::nullopt;
-  return std::bit_cast<Float>(bits);
+  const auto bits = parse_number<FloatBits<Float>>(text.substr(4), 16);
+  if (!bits || !is_nan<Float>(*bits)) return std::nullopt;
+  return std::bit_cast<Float>(*bits);
 }
 
 }  // namespace sbgc::detail

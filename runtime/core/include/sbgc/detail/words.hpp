@@ -1,4 +1,4 @@
-/// Words that users type.
+/// Words that users type or read.
 #pragma once
 
 #include <string>
@@ -40,6 +40,18 @@ constexpr bool is_same_word(std::string_view a, std::string_view b) noexcept {
     if (lower_case(a[i]) != lower_case(b[i])) return false;
   }
   return true;
+}
+
+/// Removes the final period of a sentence that becomes part of another.
+inline std::string without_period(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+/// True if the path of a value is that of a field or of a part of it.
+constexpr bool is_in_field(std::string_view path, std::string_view field) noexcept {
+  return path.starts_with(field) &&
+         (path.size() == field.size() || path[field.size()] == '.' || path[field.size()] == '[');
 }
 
 }  // namespace sbgc::detail
