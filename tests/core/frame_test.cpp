@@ -124,9 +124,9 @@ TEST(Crc16, IsTheSameWithEveryTable) {
   for (std::size_t size = 0; size < 300; ++size) {
     const Bytes bytes = random.noise(size);
     const std::size_t cut = random.below(size + 1);
-    const auto crc = [&]<CrcTable table>(CrcOf<table> crc) {
-      crc.add(bytes.data(), cut);
-      return unsigned{crc.add(bytes.data() + cut, size - cut).value()};
+    const auto crc = [&]<CrcTable table>(CrcOf<table> check) {
+      check.add(bytes.data(), cut);
+      return unsigned{check.add(bytes.data() + cut, size - cut).value()};
     };
     ASSERT_EQ(crc(CrcOf<CrcTable::nibbles>{}), reference_crc(bytes)) << size;
     ASSERT_EQ(crc(CrcOf<CrcTable::bytes>{}), reference_crc(bytes)) << size;

@@ -10,7 +10,6 @@ from typing import Protocol, Union
 
 from sbgcgen.views.words import default_words, rules_in, versions
 from sbgcgen.model import (
-    EFFECTS,
     Alias,
     Answer,
     Availability,
@@ -233,8 +232,9 @@ def _since(place: Place, kind: str, since: Availability, column: str = "") -> It
 
 def _effect(place: Place, effect: Effect) -> Iterator[Fact]:
     for case in effect.cases:
-        for word in case.words:
-            yield Fact(place, "message effect", EFFECTS[word])
+        for kind in effect.known:
+            if kind.word in case.words:
+                yield Fact(place, "message effect", kind.summary)
         if case.when:
             yield from _condition(place, "message effect condition", case.when)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Optional
 
 from sbgcgen.model import (
     SCALARS,
@@ -21,7 +21,7 @@ from sbgcgen.model import (
     satisfying,
 )
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
-from sbgcgen.oracle.edges import Edge, counting, edges
+from sbgcgen.oracle.edges import Edge, counting, edges, named_numbers, with_number
 from sbgcgen.oracle.encoding import counter_of, encode
 from sbgcgen.oracle.typical import typical
 
@@ -39,17 +39,18 @@ class Places:
     """The places of a message that hold a value, numbered on first use, with their edge values."""
 
     numbers: dict[str, int] = field(default_factory=dict)
-    known: dict[str, tuple[int, list[Edge]]] = field(default_factory=dict)
+    known: dict[str, tuple[int, list[Edge], frozenset[int]]] = field(default_factory=dict)
 
     def number(self, path: str) -> int:
         """The number of a place."""
         return self.numbers.setdefault(path, len(self.numbers))
 
-    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
-        """The number of a place, and its edge values."""
+    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge], frozenset[int]]:
+        """The number of a place, its edge values, and the numbers that have a name there."""
         found = self.known.get(path)
         if found is None:
-            found = self.known[path] = (self.number(path), edges(member, type_))
+            found = (self.number(path), edges(member, type_), named_numbers(type_))
+            self.known[path] = found
         return found
 
 
@@ -58,13 +59,15 @@ class Choice:
     """The choice of values for a message.
 
     Each round uses another edge value at every place, shifted by the place's number so that
-    neighbors differ. `forced` has values of fields by path, `lengths` those of lists and texts.
+    neighbors differ. With `named`, places with named values have this number, which may have a name
+    in some of them: so a further name adds a round at most, and changes none. `forced` has values of fields by path, `lengths` those of lists and texts.
     Other lists are long enough for all edge values, or minimal if `short`. The body ends before the
     field `ends_before`. With `fits`, it has the field that may fit. If `typical`, all values are ordinary, except those in `example` by path.
     """
 
     places: Places
     round: int = 0
+    named: Optional[int] = None
     context: Fields = field(default_factory=dict)
     forced: Fields = field(default_factory=dict)
     lengths: dict[str, int] = field(default_factory=dict)
@@ -77,6 +80,8 @@ class Choice:
     chosen: list[tuple[str, str]] = field(default_factory=list)
     rounds_of_free: int = 1
     rounds_of_conditional: int = 1
+    named_of_free: set[int] = field(default_factory=set)
+    named_of_conditional: set[int] = field(default_factory=set)
 
     def why(self) -> str:
         """A description of the chosen values, or only of the round if it would be too long."""
@@ -300,11 +305,17 @@ class _Composer:
     def _edge(self, member: Field, type_: Type, path: str) -> Any:
         """The edge value of the round, which differs between neighbors."""
         choice = self.choice
-        number, found = choice.places.at(path, member, type_)
+        number, found, names = choice.places.at(path, member, type_)
         if self.conditional:
             choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
+            choice.named_of_conditional |= names
         else:
             choice.rounds_of_free = max(choice.rounds_of_free, len(found))
+            choice.named_of_free |= names
+        if choice.named is not None and names:
+            value = with_number(type_, choice.named + self.element)
+            choice.chosen.append((path, str(value)))
+            return value
         name, value = found[(choice.round + self.element + number) % len(found)]
         choice.chosen.append((path, name))
         return value

@@ -1,4 +1,7 @@
-"""Edge values of every kind of field, at which a codec is most likely to fail."""
+"""Edge values of every kind of field, at which a codec is most likely to fail.
+
+Named values are separate: the edges of an enum stay the same if it gets another value.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +37,7 @@ _TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "
 
 
 def edges(field: Field, type_: Type) -> list[Edge]:
-    """The distinct values that a field must have in at least one vector each."""
+    """The distinct values, without those with names, that a field must have in a vector each."""
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
@@ -63,11 +66,8 @@ def _float_edges(field: Field, size: int) -> list[Edge]:
 
 def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
     found: list[Edge] = []
-    if isinstance(type_, Enum):
-        found = [(value.name, value.value) for value in type_.values]
-    elif isinstance(type_, Packed):
+    if isinstance(type_, Packed):
         found = [edge for part in type_.parts if not part.is_digits for edge in _part_edges(part)]
-        found += [(v.name, v.value) for v in (type_.names.values if type_.names else ())]
         found = [(name, _signed(value, scalar)) for name, value in found]
     limits = [
         ("min", field.minimum),
@@ -84,9 +84,34 @@ def _part_edges(part: Part) -> list[Edge]:
     found: list[Edge] = [(f"all bits of {part.name}", part.bits)]
     if part.sign:
         found.append((f"the sign of {part.name}", part.sign))
-    if part.enum:
-        found += [(value.name, value.value << part.shift) for value in part.enum.values]
     return found
+
+
+def named_numbers(type_: Type) -> frozenset[int]:
+    """The numbers that have a name in an enum, or in the enum of a part of a packed value.
+
+    -1 is the value 0 of a whole packed integer, -2 the value 1, and so on.
+    """
+    enums = [type_] if isinstance(type_, Enum) else []
+    whole: list[int] = []
+    if isinstance(type_, Packed):
+        enums = [part.enum for part in type_.parts if part.enum]
+        whole = [-1 - value.value for value in type_.names.values] if type_.names else []
+    return frozenset([*whole, *(value.value for enum in enums for value in enum.values)])
+
+
+def with_number(type_: Type, number: int) -> int:
+    """The value of an enum with a number, or of a packed value with it in all parts with names.
+
+    The number may have no name, or be too large.
+    """
+    scalar = scalar_of(type_)
+    if isinstance(type_, Packed) and type_.names and number < 0:
+        number = -1 - number
+    elif isinstance(type_, Packed):
+        parts = [part for part in type_.parts if part.enum]
+        number = sum((number << part.shift) & part.mask for part in parts)
+    return _signed(number % (1 << 8 * scalar.size), scalar)
 
 
 def _signed(value: int, scalar: Scalar) -> int:

@@ -152,17 +152,11 @@ class _Maker:
         Neighbors have different edge values, so that a field at a wrong offset shows. Then each
         condition is satisfied, for as many rounds as the fields that depend on it need.
         """
-        last = self.choice()
-        self.add(last)
-        while last.round + 1 < last.rounds_of_free:
-            last = self.choice(round=last.round + 1)
-            self.add(last)
+        for choice in self.all_rounds({}, "free"):
+            self.add(choice)
         for case in self.cases():
-            last = self.choice(**case)
-            self.add(last)
-            while last.round + 1 < last.rounds_of_conditional:
-                last = self.choice(round=last.round + 1, **case)
-                self.add(last)
+            for choice in self.all_rounds(case, "conditional"):
+                self.add(choice)
             if any(when.may_be_missing for when in conditions(self.message)):
                 self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
         for field in self.message.fields:
@@ -290,14 +284,29 @@ class _Maker:
     def value_of_no_condition(self, source: str, others: Fields) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""
         asked = [w for w in conditions(self.message) if source in {t.source for t in w.tests}]
+        # Not next to those that other conditions will want one day.
         values = (
-            n for n in range(128) if not any(w.holds_in({**others, source: n}) for w in asked)
+            n
+            for n in (0, *range(127, 0, -1))
+            if not any(w.holds_in({**others, source: n}) for w in asked)
         )
         return next(values, None)
 
     def choice(self, **options: Any) -> Choice:
         """A choice for this message."""
         return Choice(self.places, **options)
+
+    def all_rounds(self, case: dict[str, Any], kind: str) -> Iterator[Choice]:
+        """The choices for all values of the free or conditional fields; each must be used at once."""
+        last = self.choice(**case)
+        yield last
+        named = set(getattr(last, f"named_of_{kind}"))
+        while last.round + 1 < getattr(last, f"rounds_of_{kind}"):
+            last = self.choice(round=last.round + 1, **case)
+            yield last
+            named |= getattr(last, f"named_of_{kind}")
+        for number in sorted(named):
+            yield self.choice(round=number, named=number, **case)
 
     def cases(self) -> Iterator[dict[str, Any]]:
         """For each condition, the options of a choice that satisfies it."""

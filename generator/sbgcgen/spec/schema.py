@@ -180,10 +180,10 @@ def _is_of_another_kind(error: Any) -> bool:
 def _report_unknown_keys(shape: ShapeError, found: Diagnostics) -> None:
     for key in shape.unknown:
         hint = did_you_mean(key, shape.known) or f"known here: {', '.join(sorted(shape.known))}"
-        if shape.node[key] is None and " " in key.strip():
-            hint = "a comma separates keys here: put quotes around a text that contains one"
-        elif ":" in key:
+        if ":" in key:
             hint = "put an ordinary space after the colon"
+        elif shape.node[key] is None and not re.fullmatch(r"[A-Za-z_]+", key):
+            hint = "a comma separates keys here: put quotes around a text that contains one"
         elif shape.patterns:
             hint = str(shape.error.schema.get("propertyNames", {}).get("description", ""))
         found.add(shape.node.at(key), "SBGC004", f"unknown key '{key}'", hint)

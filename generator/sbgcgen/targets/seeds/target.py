@@ -100,16 +100,19 @@ def _various(message: Message) -> Iterator[bytes]:
     if typical is not None:
         yield typical
     yield b"\xff" * message.min_size
-    last = Choice(Places(), short=True, context=full_context(message))
-    while True:
+    first = Choice(Places(), short=True, context=full_context(message))
+    compose(message, first)
+    rounds: list[tuple[int, int | None]] = [
+        (number, None) for number in range(first.rounds_of_free)
+    ]
+    rounds += [(number, number) for number in sorted(first.named_of_free)]
+    most = len(rounds) if message.max_size <= _SMALL else _MOST_ROUNDS
+    for round, named in rounds[:most]:
+        choice = Choice(first.places, round, named, first.context, short=True)
         try:
-            yield encode(message, compose(message, last))
+            yield encode(message, compose(message, choice))
         except CodecError:
             pass
-        most = last.rounds_of_free if message.max_size <= _SMALL else _MOST_ROUNDS
-        if last.round + 1 >= min(most, last.rounds_of_free):
-            return
-        last = Choice(last.places, round=last.round + 1, short=True, context=last.context)
 
 
 # Conversations
