@@ -77,7 +77,7 @@ TEST(LaterUnits, TextSaysWhatItAssumes) {
   message.get_if<msg::ReadParams3>()->axes.roll.p = 70;
   EXPECT_EQ(text_of(message, "axes.roll.p", unknown), "70 (before firmware 2.73.1)");
   EXPECT_EQ(text_of(message, "axes.roll.p", earlier), "70");
-  EXPECT_EQ(text_of(message, "axes.roll.p", later), "9.79157");
+  EXPECT_EQ(text_of(message, "axes.roll.p", later), "9.7921");
   EXPECT_EQ(text_of(message, "axes.roll.i", unknown), "0 (before firmware 2.73.1)");
   EXPECT_EQ(text_of(message, "axes.roll.power", unknown), "0");
 }
@@ -85,7 +85,7 @@ TEST(LaterUnits, TextSaysWhatItAssumes) {
 TEST(LaterUnits, TextIsReadAsItIsShown) {
   AnyMessage message = find_message("ReadParams3")->make();
   const auto& axes = message.get_if<msg::ReadParams3>()->axes;
-  EXPECT_EQ(message.assign("axes.roll.p", "9.79157", true, later), "");
+  EXPECT_EQ(message.assign("axes.roll.p", "9.7921", true, later), "");
   EXPECT_EQ(axes.roll.p, 70);
   EXPECT_EQ(message.assign("axes.roll.i", "0.7", true, earlier), "");
   EXPECT_EQ(axes.roll.i.raw(), 70);
@@ -100,7 +100,7 @@ TEST(LaterUnits, OfAVariableAreThoseOfItsSetting) {
   EXPECT_NEAR(p.unit_in(later).real(70), gain(70), 1e-9);
   AnyMessage message = find_message("SetAdjVarsVal")->make();
   EXPECT_EQ(message.assign("params[0].param_id", "P_ROLL"), "");
-  EXPECT_EQ(message.assign("params[0].param_value", "9.79157", true, later), "");
+  EXPECT_EQ(message.assign("params[0].param_value", "9.7921", true, later), "");
   EXPECT_EQ(text_of(message, "params[0].param_value", earlier), "70");
   EXPECT_EQ(text_of(message, "params[0].param_value", unknown), "70 (before firmware 2.73.1)");
 }
