@@ -165,6 +165,7 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert words[1] == "mode.flags has CONTROL_FLAG_HIGH_RES_SPEED"
     asked = {leaf.path: leaf.when.words for leaf in made[15].leaves if leaf.when}
     assert asked["axes.yaw.level"] == "data_set has YAW_SPEED"
+    assert fields["16.password"].secret and fields["16.password"].fits_rest
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former
