@@ -138,7 +138,7 @@ TEST(RawStreams, HaveTheBytesOfAnyMessage) {
   msg::DataStreamInterval request;
   request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
   request.interval_ms = msg::Milliseconds(20);
-  ASSERT_TRUE(request.config.rest.resize(1));
+  ASSERT_TRUE(request.config.rest.resize(8));
   request.config.rest[0] = 0x45;
   {
     auto stream = client->stream_raw(request, [&](const Frame& frame) {
