@@ -334,11 +334,9 @@ TEST(Password, ThatCannotBeOneIsRefusedBeforeAnythingIsSent) {
     const auto client = Client::connect("tcp:127.0.0.1:1", with_password(text));
     ASSERT_FALSE(client);
     EXPECT_EQ(client.error().code, ErrorCode::invalid);
-    EXPECT_EQ(client.error().message,
-              "a password has 1 to 32 bytes, and no control characters");
+    EXPECT_EQ(client.error().message, "a password has 1 to 32 bytes, and no control characters");
   }
 }
-
 
 }  // namespace
 }  // namespace sbgc::test

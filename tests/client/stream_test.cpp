@@ -183,6 +183,5 @@ TEST_F(Streams, OfKnownMessagesHaveTheirBytes) {
   EXPECT_GE(raw, typed);
 }
 
-
 }  // namespace
 }  // namespace sbgc::test

@@ -158,7 +158,11 @@ def test_what_cannot_be_a_password(content: str, tmp_path: Path) -> None:
 
 def test_files_that_are_none(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe", 0o600)
-    for name, problem in (("pipe", "not a regular file"), ("missing", "cannot read"), ("", "not a")):
+    for name, problem in (
+        ("pipe", "not a regular file"),
+        ("missing", "cannot read"),
+        ("", "not a"),
+    ):
         result = run("info", "-p", "tcp:127.0.0.1:1", "--password-file", str(tmp_path / name))
         assert result.status == 1 and problem in result.error
 
