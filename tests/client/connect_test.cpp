@@ -1,5 +1,6 @@
 // Tests of connecting: over every kind of line, and without a board.
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -11,11 +12,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
 
+#include "emulated_board.hpp"
 #include "scripted_board.hpp"
 #include "sockets.hpp"
 
@@ -275,6 +278,64 @@ TEST(ConnectErrors, AreThoseOfTheLine) {
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::not_found);
   EXPECT_THAT(missing.error().message, HasSubstr("/dev/tty-that-does-not-exist"));
+}
+
+/// A board that ignores everything before the password.
+emulator::EmulatorOptions protected_board() {
+  emulator::EmulatorOptions options = quick_board();
+  options.board.password = "sesame";
+  return options;
+}
+
+ConnectOptions with_password(const std::string& password) {
+  ConnectOptions options = quick();
+  options.password = password;
+  return options;
+}
+
+TEST(Password, OpensTheBoardWithTheFirstRequest) {
+  std::atomic<bool> is_first = true;
+  std::atomic<bool> has_password = false;
+  EmulatedBoard board(protected_board());
+  board.after([&](const Packet& request) {
+    if (is_first.exchange(false)) {
+      has_password = holds_secret(Direction::to_board, request.id, request.body);
+    }
+  });
+  auto client = connect_over(board.line(), with_password("sesame"));
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(has_password);
+  EXPECT_TRUE(client->get_angles());
+}
+
+TEST(Password, IsSentAtEachRateThatASearchTries) {
+  EmulatedBoard board(protected_board());
+  const std::string path = board.serve_terminal();
+  if (path.empty()) GTEST_SKIP() << "no terminals here";
+  auto client = Client::connect(path, with_password("sesame"));
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(client->get_angles());
+  const auto none = Client::connect(path, quick());
+  EXPECT_FALSE(none);
+}
+
+TEST(Password, ThatIsWrongOrMissingFindsNoBoardAndIsNotTold) {
+  EmulatedBoard board(protected_board());
+  const auto wrong = connect_over(board.line(), with_password("open, please"));
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().code, ErrorCode::not_found);
+  EXPECT_THAT(wrong.error().message, HasSubstr("a port that wants another password"));
+  EXPECT_THAT(wrong.error().message, ::testing::Not(HasSubstr("open, please")));
+  EXPECT_FALSE(connect_over(board.line(), quick()));
+}
+
+TEST(Password, ThatCannotBeOneIsRefusedBeforeAnythingIsSent) {
+  for (const std::string& text : {std::string(), std::string(33, 'x'), std::string("a\nb")}) {
+    const auto client = Client::connect("tcp:127.0.0.1:1", with_password(text));
+    ASSERT_FALSE(client);
+    EXPECT_EQ(client.error().code, ErrorCode::invalid);
+    EXPECT_EQ(client.error().message, "a password has 1 to 32 bytes, and no control characters");
+  }
 }
 
 }  // namespace

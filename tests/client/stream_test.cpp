@@ -1,9 +1,14 @@
 // Tests of data streams from an emulated board, over every kind of line.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <span>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/frame.hpp>
 #include <sbgc/messages.hpp>
 
 #include "emulated_board.hpp"
@@ -102,6 +108,79 @@ TEST_F(Streams, ShowWhatTheCameraDoes) {
   ASSERT_GE(yaw.size(), 90U);
   EXPECT_TRUE(std::is_sorted(yaw.begin() + 5, yaw.end()));
   EXPECT_NEAR(yaw.back() - yaw[yaw.size() - 51], 20, 2) << "in the last second";
+}
+
+/// An id that no message has.
+constexpr std::uint8_t unknown_id = 200;
+
+TEST(RawStreams, HaveTheBytesOfAnyMessage) {
+  std::mutex mutex;
+  std::vector<msg::DataStreamInterval> requests;  // guarded by the mutex
+  ScriptedBoard board;
+  introduce(board);
+  board.on<msg::DataStreamInterval>([&](const msg::DataStreamInterval& request) {
+    {
+      const std::lock_guard lock(mutex);
+      requests.push_back(request);
+    }
+    board.confirm(request);
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const std::array<std::uint8_t, 3> body{1, 2, 3};
+    for (const std::uint8_t id : {unknown_id, std::uint8_t{201}, unknown_id}) {
+      const std::size_t size = write_frame(id, body, frame).size;
+      board.send_bytes(std::span(frame).first(size));
+    }
+  });
+  auto client = connect_over(over_memory(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  std::atomic<int> samples{};
+  std::atomic<int> others{};
+  msg::DataStreamInterval request;
+  request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
+  request.interval_ms = msg::Milliseconds(20);
+  ASSERT_TRUE(request.config.rest.resize(8));
+  request.config.rest[0] = 0x45;
+  {
+    auto stream = client->stream_raw(request, [&](const Frame& frame) {
+      const bool is_one = frame.id == unknown_id && frame.body.size() == 3 && frame.body[2] == 3;
+      ++(is_one ? samples : others);
+    });
+    ASSERT_TRUE(stream) << stream.error().message;
+    for (int i = 0; i < 500 && samples < 2; ++i) std::this_thread::sleep_for(milliseconds(10));
+    EXPECT_EQ(samples, 2);
+  }
+  for (int i = 0; i < 500; ++i) {
+    const std::lock_guard lock(mutex);
+    if (requests.size() == 2) break;
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_EQ(samples, 2) << "the subscription has ended";
+  EXPECT_EQ(others, 0);
+  const std::lock_guard lock(mutex);
+  ASSERT_EQ(requests.size(), 2U);
+  EXPECT_EQ(requests[0], request);
+  EXPECT_EQ(requests[1].cmd_id, request.cmd_id);
+  EXPECT_EQ(requests[1].config, request.config);
+  EXPECT_EQ(requests[1].interval_ms.raw(), msg::DataStreamInterval::end_stream);
+}
+
+TEST_F(Streams, OfKnownMessagesHaveTheirBytes) {
+  Client client = connect();
+  std::atomic<int> typed{};
+  std::atomic<int> raw{};
+  msg::DataStreamInterval request;
+  request.cmd_id = msg::CommandFromBoard::realtime_data_3;
+  request.interval_ms = msg::Milliseconds(100);
+  auto bytes = client.stream_raw(request, [&](const Frame& frame) {
+    if (frame.body.size() == msg::RealtimeData3::min_size) ++raw;
+  });
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  auto values = client.stream<msg::RealtimeData3>(milliseconds(100),
+                                                  [&](const msg::RealtimeData3&) { ++typed; });
+  ASSERT_TRUE(values) << values.error().message;
+  let_pass(client, std::chrono::seconds(2));
+  EXPECT_GE(typed, 15);
+  EXPECT_GE(raw, typed);
 }
 
 }  // namespace

@@ -170,6 +170,7 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert isinstance(later.type, Quantity) and later.since.firmware_text == "2.74"
     assert float(later.type.real(70)) == pytest.approx(5 * 52 ** (70 / 255) - 5)
     assert fields["17.motor"].needs == "EXT_MOTORS" and layout.feature_mask("EXT_MOTORS") == 1 << 34
+    assert fields["18.password"].secret and fields["18.password"].fits_rest
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former

@@ -258,6 +258,23 @@ TEST(Detector, WaitsAsLongAsTheLineNeeds) {
   EXPECT_EQ(detector.next(now).until, now + sbgc::wire_time({9600, Parity::none}, 28));
 }
 
+TEST(Detector, AsksWhatItIsTold) {
+  const auto question = frame_of(86, body_of(9));
+  sbgc::DetectorOptions options;
+  options.question = question;
+  Detector detector(options);
+  for (Instant now = simulation::start;;) {
+    const DetectorStep step = detector.next(now);
+    if (step.kind == DetectorStep::Kind::wait) now = step.until;
+    if (step.kind != DetectorStep::Kind::write) continue;
+    EXPECT_TRUE(std::equal(step.bytes.begin(), step.bytes.end(), question.begin(), question.end()));
+    const std::size_t bytes = question.size() + sbgc::frame_size(18);
+    EXPECT_EQ(detector.next(now).until,
+              now + sbgc::wire_time(step.line, bytes) + options.response_timeout);
+    break;
+  }
+}
+
 TEST(Detector, WithoutRoundsDoesNothing) {
   sbgc::DetectorOptions options;
   options.rounds = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -833,6 +834,61 @@ TEST_F(Bridge, ALostLineIsNobodysAnyMore) {
   EXPECT_THAT(wakes, ElementsAre(before[host] + 1, before[other] + 1));
   EXPECT_FALSE(ports.exclusive_host());
   EXPECT_NE(ports.room(other), 0U);
+}
+
+msg::BoardInfoRequestExt opening() {
+  msg::BoardInfoRequestExt request;
+  EXPECT_TRUE(request.password.emplace().assign(std::string_view("sesame")));
+  return request;
+}
+
+TEST_F(Bridge, APasswordIsRefusedAndNotLogged) {
+  const std::size_t host = join();
+  ask(host, opening());
+  msg::PassProtectWrite protect;
+  EXPECT_TRUE(protect.new_password.assign(std::string_view("sesame")));
+  ask(host, protect);
+  EXPECT_THAT(line.sent, IsEmpty());
+  msg::ErrorExt error;
+  error.error_code = msg::BoardErrorCode::wrong_state;
+  Bytes expected;
+  for (const auto command : {opening().command, protect.command}) {
+    error.cmd_id = command;
+    const Bytes frame = frame_of(error);
+    expected.insert(expected.end(), frame.begin(), frame.end());
+  }
+  EXPECT_EQ(read(host), expected);
+  ASSERT_THAT(logged, SizeIs(2));
+  for (const std::string& text : logged) {
+    EXPECT_NE(text.find("--allow-passwords"), std::string::npos);
+    EXPECT_EQ(text.find("sesame"), std::string::npos);
+  }
+  ask(host, msg::BoardInfoRequestExt{});
+  protect.new_password.clear();
+  ask(host, protect);
+  EXPECT_THAT(line.sent, SizeIs(2)) << "neither has a password";
+}
+
+TEST_F(Bridge, APasswordDoesNotPassWithTheLineForItselfEither) {
+  const std::size_t host = join();
+  ask(host, msg::BootMode3{});
+  const Bytes before = line.raw;
+  const Bytes frame = frame_of(opening());
+  ports.receive(host, frame);
+  EXPECT_EQ(line.raw, before);
+  // In two parts, the end is missing, so it is none for the board.
+  ports.receive(host, std::span(frame).first(7));
+  ports.receive(host, std::span(frame).subspan(7));
+  Bytes start = before;
+  start.insert(start.end(), frame.begin(), frame.begin() + 7);
+  EXPECT_EQ(line.raw, start);
+}
+
+TEST_F(Bridge, AnAllowedPasswordPasses) {
+  BridgePorts allowing{line, [this] { return time; }, {}, true};
+  const auto host = allowing.connect(false, [] {});
+  allowing.receive(*host, frame_of(opening()));
+  EXPECT_THAT(line.sent, SizeIs(1));
 }
 
 TEST_F(Bridge, PlacesAreLimited) {

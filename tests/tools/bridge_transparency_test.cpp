@@ -220,7 +220,7 @@ class BridgedSite final : public Site, private BridgeLine {
   Bytes raw_;
   bool is_taken_ = false;
   std::deque<std::function<void()>> posted_;
-  BridgePorts ports_{*this, [this] { return now_; }};
+  BridgePorts ports_{*this, [this] { return now_; }, {}, true};  // passwords pass as well
   std::array<Host, 2> hosts_{};
   Instant next_tick_{};
   Instant deadline_ = Instant::never;

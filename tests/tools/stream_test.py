@@ -9,7 +9,9 @@ import os
 import pty
 import re
 import signal
+import socket
 import subprocess
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,7 +19,7 @@ from pathlib import Path
 import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import PROGRAM, Result, run
+from sbgc_command import PROGRAM, Result, frame, run
 
 
 @pytest.fixture(scope="module", params=["tcp", "pty"])
@@ -233,3 +235,61 @@ def test_a_reader_that_leaves_is_a_quiet_end(gimbal: EmulatedGimbal) -> None:
     assert process.wait(timeout=20) == 0
     assert without_losses(process.stderr.read()) == ""
     process.stderr.close()
+
+
+def test_a_stream_of_an_unknown_message_is_bytes() -> None:
+    server = socket.create_server(("127.0.0.1", 0))
+    asked: list[bytes] = []
+
+    def serve() -> None:
+        line, _ = server.accept()
+        with line:
+            while data := line.recv(4096):
+                number = data[1]
+                if number == 86:
+                    line.sendall(frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000")))
+                elif number == 85:
+                    asked.append(data[4:-1])
+                    line.sendall(frame(67, b"\x55"))
+                    line.sendall(frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200))
+                else:
+                    line.sendall(frame(255, bytes([number, 6, 0, 0, 0, 0])))
+
+    thread = threading.Thread(target=serve, daemon=True)
+    thread.start()
+    address = "tcp:127.0.0.1:%d" % server.getsockname()[1]
+    result = run(
+        "stream", "-p", address, "--id", "200", "--config", "beef", "--rate", "10",
+        "--format", "jsonl", "--for", "1s",
+    )  # fmt: skip
+    thread.join(20)
+    assert result.status == 0, result
+    bodies = [one["body"] for one in result.objects]
+    assert bodies[:2] == ["0e45", ""]
+    assert {one["id"] for one in result.objects} == {200}
+    start, *_, end = asked
+    assert start == bytes([200, 100, 0, 0xBE, 0xEF]) + bytes(16)
+    assert end == bytes([200, 0, 0, 0xBE, 0xEF]) + bytes(16)
+
+
+def test_the_bytes_of_a_known_stream(gimbal: EmulatedGimbal) -> None:
+    header, rows = rows_of(
+        stream(gimbal, "--id", "23", "--rate", "20", "--format", "csv", "--for", "1s")
+    )
+    assert header == ["time[s]", "body"]
+    assert len(rows) >= 5 and all(len(bytes.fromhex(row[1])) == 63 for row in rows)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    (
+        (["--id", "200", "--config", "0e4"], "--config wants up to 8 pairs"),
+        (["--id", "200", "--config", "00" * 9], "--config wants up to 8 pairs"),
+        (["--id", "88"], "has a name"),
+        (["RealtimeData3", "--id", "23"], "--id is for bytes"),
+        ([], "name a stream, or give --id"),
+    ),
+)
+def test_mistakes_with_bytes(arguments: list[str], problem: str) -> None:
+    result = run("stream", "-p", "tcp:127.0.0.1:1", *arguments)
+    assert result.status == 2 and problem in result.error

@@ -26,8 +26,9 @@ namespace {
 
 using Password = decltype(msg::PassProtectWrite::new_password);
 
-/// With the end of its line.
-constexpr std::size_t longest_file = Password::capacity() + 2;
+/// A password and the end of its line.
+constexpr std::size_t longest_file = 34;
+static_assert(longest_file == Password::capacity() + 2);
 
 /// Removes the end of the line; throws CommandError if the rest cannot be a password.
 std::string checked(std::string text, const std::string& from) {

@@ -15,6 +15,7 @@
 
 #include <sbgc/client/error.hpp>
 #include <sbgc/client/raw_request.hpp>
+#include <sbgc/enums.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>

@@ -66,11 +66,9 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
 }
 
 bool AnyMessage::has(std::string_view path) const {
-  bool result = false;
-  for_each_leaf([&](const Leaf& leaf) {
-    result = result || detail::is_in_field(sbgc::to_string(leaf.path), path);
-  });
-  return result;
+  detail::FieldSetter finder(path, nullptr, detail::FieldSetter::End::find);
+  type_->operations->set(memory_.get(), finder);
+  return finder.is_done();
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
