@@ -178,17 +178,17 @@ class ValueParser {
       const std::string_view number = trimmed(text.substr(4));
       return fitting(number, integer_of(number));
     }
-    if (type_.names != nullptr || type_.packed != nullptr) {
-      if (const auto number = integer_of(text)) return fitting(text, number);
-      return names(text);
-    }
-    if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
-    if (type_.is_wide) {
+    if (type_.is_wide && (unit_ == nullptr || unit_->is_plain())) {
       std::uint64_t number = 0;
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
       const bool is_whole = error == std::errc{} && end == text.data() + text.size();
       if (is_whole) return static_cast<std::int64_t>(number);
     }
+    if (type_.names != nullptr || type_.packed != nullptr) {
+      if (const auto number = integer_of(text)) return fitting(text, number);
+      return names(text);
+    }
+    if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
     const auto number = integer_of(text);
     const auto measure = number ? std::nullopt : measure_of(text);
     if (measure && !measure->rest.empty()) {
