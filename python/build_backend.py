@@ -109,8 +109,9 @@ def build_wheel(
     name = f"{_name()}-{_tag()}.whl"
     with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
         for path_in, data in sorted(files.items()):
-            year, *rest = time.gmtime(_time())
-            entry = zipfile.ZipInfo(path_in, (year, *rest[:5]))
+            at = time.gmtime(_time())
+            date = (at.tm_year, at.tm_mon, at.tm_mday, at.tm_hour, at.tm_min, at.tm_sec)
+            entry = zipfile.ZipInfo(path_in, date)
             entry.external_attr = (0o755 if path_in.endswith(".so") else 0o644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, data)
