@@ -11,7 +11,7 @@ from __future__ import annotations
 import asyncio
 import os
 from collections.abc import AsyncIterator, Callable, Generator, Mapping
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
@@ -54,8 +54,9 @@ class Gimbal(Link):
             await self._end(operation, progress)
         except BaseException:
             operation.cancel()
-            async with asyncio.timeout(_STOP):
-                await self._end(operation)
+            with suppress(TimeoutError):
+                async with asyncio.timeout(_STOP):
+                    await self._end(operation)
             raise
         return operation.result()
 

@@ -174,15 +174,17 @@ class Field(Generic[Get, Set]):
         return cast(Get, self._kind.read(place._message, path))
 
     def __set__(self, place: Structure, value: Set) -> None:
-        changed = place._message.copy()
-        self.write(changed, place._path_of(self._name), value)
-        place._message.take(changed)
+        changed = place._at(place._message.copy(), place._path)
+        self.write_to(changed, value)
+        place._message.take(changed._message)
 
-    def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
+    def write_to(self, place: Structure, value: object) -> None:
+        """Store a value, perhaps only a part of one that is wrong."""
+        path = place._path_of(self._name)
         if self._optional and value is None:
-            message.remove(path)
+            place._message.remove(path)
         else:
-            self._kind.write(message, path, value)
+            self._kind.write(place._message, path, value)
 
 
 class Structure:
@@ -203,7 +205,7 @@ class Structure:
             self._message.add(self._path)
         for field, value in values.items():
             if value is not ...:
-                getattr(type(self), field).write(self._message, self._path_of(field), value)
+                getattr(type(self), field).write_to(self, value)
 
     @classmethod
     def _at(cls: type[S], message: _core.AnyMessage, path: str) -> S:

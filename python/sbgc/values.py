@@ -43,7 +43,7 @@ class Packed(int):
             if not isinstance(value, (int, float)):
                 raise TypeError(f"{name}: {part}: a number is needed, not {value!r}")
             text = repr(float(value)) if isinstance(value, float) else str(int(value))
-            raw = _core.with_part(name, raw, part, text)
+            raw = _core.with_part(name, raw, part.rstrip("_"), text)
         return int.__new__(type(self), raw)
 
     def __str__(self) -> str:
@@ -60,7 +60,7 @@ class Part(Generic[T]):
         self._type = type_
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self._name = name
+        self._name = name.rstrip("_")  # in_ is the part "in"
 
     @overload
     def __get__(self, packed: None, owner: type) -> Part[T]:

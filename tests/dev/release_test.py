@@ -23,6 +23,7 @@ DEV = """\
 set -eu
 case $1 in
   package) echo package >"$2/sbgc_1_amd64.deb" ;;
+  wheel) echo wheel >"$2/sbgc-1.whl" ;;
   docs) mkdir -p build/site/assets && echo page | tee build/site/index.html >build/site/assets/x ;;
 esac
 """
@@ -101,7 +102,7 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
         f"sbgc-site-{version()}": "index.html",
     }
     files = {*(f"{name}.zip" for name in archives), f"sbgc-{version()}.tar.gz", "sbgc.hpp"}
-    assert found[0].keys() == files | {"sbgc_1_amd64.deb", "SHA256SUMS"}
+    assert found[0].keys() == files | {"sbgc-1.whl", "sbgc_1_amd64.deb", "SHA256SUMS"}
     assert found[0] == found[1]
     listed = [line.split()[1] for line in found[0]["SHA256SUMS"].decode().splitlines()]
     assert listed == sorted(found[0].keys() - {"SHA256SUMS"})

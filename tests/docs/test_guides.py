@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import os
 import re
 import shutil
@@ -153,6 +154,9 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     spec = "".join(path.read_text(encoding="utf-8") for path in files)
     # Commands and options of sbgc.
     spec += "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tools").rglob("*.cpp"))
+    # The Python package, and what Python itself has.
+    package = [*(ROOT / "python/sbgc").glob("*.py"), *(ROOT / "generated/python").rglob("*.py")]
+    spec += "".join(path.read_text(encoding="utf-8") for path in package) + " ".join(dir(builtins))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
         known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)
         assert known or name in ("sbgc", "memcpy", "double", "i16"), name

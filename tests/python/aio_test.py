@@ -11,6 +11,7 @@ from collections.abc import Awaitable, Callable
 import pytest
 
 import sbgc
+from conftest import is_still
 from sbgc import Board, aio, msg
 
 
@@ -61,7 +62,7 @@ def test_a_cancelled_move_stops_the_camera_first(board: Board) -> None:
         with pytest.raises(asyncio.CancelledError):
             await move
         assert time.monotonic() - begin < 1.2
-        assert all(abs(speed) < 2 for speed in board.speeds)
+        assert is_still(board)
 
     with_gimbal(board, use)
 
@@ -80,7 +81,7 @@ def test_a_cancelled_speed_stops_the_camera_first(board: Board) -> None:
         turning.cancel()
         with pytest.raises(asyncio.CancelledError):
             await turning
-        assert all(abs(speed) < 2 for speed in board.speeds)
+        assert is_still(board)
 
     with_gimbal(board, use)
 

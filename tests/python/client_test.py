@@ -14,12 +14,8 @@ from pathlib import Path
 import pytest
 
 import sbgc
+from conftest import is_still
 from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, msg
-
-
-def is_still(board: Board) -> bool:
-    """True if the camera, which turned with 20 degrees a second, comes to rest."""
-    return all(abs(speed) < 2 for speed in board.speeds)
 
 
 def test_a_call_returns_the_response(gimbal: Gimbal) -> None:

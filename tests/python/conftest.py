@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import faulthandler
+import time
 from collections.abc import Iterator
 
 import pytest
@@ -11,6 +12,14 @@ import sbgc
 
 faulthandler.enable()
 faulthandler.dump_traceback_later(120, exit=True)
+
+
+def is_still(board: sbgc.Board) -> bool:
+    """True if the camera is at rest, or nearly: its motion ends after that of its target."""
+    until = time.monotonic() + 0.3
+    while any(abs(speed) > 2 for speed in board.speeds) and time.monotonic() < until:
+        time.sleep(0.01)
+    return all(abs(speed) <= 2 for speed in board.speeds)
 
 
 @pytest.fixture

@@ -161,10 +161,12 @@ def test_values_survive_being_written_one_by_one() -> None:
     for vector in vectors():
         if "error" in vector or "hex" not in vector:
             continue
+        if "types" in vector.get("context", {}):
+            continue  # a new message does not know the types that another one announces
         body = bytes.fromhex(vector["hex"])
         message = getattr(msg, vector["message"]).from_body(body, known_before(vector))
-        if validate(message) or re.search("nan|inf", str(vector["fields"])):
-            continue  # an attribute refuses what the specification does not allow, NaN and infinity
+        if validate(message) or re.search(r"nan|inf|\\uf7", str(vector["fields"])):
+            continue  # an attribute refuses what the specification does not allow, NaN, infinity, and texts that are not UTF-8
         again = type(message)()
         for beside in attributes(type(message)).values():
             setattr(again, beside, getattr(message, beside))

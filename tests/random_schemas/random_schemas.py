@@ -65,6 +65,7 @@ class Trial:
         shutil.rmtree(self.folder, ignore_errors=True)
         write_spec(self.spec, self.seed, self.options.size)
         messages, lines = self.generate()
+        self.import_modules()
         compiler = self.options.compiler[self.seed % len(self.options.compiler)]
         self.compile(compiler)
         self.compare()
@@ -85,6 +86,19 @@ class Trial:
         told = "".join(settings)
         (self.folder / "generated" / "settings.jsonl").write_text(told, encoding="utf-8")
         return len(layout.messages), len(lines)
+
+    def import_modules(self) -> None:
+        """Imports the classes of the Python package, which needs its extension only for values."""
+        package = self.folder / "package" / "sbgc"
+        shutil.copytree(ROOT / "python" / "sbgc", package)
+        shutil.copytree(self.folder / "generated" / "python" / "sbgc" / "msg", package / "msg")
+        (package / "_core.py").touch()
+        (package / "__init__.py").write_text("", encoding="utf-8")
+        command = [sys.executable, "-W", "error", "-c", "import sbgc.msg"]
+        environment = {**os.environ, "PYTHONPATH": str(package.parent)}
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise Failure(f"the Python modules cannot be imported:\n{done.stderr}")
 
     def compile(self, compiler: str) -> None:
         """Compiles and links the program that runs the vectors."""

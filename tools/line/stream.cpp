@@ -176,12 +176,12 @@ roles::StreamRequest raw_request_of(const StreamOptions& options) {
 }
 
 /// A frame as a line of a table, CSV or JSON.
-std::string raw_line(SampleFormat format, double time, const Frame& frame) {
+std::string raw_line(OutputFormat format, double time, const Frame& frame) {
   const std::string body = detail::to_hex(frame.body);
   switch (format) {
-    case SampleFormat::text: return fmt::format("{:>9.3f}  {}\n", time, body);
-    case SampleFormat::csv: return fmt::format("{:.6f},{}\n", time, body);
-    case SampleFormat::jsonl: break;
+    case OutputFormat::text: return fmt::format("{:>9.3f}  {}\n", time, body);
+    case OutputFormat::csv: return fmt::format("{:.6f},{}\n", time, body);
+    case OutputFormat::jsonl: break;
   }
   return fmt::format("{{\"version\":1,\"time\":{:.6f},\"id\":{},\"body\":\"{}\"}}\n", time,
                      frame.id, body);
@@ -194,7 +194,7 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
                        wrong_usage);
   }
   const roles::StreamRequest request = raw_request_of(options);
-  const SampleFormat format = format_named(options.format);
+  const OutputFormat format = format_named(options.format);
   std::signal(SIGPIPE, SIG_IGN);
   LineQueue lines;
   std::atomic<bool> has_ended = false;
@@ -203,8 +203,8 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
   const bool ends = is_replay(context.gimbal);
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
                                     : report_changes(client);
-  if (format == SampleFormat::text) lines.put(fmt::format("{:>9}  body\n", "time[s]"));
-  if (format == SampleFormat::csv) lines.put("time[s],body\n");
+  if (format == OutputFormat::text) lines.put(fmt::format("{:>9}  body\n", "time[s]"));
+  if (format == OutputFormat::csv) lines.put("time[s],body\n");
   const auto start = Clock::now();
   const auto take = [&](const Frame& frame) {
     if (has_ended) return;

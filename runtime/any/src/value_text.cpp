@@ -175,15 +175,15 @@ class ValueParser {
       const std::string_view number = trimmed(text.substr(4));
       return fitting(number, integer_of(number));
     }
+    if (type_.is_wide && (unit_ == nullptr || unit_->is_plain())) {
+      const auto number = parse_number<std::uint64_t>(text);
+      if (number) return static_cast<std::int64_t>(*number);
+    }
     if (type_.names != nullptr || type_.packed != nullptr) {
       if (const auto number = integer_of(text)) return fitting(text, number);
       return names(text);
     }
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
-    if (type_.is_wide) {
-      const auto number = parse_number<std::uint64_t>(text);
-      if (number) return static_cast<std::int64_t>(*number);
-    }
     const auto number = integer_of(text);
     const auto measure = number ? std::nullopt : measure_of(text);
     if (measure && !measure->rest.empty()) {

@@ -74,10 +74,31 @@ def _arguments(text: str) -> list[str]:
     return [*found, text[start:].strip()]
 
 
+# What every message, packed integer or enum has of its own.
+_TAKEN = {
+    "self",
+    "cls",
+    "raw",
+    "assign",
+    "from_body",
+    "from_json",
+    "to_json",
+    "name",
+    "value",
+    "mro",
+}
+
+
 def enum_name(value: EnumValue) -> str:
     """The name of an enum value: the protocol's own, unless Python cannot have it."""
-    can_be = value.name.isidentifier() and not keyword.iskeyword(value.name)
-    return value.name if can_be and not value.name.startswith("_") else value.identifier.upper()
+    name = value.name
+    is_taken = keyword.iskeyword(name) or name in _TAKEN or name.startswith("_")
+    return value.identifier.upper() if is_taken or not name.isidentifier() else name
+
+
+def attribute_name(name: str) -> str:
+    """The name of a field or part, which may be a word of Python: in_."""
+    return f"{name}_" if keyword.iskeyword(name) or name in _TAKEN - {"name", "value"} else name
 
 
 def shown(fields: tuple[Field, ...]) -> list[Field]:
@@ -256,6 +277,7 @@ def homes(layout: Layout) -> dict[str, tuple[str, str]]:
 
 
 FILTERS: dict[str, Callable[..., Any]] = {
+    "attribute_name": attribute_name,
     "call": call,
     "constants": constants,
     "doc": doc,

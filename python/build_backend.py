@@ -1,0 +1,152 @@
+"""Builds the package with CMake (PEP 517), without other Python packages.
+
+The libraries that it needs are those of `./dev build`, and pybind11: see `python` in ./dev. The same
+commit makes the same wheel if SOURCE_DATE_EPOCH is set.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import io
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import time
+import tomllib
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Optional
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build" / "wheel"
+# What the package is built from.
+SOURCES = [
+    *("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "runtime", "emulator"),
+    *("generated/include", "generated/python", "python"),
+]
+
+Settings = Optional[Mapping[str, Any]]
+
+
+def _project() -> dict[str, Any]:
+    table: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    return table
+
+
+def _version() -> str:
+    header = (ROOT / "runtime/core/include/sbgc/version.hpp").read_text()
+    return ".".join(re.findall(r"^#define SBGC_VERSION_[A-Z]+ (\d+)$", header, re.MULTILINE))
+
+
+def _name() -> str:
+    return f"{_project()['name']}-{_version()}"
+
+
+def _metadata() -> str:
+    project = _project()
+    lines = {
+        "Metadata-Version": "2.1",
+        "Name": project["name"],
+        "Version": _version(),
+        "Summary": project["description"],
+        "License": project["license"]["text"],
+        "Requires-Python": project["requires-python"],
+    }
+    return "".join(f"{key}: {value}\n" for key, value in lines.items())
+
+
+def _tag() -> str:
+    version = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    return f"{version}-{version}-{platform}"
+
+
+def _compile() -> Path:
+    """The folder of the built package."""
+    options = {
+        "CMAKE_BUILD_TYPE": "MinSizeRel",
+        "CMAKE_CXX_FLAGS": f"-ffunction-sections -fdata-sections -ffile-prefix-map={ROOT}=.",
+        "CMAKE_UNITY_BUILD": "ON",
+        "CMAKE_UNITY_BUILD_BATCH_SIZE": "48",
+        "Python_EXECUTABLE": sys.executable,
+        "SBGC_BUILD_PYTHON": "ON",
+        "SBGC_BUILD_TOOLS": "OFF",
+        "SBGC_BUILD_TESTS": "OFF",
+        "SBGC_BUILD_EXAMPLES": "OFF",
+        "SBGC_REGENERATE": "OFF",
+    }
+    said = [f"-D{name}={value}" for name, value in options.items()]
+    subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *said], check=True)
+    subprocess.run(["cmake", "--build", BUILD, "--target", "sbgc_python"], check=True)
+    return BUILD / "python" / "sbgc"
+
+
+def _time() -> float:
+    return float(os.environ.get("SOURCE_DATE_EPOCH", time.time()))
+
+
+def build_wheel(
+    wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
+) -> str:
+    """Write the wheel, and return the name of its file."""
+    package = _compile()
+    files = {f"sbgc/{p.name}": p.read_bytes() for p in package.iterdir() if p.is_file()}
+    for path in (package / "msg").glob("*.py"):
+        files[f"sbgc/msg/{path.name}"] = path.read_bytes()
+    info = f"{_name()}.dist-info"
+    files[f"{info}/METADATA"] = _metadata().encode()
+    files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    wheel = f"Wheel-Version: 1.0\nGenerator: sbgc\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    files[f"{info}/WHEEL"] = wheel.encode()
+    record = "".join(f"{name},{_hash(data)},{len(data)}\n" for name, data in sorted(files.items()))
+    files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
+    name = f"{_name()}-{_tag()}.whl"
+    with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path_in, data in sorted(files.items()):
+            at = time.gmtime(_time())
+            date = (at.tm_year, at.tm_mon, at.tm_mday, at.tm_hour, at.tm_min, at.tm_sec)
+            entry = zipfile.ZipInfo(path_in, date)
+            entry.external_attr = (0o755 if path_in.endswith(".so") else 0o644) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, data)
+    return name
+
+
+def _hash(data: bytes) -> str:
+    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=")
+    return f"sha256={digest.decode()}"
+
+
+def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
+    """Write an archive of the sources that the package needs, and return the name of its file."""
+    name = f"{_name()}.tar.gz"
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
+        paths = [path for source in SOURCES for path in _files(ROOT / source)]
+        for path in sorted(paths):
+            _add(archive, f"{_name()}/{path.relative_to(ROOT)}", path.read_bytes())
+        _add(archive, f"{_name()}/PKG-INFO", _metadata().encode())
+    with gzip.GzipFile(Path(sdist_directory) / name, "wb", mtime=_time()) as file:
+        file.write(packed.getvalue())
+    return name
+
+
+def _files(path: Path) -> list[Path]:
+    if path.is_file():
+        return [path]
+    return [p for p in path.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
+
+
+def _add(archive: tarfile.TarFile, name: str, data: bytes) -> None:
+    entry = tarfile.TarInfo(name)
+    entry.size, entry.mtime = len(data), int(_time())
+    archive.addfile(entry, io.BytesIO(data))
+
+
+__all__ = ["build_sdist", "build_wheel"]

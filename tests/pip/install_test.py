@@ -1,0 +1,56 @@
+"""`pip install .` in a fresh virtual environment, without a network."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = """
+import sbgc
+from sbgc import msg
+assert "{folder}" in sbgc.__file__, sbgc.__file__
+with sbgc.emulator() as board, sbgc.connect(board) as gimbal:
+    assert isinstance(gimbal.call(msg.GetAnglesRequest()), msg.GetAngles)
+"""
+
+
+def run(*command: object) -> None:
+    words = [str(word) for word in command]
+    done = subprocess.run(words, capture_output=True, text=True, cwd=ROOT, check=False)
+    assert done.returncode == 0, f"{words}: {done.stdout[-3000:]}{done.stderr[-3000:]}"
+
+
+def without_network(*command: object) -> None:
+    run("unshare", "--map-root-user", "--net", *command)
+
+
+def test_the_package_installs_and_runs_without_a_network(tmp_path: Path) -> None:
+    folder = tmp_path / "fresh"
+    run(sys.executable, "-m", "venv", folder)
+    python = folder / "bin" / "python3"
+    without_network(python, "-m", "pip", "install", "--no-cache-dir", ".")
+    run(python, "-W", "error", "-c", PROGRAM.format(folder=folder))
+    (library,) = folder.rglob("_core*.so")
+    assert library.stat().st_size < 5_000_000
+
+
+def test_a_wheel_of_the_sources_of_a_release_works_beside_the_packages_of_debian(
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "beside"
+    run(sys.executable, "-m", "venv", "--system-site-packages", folder)
+    python = folder / "bin" / "python3"
+    without_network(python, "-m", "pip", "wheel", "--no-cache-dir", "-w", tmp_path, ".")
+    (wheel,) = tmp_path.glob("sbgc-*.whl")
+    without_network(python, "-m", "pip", "install", wheel)
+    run(python, "-W", "error", "-c", PROGRAM.format(folder=folder))
+
+
+@pytest.fixture(autouse=True)
+def _has_unshare() -> None:
+    assert shutil.which("unshare"), "apt-get install util-linux"

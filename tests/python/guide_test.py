@@ -1,0 +1,26 @@
+"""The programs of docs/15-python.md run."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "15-python.md"
+PROGRAMS = re.findall(r"^```python\n(.*?)^```$", GUIDE.read_text(), re.DOTALL | re.MULTILINE)
+OUTPUT = ["20", "", "", "axes.pitch.angle: 800 deg does not fit"]
+
+
+def test_there_are_programs() -> None:
+    assert len(PROGRAMS) == len(OUTPUT)
+
+
+@pytest.mark.parametrize("number", range(len(PROGRAMS)))
+def test_programs_run(number: int) -> None:
+    command = [sys.executable, "-W", "error", "-c", PROGRAMS[number]]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0 and not done.stderr, done.stderr
+    assert OUTPUT[number] in done.stdout
