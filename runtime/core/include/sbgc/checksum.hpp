@@ -101,7 +101,7 @@ class Sum {
  public:
   using Word = Integer;
 
-  constexpr Sum& add(const std::uint8_t* bytes, std::size_t size) noexcept {
+  SBGC_ALWAYS_INLINE constexpr Sum& add(const std::uint8_t* bytes, std::size_t size) noexcept {
     if constexpr (sizeof(Word) == 1) {
       value_ = static_cast<Word>(value_ + byte_sum(bytes, size));
     } else {
@@ -120,7 +120,8 @@ class ExclusiveOr {
  public:
   using Word = std::uint8_t;
 
-  constexpr ExclusiveOr& add(const std::uint8_t* bytes, std::size_t size) noexcept {
+  SBGC_ALWAYS_INLINE constexpr ExclusiveOr& add(const std::uint8_t* bytes,
+                                                std::size_t size) noexcept {
     for (std::size_t i = 0; i < size; ++i) value_ = static_cast<Word>(value_ ^ bytes[i]);
     return *this;
   }
