@@ -84,11 +84,11 @@ TEST(LaterUnits, TextSaysWhatItAssumes) {
 
 TEST(LaterUnits, TextIsReadAsItIsShown) {
   AnyMessage message = find_message("ReadParams3")->make();
-  const auto& axes = message.get_if<msg::ReadParams3>()->axes;
+  const auto roll = [&] { return message.get_if<msg::ReadParams3>()->axes.roll; };
   EXPECT_EQ(message.assign("axes.roll.p", "9.7921", true, later), "");
-  EXPECT_EQ(axes.roll.p, 70);
+  EXPECT_EQ(roll().p, 70);
   EXPECT_EQ(message.assign("axes.roll.i", "0.7", true, earlier), "");
-  EXPECT_EQ(axes.roll.i.raw(), 70);
+  EXPECT_EQ(roll().i.raw(), 70);
   EXPECT_EQ(message.assign("axes.roll.p", "300", true, later),
             "axes.roll.p: 300 does not fit: 0 to 255");
   EXPECT_EQ(message.assign("axes.roll.p", "9.5"), "axes.roll.p: '9.5' is not an integer");

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from sbgcgen.build import load_protocol
-from sbgcgen.oracle.example import Piece, example_of, real
+from sbgcgen.oracle.example import Piece, example_of
 from sbgcgen.model import Enum, Layout, Message, Quantity, Scalar
 from sbgcgen.model.names import slug
 
@@ -133,7 +133,7 @@ def test_what_moves_does_so_slowly() -> None:
                 continue
             if message.effect and "moves" in message.effect.words:
                 speeds += 1
-                assert abs(real(piece.value, piece.type)) <= 30, f"{message.name}: {piece.path}"
+                assert abs(piece.type.real(piece.value)) <= 30, f"{message.name}: {piece.path}"
     assert speeds >= 6
 
 
@@ -211,7 +211,7 @@ def test_live_data_look_like_those_of_a_board_that_works() -> None:
         for axis in ("roll", "pitch", "yaw"):
             part = values[f"axes.{axis}.acc_data"]
             assert isinstance(part.type, Quantity)
-            components.append(real(part.value, part.type))
+            components.append(part.type.real(part.value))
         length = hypot(*components)
         assert abs(length - 1) < 0.01
         for path, piece in values.items():

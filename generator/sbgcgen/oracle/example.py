@@ -234,6 +234,18 @@ class _ValueReader:
         for special in field.special:
             if special.value == value:
                 return special.meaning
+        meaning = self._usual_meaning(field, type_, value, path, variable)
+        known = next(
+            (v for v in self.layout.variables if field.variable and v.id == variable), None
+        )
+        later = known.later if known else field.later
+        if not later:
+            return meaning
+        return f"{meaning or value} (before firmware {later[0].since.firmware_text})"
+
+    def _usual_meaning(
+        self, field: Field, type_: Type, value: Any, path: str, variable: Any
+    ) -> str:
         if field.variable:
             return self._variable(value, variable)
         if isinstance(field.type, Announced):
