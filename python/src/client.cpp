@@ -1,5 +1,6 @@
 // The client: what it is asked for becomes operations.
 
+#include <cmath>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -28,7 +29,7 @@ std::chrono::milliseconds milliseconds_of(Seconds seconds, const char* what) {
   if (!(seconds >= 0 && seconds <= 1e6)) {
     throw py::value_error(std::string(what) + ": 0 to 1000000 seconds are possible");
   }
-  return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000 + 0.5));
+  return std::chrono::milliseconds(std::llround(seconds * 1000));
 }
 
 std::optional<std::chrono::milliseconds> timeout_of(std::optional<Seconds> seconds) {
@@ -88,12 +89,12 @@ py::object bytes_of(const Result<std::vector<std::uint8_t>>& result) {
 OperationPointer call(const LinkPointer& link, const AnyMessage& request,
                       std::optional<Seconds> timeout, std::optional<unsigned> retries,
                       bool validates) {
-  const auto operation = link->begin();
+  auto operation = link->begin();
   const CallOptions options{
       .timeout = timeout_of(timeout), .retries = retries, .validate = validates};
   const detail::Conversation conversation = link->conversation();
   const CallId id = conversation.start(
-      conversation.prepare(request, options), options, [operation](Result<Reply> reply) {
+      conversation.prepare(request, options), options, [operation](const Result<Reply>& reply) {
         const auto result = std::make_shared<Result<std::optional<AnyMessage>>>(
             detail::read_response<AnyMessage>(reply));
         operation->end([result] { return cast_of(*result); });
@@ -291,7 +292,7 @@ class SampleQueue {
 /// Starts the stream of the message with this name; its result is a SampleQueue.
 OperationPointer stream(const LinkPointer& link, const std::string& name, Seconds interval,
                         const AnyMessage* request, std::optional<Seconds> timeout) {
-  const auto operation = link->begin();
+  auto operation = link->begin();
   const detail::Conversation conversation = link->conversation();
   const CallOptions options{.timeout = timeout_of(timeout)};
   auto wanted = detail::stream_request<roles::StreamRequest>(milliseconds_of(interval, "interval"));
@@ -316,8 +317,8 @@ OperationPointer stream(const LinkPointer& link, const std::string& name, Second
           queue->put(std::move(message));
         }),
         options, [operation, queue](Result<Subscription> started) {
+          const Result<void> result = started ? Result<void>() : started.error();
           if (started) queue->own(*std::move(started));
-          const Result<void> result = started ? Result<void>() : std::move(started).error();
           operation->end([queue, result] {
             if (!result) raise_client(result.error());
             return py::cast(queue);
@@ -433,7 +434,7 @@ void bind_client(py::module_& module) {
            [](Link& link, const std::shared_ptr<Emulation>& board, Seconds timeout,
               const std::optional<std::string>& capture) {
              const ConnectOptions options = connect_options(timeout, capture);
-             return link.connect(detail::opener_of(line_to(board), options), options);
+             return link.connect(detail::opener_of(board->line(), options), options);
            })
       .def("close",
            [](Link& link) {

@@ -12,11 +12,11 @@ Bell::Bell() : descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
   if (descriptor_ < 0) throw std::runtime_error("no file descriptor is left");
 }
 Bell::~Bell() { ::close(descriptor_); }
-void Bell::ring() noexcept {
+void Bell::ring() const noexcept {
   const eventfd_t one = 1;
   static_cast<void>(eventfd_write(descriptor_, one));
 }
-void Bell::silence() noexcept {
+void Bell::silence() const noexcept {
   eventfd_t count = 0;
   static_cast<void>(eventfd_read(descriptor_, &count));
 }
@@ -45,7 +45,7 @@ Link::~Link() {
 }
 
 std::shared_ptr<Operation> Link::connect(detail::Opener opener, const ConnectOptions& options) {
-  const auto operation = std::make_shared<Operation>(state_->bell);
+  auto operation = std::make_shared<Operation>(state_->bell);
   State& state = *state_;
   operation->set_cancel([&state] {
     const std::scoped_lock lock(state.mutex);

@@ -57,7 +57,7 @@ bool is_below(const FieldPath& at, std::string_view path) {
 
 std::string number_text(double number) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+  char* const end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
   return {buffer, end};
 }
 
@@ -160,7 +160,7 @@ void set_raw(AnyMessage& message, std::string_view path, const py::object& value
   }
   const auto number = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
   if (!number) raise_type(path, value, "an integer");
-  std::string text = py::repr(number).cast<std::string>();
+  auto text = py::repr(number).cast<std::string>();
   with_leaf(message, path, [&](const Leaf& leaf) {
     text = announced_text(leaf, leaf.unit != nullptr ? "raw:" + text : text);
   });

@@ -21,8 +21,8 @@ class Bell {
   Bell& operator=(const Bell&) = delete;
   ~Bell();
 
-  void ring() noexcept;
-  void silence() noexcept;
+  void ring() const noexcept;
+  void silence() const noexcept;
   int descriptor() const noexcept { return descriptor_; }
 
  private:
