@@ -462,6 +462,8 @@ class FieldMaker(TypeMaker):
                 kind = Kind(self.random.choice(("string[5]", "string")), 1, 50, fixed=False)
             kind = self.random.choice(structs) if structs and self.chance(0.3) else kind
             node = {"name": node["name"] + "[]", "type": kind.name}
+            if kind.name.startswith(("string", "text", "bytes")) and self.chance(0.5):
+                node["secret"] = True
             least = kind.least
         if self.chance(0.5) and scope.budget >= 3 * least:
             node["max_count"] = self.random.choice((1, 2, 3))

@@ -1,5 +1,6 @@
 #include "board/password.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -90,9 +91,7 @@ std::string read_file(const std::string& name) {
 class WithoutEcho {
  public:
   WithoutEcho() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP}) {
-      sigaddset(&signals_, signal);
-    }
+    for (const int signal : waiting) sigaddset(&signals_, signal);
     pthread_sigmask(SIG_BLOCK, &signals_, &usual_signals_);
     ::tcgetattr(STDIN_FILENO, &usual_);
     termios silent = usual_;
@@ -111,15 +110,14 @@ class WithoutEcho {
   bool is_interrupted() const {
     sigset_t pending{};
     sigpending(&pending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP}) {
-      if (sigismember(&pending, signal) == 1 && sigismember(&usual_signals_, signal) == 0) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(waiting, [&](int signal) {
+      return sigismember(&pending, signal) == 1 && sigismember(&usual_signals_, signal) == 0;
+    });
   }
 
  private:
+  static constexpr std::array waiting{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
+
   static sigset_t no_signals() {
     sigset_t none{};
     sigemptyset(&none);
