@@ -238,7 +238,12 @@ class Structure:
         return self.__copy__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restore, (type(self), self._message.name, self._message.to_json(), self._path)
+        return _restore, (
+            type(self),
+            self._message.name,
+            self._message.to_json(secrets=True),
+            self._path,
+        )
 
     def __repr__(self) -> str:
         return type(self).__name__ + self._message.text(self._path)

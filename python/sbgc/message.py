@@ -31,9 +31,9 @@ class Message(Structure):
         message.decode(body, None if contexts is None else contexts._contexts)
         return cls._at(message, "")
 
-    def to_json(self) -> str:
+    def to_json(self, *, secrets: bool = False) -> str:
         """Return the fields as JSON, as the command `sbgc decode` prints them: raw values."""
-        return self._message.to_json()
+        return self._message.to_json(secrets)
 
     @classmethod
     def from_json(cls: type[M], text: str) -> M:

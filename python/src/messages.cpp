@@ -416,7 +416,12 @@ void bind_messages(py::module_& module) {
       .def("decode", &decode, py::arg("body"), py::arg("contexts").none(true))
       .def("body", &body_of)
       .def("frame", &frame_of)
-      .def("to_json", &AnyMessage::to_json)
+      .def(
+          "to_json",
+          [](const AnyMessage& message, bool secrets) {
+            return message.to_json(secrets ? Secrets::shown : Secrets::hidden);
+          },
+          py::arg("secrets") = false)
       .def("read_json", &read_json)
       .def("__eq__", [](const AnyMessage& a, const AnyMessage& b) { return a == b; });
   module.def("message_names", &message_names);

@@ -515,7 +515,7 @@ TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
   ASSERT_THAT(changes, SizeIs(2));
   ASSERT_THAT(changes[0].fields, SizeIs(2));
   EXPECT_EQ(changes[0].fields[0].path, "pid_gain.yaw");
-  EXPECT_EQ(changes[0].fields[0].after_meaning, "2");
+  EXPECT_EQ(changes[0].fields[0].after_meaning, "2 (before firmware 2.73.1)");
   EXPECT_EQ(changes[0].fields[1].path, "auto_pid_momentum");
   EXPECT_THAT(to_text(changes), HasSubstr("ReadParamsExt2 of profile 4:\n"));
   EXPECT_THAT(to_text(changes), HasSubstr("  profile_name[4]: \"Profile 5\" -> \"Drone\"\n"));

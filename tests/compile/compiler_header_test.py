@@ -19,6 +19,8 @@ FREE = {HEADER, "tools/web/decoder.cpp"}
 
 def peculiar_lines(path: str) -> list[str]:
     lines = (ROOT / path).read_text(encoding="utf-8").splitlines()
+    # A name that is deprecated is used in the headers themselves.
+    lines = [line for line in lines if not line.startswith("#pragma GCC diagnostic ")]
     return [line for line in lines if PECULIAR.search(line.split("//")[0])]
 
 

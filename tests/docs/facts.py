@@ -420,7 +420,7 @@ def _quantity(quantity: Quantity) -> Iterator[Fact]:
     yield Fact(place, "unit scale", quantity.scale)
     if quantity.unit:
         yield Fact(place, "unit unit", quantity.unit)
-    if quantity.offset:
+    if quantity.offset and not quantity.ratio:
         yield Fact(place, "unit offset", quantity.offset)
     for number in quantity.errata:
         yield Fact(place, "unit errata", number)

@@ -31,7 +31,7 @@ SBGC = os.environ.get("SBGC", str(PROJECT / "build" / "release" / "tools" / "sbg
 COMPILER = [w for w in (os.environ.get("CXX_LAUNCHER", ""), os.environ.get("CXX", "g++")) if w]
 WARNINGS = (
     "-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast "
-    "-Wdouble-promotion -Wformat=2 -Werror"
+    "-Wdouble-promotion -Wformat=2 -Werror -Wno-deprecated-declarations"
 )
 
 

@@ -1,4 +1,4 @@
-"""A protocol of another vendor: the folder, the commands and the program of docs/15-another-protocol.md."""
+"""A protocol of another vendor: the folder, the commands and the program of docs/16-another-protocol.md."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LAUNCHER = os.environ.get("SBGC_LAUNCHER", "")
 
 def blocks(language: str) -> list[str]:
     """Returns the fenced blocks of the guide in this language."""
-    text = (ROOT / "docs/15-another-protocol.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/16-another-protocol.md").read_text(encoding="utf-8")
     return re.findall(rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
 
 

@@ -98,6 +98,8 @@ const rounded = (value) =>
   JSON.parse(JSON.stringify(value), (_, v) => (typeof v === "number" ? Math.fround(v) : v));
 
 test("every vector decodes to what the reference codec says", () => {
+  const secretNames = (message) => message.layout.filter((leaf) => leaf.secret).map((leaf) => leaf.path);
+  const secrets = new Map(model().messages.map((message) => [message.name, secretNames(message)]));
   let compared = 0;
   for (const vector of decodable) {
     const from = vector.after ? "auto" : vector.direction === "to_board" ? "host" : "board";
@@ -114,11 +116,13 @@ test("every vector decodes to what the reference codec says", () => {
     if (vector.error) {
       assert.equal(last.error?.code, vector.error.code, JSON.stringify(vector));
       assert.equal(last.error.offset, vector.error.offset);
-      assert.equal(last.body, vector.hex);
+      if (last.body !== "(hidden)") assert.equal(last.body, vector.hex);
     } else {
       assert.equal(last.message, vector.message);
       assert.equal(last.command, vector.command);
-      assert.deepEqual(rounded(last.fields), rounded(vector.fields));
+      const fields = structuredClone(vector.fields);
+      for (const name of secrets.get(vector.message) ?? []) if (fields[name]) fields[name] = "(hidden)";
+      assert.deepEqual(rounded(last.fields), rounded(fields));
     }
   }
   assert.ok(compared > 0.9 * decodable.length, `only ${compared} of ${decodable.length}`);

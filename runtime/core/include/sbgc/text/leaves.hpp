@@ -119,11 +119,25 @@ inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// Returns a version in the notation of the protocol, if that has one.
+template <class Version>
+std::string version_text(std::uint16_t version) {
+  if constexpr (std::is_integral_v<Version>) {
+    return std::to_string(version);
+  } else {
+    return packed_text(PackedMeta<Version>::info, version);
+  }
+}
+
+}  // namespace detail
+
 /// Returns what the meaning assumes about the board: "before firmware 2.73.1"; "" if nothing.
 inline std::string assumption_text(const Leaf& leaf) {
   if (leaf.assumed_before == nullptr) return "";
-  return "before firmware " + detail::packed_text(PackedMeta<VersionTypes::Firmware>::info,
-                                                  leaf.assumed_before->since.firmware);
+  return "before firmware " +
+         detail::version_text<VersionTypes::Firmware>(leaf.assumed_before->since.firmware);
 }
 
 /// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
