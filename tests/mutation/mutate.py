@@ -197,7 +197,15 @@ def main() -> None:
                 return "survived"
             return "survived" if tests.survives(number, more) else "killed"
 
-        outcomes = list(pool.map(tried, range(len(mutants))))
+        outcomes: list[str] = []
+        for outcome in pool.map(tried, range(len(mutants))):
+            outcomes.append(outcome)
+            if len(outcomes) % 50 == 0:
+                print(
+                    f"mutate: {len(outcomes)} tried, {outcomes.count('killed')} killed "
+                    f"(after {time.monotonic() - start:.0f} s)",
+                    flush=True,
+                )
     (BUILD / "outcomes.json").write_text(
         json.dumps(
             [[m.file, m.line, m.context, m.change, o] for m, o in zip(mutants, outcomes)], indent=0
