@@ -14,6 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/messages/system.hpp>
 
 #include "command/background_output.hpp"
@@ -49,26 +50,11 @@ std::string quoted_for_shell(const std::string& word) {
   return result + '\'';
 }
 
-class File {
- public:
-  /// Nonblocking, because opening a named pipe waits for a writer.
-  explicit File(const std::string& name)
-      : number_(::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 std::string read_file(const std::string& name) {
-  const File file(name);
+  // Nonblocking, because opening a named pipe waits for a writer.
+  const io::detail::Descriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat about {};
-  if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
+  if (!file || ::fstat(file.get(), &about) != 0) {
     throw CommandError(fmt::format("cannot read {}: {}", name, std::strerror(errno)));
   }
   if (!S_ISREG(about.st_mode)) throw CommandError(name + " is not a regular file");
@@ -80,7 +66,7 @@ std::string read_file(const std::string& name) {
   std::array<char, longest_file + 1> bytes{};
   std::size_t size = 0;
   for (ssize_t more = 1; more != 0 && size < bytes.size(); size += static_cast<std::size_t>(more)) {
-    more = ::read(file.number(), bytes.data() + size, bytes.size() - size);
+    more = ::read(file.get(), bytes.data() + size, bytes.size() - size);
     if (more < 0) throw CommandError(fmt::format("cannot read {}: {}", name, std::strerror(errno)));
   }
   return checked({bytes.data(), size}, name);
