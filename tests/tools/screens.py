@@ -19,7 +19,7 @@ class Terminal:
     def __init__(self, folder: Path, width: int, height: int, locale: str = "C.UTF-8") -> None:
         self.socket = str(folder / "tmux")
         self.saved = 0
-        environment = {**os.environ, "LC_ALL": locale, "TERM": "screen", "PS1": "$ "}
+        environment = {**os.environ, "LC_ALL": locale, "TERM": "screen", "PS1": "> "}
         size = ["-x", str(width), "-y", str(height)]
         subprocess.run(
             ["tmux", "-u", "-f", "/dev/null", "-S", self.socket, "new-session", "-d", *size]
@@ -92,9 +92,11 @@ def terminal(
     folder: Path, width: int = 80, height: int = 24, locale: str = "C.UTF-8"
 ) -> Iterator[Terminal]:
     result = Terminal(folder, width, height, locale)
-    result.type(f"cd {folder}; clear")
+    result.type(f"cd {folder}; PS1='$ '; clear")
     result.press("Enter")
     try:
+        # What is typed before the first prompt is echoed twice.
+        result.wait(lambda lines: lines[0].rstrip() == "$")
         yield result
     finally:
         result.tmux("kill-server")
