@@ -9,6 +9,7 @@ from html import unescape
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
+from sbgcgen.targets.site.headers import Header
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.firmware import History
 from sbgcgen.views.rows import Row, rows_of
@@ -91,11 +92,16 @@ class Entry:
         return [*own, [twin.data[1:] for twin in self.twins]] if self.twins else own
 
 
-def search_index(layout: Layout, guides: Sequence[Page], history: History) -> dict[str, Any]:
+def search_index(
+    layout: Layout, guides: Sequence[Page], history: History, headers: Sequence[Header]
+) -> dict[str, Any]:
     """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
-        "entries": [entry.data for entry in _entries(layout, guides, history)],
+        "entries": [
+            entry.data
+            for entry in (*_entries(layout, guides, history), *_names_of_headers(headers))
+        ],
     }
 
 
@@ -156,6 +162,14 @@ def _pages(layout: Layout, history: History) -> Iterator[Entry]:
         words = _joined("rev", revision.number, revision.date, _lines(revision.source))
         name = f"Revision {revision.number}"
         yield Entry("page", name, f"Of {revision.date}.", f"availability.html#{anchor}", words)
+
+
+def _names_of_headers(headers: Sequence[Header]) -> Iterator[Entry]:
+    for header in headers:
+        yield Entry("C++", header.include, header.sentence, header.page)
+        for item in header.items:
+            words = " ".join(member.name for member in item.members)
+            yield Entry("C++", item.name, item.sentence, f"{header.page}#{item.anchor}", words)
 
 
 def _joined(*words: str) -> str:

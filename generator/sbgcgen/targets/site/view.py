@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -21,6 +21,7 @@ from sbgcgen.oracle.example import Example, example_of, physical
 from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.headers import Header, headers_of
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
@@ -57,9 +58,9 @@ def captures_in(folder: Path) -> list[Capture]:
     ]
 
 
-def guides_in(folder: Path) -> list[Guide]:
+def guides_in(folder: Path, headers: Sequence[Header]) -> list[Guide]:
     """The guides, sorted by the numbers at the start of their file names."""
-    return [_guide(path) for path in sorted(folder.glob("*.md"), key=_guide_order)]
+    return [_guide(path, headers) for path in sorted(folder.glob("*.md"), key=_guide_order)]
 
 
 def _guide_order(path: Path) -> tuple[int, str]:
@@ -67,7 +68,7 @@ def _guide_order(path: Path) -> tuple[int, str]:
     return (int(number[0] or 0) if number else 0, path.stem)
 
 
-def _guide(path: Path) -> Guide:
+def _guide(path: Path, headers: Sequence[Header]) -> Guide:
     text = path.read_text(encoding="utf-8")
     title = re.search(r"^# (.+)$", text, re.MULTILINE)
     html = markdown.markdown(
@@ -80,6 +81,9 @@ def _guide(path: Path) -> Guide:
         lambda m: f'href="../{_page_about(m[1])}',
         html,
     )
+    for header in headers:
+        name = f"<code>{header.include}</code>"
+        html = html.replace(name, f'<a href="../{header.page}">{name}</a>')
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
@@ -118,10 +122,13 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     """
     docs = project / "docs"
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
-    guides = guides_in(docs)
+    headers = headers_of(project, layout)
+    guides = guides_in(docs, headers)
     history = History(layout)
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
+        "header": [(header.word, header) for header in headers],
+        "headers": [("headers", headers)] if headers else [],
         "release": [(release.text, release) for release in history.releases],
     }
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
@@ -133,6 +140,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "version": version,
         "fingerprint": export(layout)["fingerprint"],
         "guides": guides,
+        "headers": headers,
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
@@ -145,9 +153,10 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         },
         "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
-        "search_index": search_index(layout, guides, history),
+        "search_index": search_index(layout, guides, history, headers),
     }
-    return View(names=names, filters=_filters(layout), each=each)
+    tests = {"mentions": lambda guide, word: str(word) in guide.html}
+    return View(names=names, filters=_filters(layout), tests=tests, each=each)
 
 
 def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
@@ -194,6 +203,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,
         "label": label,
+        "rooted": lambda html, root: Markup(str(html).replace('href="ROOT/', f'href="{root}')),
         "size_words": size_words,
         "offset_words": offset_words,
     }

@@ -6,6 +6,7 @@
 
 namespace sbgc {
 
+/// What has happened outside of any call.
 enum class NoticeKind : std::uint8_t {
   board_reset,   ///< the board restarted: pending calls have failed, data streams have ended
   board_error,   ///< the board reported an error outside any call; Notice::detail is its code
@@ -15,6 +16,7 @@ enum class NoticeKind : std::uint8_t {
   stream_ended,  ///< only of ReconnectingClient: a data stream could not be started again
 };
 
+/// Something that has happened outside of any call.
 struct Notice {
   NoticeKind kind{};
   std::string message{};  ///< for people: a sentence without a final period

@@ -18,6 +18,7 @@
 
 namespace sbgc {
 
+/// How the raw value of a leaf is stored.
 enum class LeafKind : std::uint8_t { integer, real, bytes, text, counter };
 
 /// One value of a message. All views are valid only during the call.
@@ -86,6 +87,7 @@ inline void put_raw(TextOutput& out, const Leaf& leaf) {
   if (leaf.is_u64) return out.put(static_cast<std::uint64_t>(leaf.integer));
   out.put(leaf.integer);
 }
+/// Returns what put_raw() writes.
 inline std::string raw_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_raw(out, leaf); });
 }
@@ -155,6 +157,7 @@ inline void put_meaning(TextOutput& out, const Leaf& leaf) {
   out.put(assumption_text(leaf));
   out.put(')');
 }
+/// Returns what put_meaning() writes.
 inline std::string meaning_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_meaning(out, leaf); });
 }
@@ -173,6 +176,7 @@ inline void put_path(TextOutput& out, const FieldPath& path) {
   char buffer[128];
   out.put(std::string_view(buffer, path.write(buffer, sizeof buffer)));
 }
+/// Returns the path as text: "axes.pitch.angle".
 inline std::string to_string(const FieldPath& path) {
   return detail::text_of([&](TextOutput& out) { put_path(out, path); });
 }

@@ -43,6 +43,7 @@
 
 namespace sbgc::io {
 
+/// What a record of a capture has.
 enum class CaptureKind : std::uint8_t { from_board = 1, to_board = 2, note = 3 };
 
 /// Time since the start of the session.
@@ -56,6 +57,7 @@ struct CaptureSession {
   bool operator==(const CaptureSession&) const = default;
 };
 
+/// Bytes of one direction, or a note, with its time.
 struct CaptureRecord {
   CaptureKind kind{};  ///< may have unnamed values
   CaptureTime time{};
@@ -82,8 +84,10 @@ struct CaptureDamage {
 /// Returns a sentence: "7 bytes from offset 24 are damaged."
 std::string to_string(const CaptureDamage& damage);
 
+/// What CaptureParser finds.
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
+/// How many bytes tell a capture from another file.
 inline constexpr std::size_t capture_magic_size = 8;
 
 /// Returns true if a file that begins with these bytes is a capture. Needs at least
