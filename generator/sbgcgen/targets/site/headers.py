@@ -79,7 +79,7 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
 
 
 def _first_sentence(text: str) -> str:
-    return re.split(r"(?<=[.:])\s", " ".join(text.split()), maxsplit=1)[0]
+    return re.split(r"(?<=\.)\s", " ".join(text.split()), maxsplit=1)[0]
 
 
 def _text_of(element: Element, tag: str) -> str:
@@ -161,7 +161,7 @@ class _Reader:
                 break
             about.append(line.removeprefix("///").strip())
         others = tuple(name.text or "" for name in self.files[path].findall("includes"))
-        text = self._words(" ".join(about))
+        text = Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", self._words(" ".join(about))))
         items = tuple(self._items(self.declared[path]))
         return Header(include, Path(component).name, text, items, others)
 
