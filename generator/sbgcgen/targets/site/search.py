@@ -9,6 +9,8 @@ from html import unescape
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
+from sbgcgen.targets import Reference
+from sbgcgen.targets.site.documentation import anchors_of
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.firmware import History
 from sbgcgen.views.rows import Row, rows_of
@@ -91,11 +93,17 @@ class Entry:
         return [*own, [twin.data[1:] for twin in self.twins]] if self.twins else own
 
 
-def search_index(layout: Layout, guides: Sequence[Page], history: History) -> dict[str, Any]:
+def search_index(
+    layout: Layout, guides: Sequence[Page], history: History, references: Sequence[Reference] = ()
+) -> dict[str, Any]:
     """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
-        "entries": [entry.data for entry in _entries(layout, guides, history)],
+        "entries": [
+            entry.data
+            for entries in (_entries(layout, guides, history), _references(references))
+            for entry in entries
+        ],
     }
 
 
@@ -228,6 +236,18 @@ def _words_of(row: Row) -> Iterator[str]:
         yield from (leaf.path for leaf in row.leaves if leaf.path != row.path)
     if isinstance(row.field.type, Quantity) and row.field.type.unit:
         yield _unit(row.field.type)
+
+
+def _references(references: Sequence[Reference]) -> Iterator[Entry]:
+    """The references of libraries, and the names in them that are called or made."""
+    for reference in references:
+        words = f"{reference.language.lower()} library package api module"
+        title = f"{reference.language} reference"
+        yield Entry("page", title, reference.parts[0].summary, reference.page, words)
+        for anchor, thing in anchors_of(reference):
+            if thing.kind in ("class", "function"):
+                about = f"{reference.language}: {thing.summary}"
+                yield Entry("name", anchor, about, f"{reference.page}#{anchor}")
 
 
 # Guides

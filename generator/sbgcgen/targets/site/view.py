@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote
 
@@ -18,9 +19,17 @@ from sbgcgen import library
 from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import Example, example_of, physical
-from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
+from sbgcgen.targets import (
+    Items,
+    Target,
+    View,
+    codes_of,
+    conversions_of,
+    references_of,
+)
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
@@ -57,9 +66,12 @@ def captures_in(folder: Path) -> list[Capture]:
     ]
 
 
-def guides_in(folder: Path) -> list[Guide]:
-    """The guides, sorted by the numbers at the start of their file names."""
-    return [_guide(path) for path in sorted(folder.glob("*.md"), key=_guide_order)]
+def guides_in(folder: Path, pages: Mapping[str, str] = MappingProxyType({})) -> list[Guide]:
+    """The guides, sorted by the numbers at the start of their file names.
+
+    `pages` are the pages about folders of the project.
+    """
+    return [_guide(path, pages) for path in sorted(folder.glob("*.md"), key=_guide_order)]
 
 
 def _guide_order(path: Path) -> tuple[int, str]:
@@ -67,7 +79,7 @@ def _guide_order(path: Path) -> tuple[int, str]:
     return (int(number[0] or 0) if number else 0, path.stem)
 
 
-def _guide(path: Path) -> Guide:
+def _guide(path: Path, pages: Mapping[str, str]) -> Guide:
     text = path.read_text(encoding="utf-8")
     title = re.search(r"^# (.+)$", text, re.MULTILINE)
     html = markdown.markdown(
@@ -80,6 +92,8 @@ def _guide(path: Path) -> Guide:
         lambda m: f'href="../{_page_about(m[1])}',
         html,
     )
+    for about, page in pages.items():
+        html = html.replace(f'href="../{about}"', f'href="../{page}"')
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
@@ -118,10 +132,12 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     """
     docs = project / "docs"
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
-    guides = guides_in(docs)
+    references = references_of(project)
+    guides = guides_in(docs, {reference.source: reference.page for reference in references})
     history = History(layout)
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
+        "reference": [(reference.word, reference) for reference in references],
         "release": [(release.text, release) for release in history.releases],
     }
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
@@ -133,6 +149,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "version": version,
         "fingerprint": export(layout)["fingerprint"],
         "guides": guides,
+        "references": references,
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
@@ -145,7 +162,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         },
         "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
-        "search_index": search_index(layout, guides, history),
+        "search_index": search_index(layout, guides, history, references),
     }
     return View(names=names, filters=_filters(layout), each=each)
 
@@ -184,6 +201,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "example": lambda message: example_for_page(message, layout),
         "codes": codes_of,
         "conversions": conversions_of,
+        "documentation": Documentation,
         "hex_bytes": lambda data: data.hex(" ").upper(),
         "plain": plain,
         "physical": lambda raw, quantity: physical(int(raw), quantity),
