@@ -91,6 +91,24 @@ def _time() -> float:
     return float(os.environ.get("SOURCE_DATE_EPOCH", time.time()))
 
 
+def _information() -> dict[str, bytes]:
+    """The files that describe the package, by name."""
+    wheel = f"Wheel-Version: 1.0\nGenerator: sbgc\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    license = (ROOT / "LICENSE").read_bytes()
+    return {"METADATA": _metadata().encode(), "LICENSE": license, "WHEEL": wheel.encode()}
+
+
+def prepare_metadata_for_build_wheel(
+    metadata_directory: str, config_settings: Settings = None
+) -> str:
+    """Write the files that describe the package into a folder, and return its name."""
+    folder = Path(metadata_directory) / f"{_name()}.dist-info"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, data in _information().items():
+        (folder / name).write_bytes(data)
+    return folder.name
+
+
 def build_wheel(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
 ) -> str:
@@ -100,10 +118,7 @@ def build_wheel(
     for path in (package / "msg").glob("*.py"):
         files[f"sbgc/msg/{path.name}"] = path.read_bytes()
     info = f"{_name()}.dist-info"
-    files[f"{info}/METADATA"] = _metadata().encode()
-    files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
-    wheel = f"Wheel-Version: 1.0\nGenerator: sbgc\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
-    files[f"{info}/WHEEL"] = wheel.encode()
+    files.update({f"{info}/{name}": data for name, data in _information().items()})
     record = "".join(f"{name},{_hash(data)},{len(data)}\n" for name, data in sorted(files.items()))
     files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
     name = f"{_name()}-{_tag()}.whl"
@@ -149,4 +164,4 @@ def _add(archive: tarfile.TarFile, name: str, data: bytes) -> None:
     archive.addfile(entry, io.BytesIO(data))
 
 
-__all__ = ["build_sdist", "build_wheel"]
+__all__ = ["build_sdist", "build_wheel", "prepare_metadata_for_build_wheel"]

@@ -103,6 +103,7 @@ class Stream(Generic[M]):
         return self._queue.missed
 
     def close(self) -> None:
+        """End the stream."""
         self._is_open = False
         self._queue.cancel()
 

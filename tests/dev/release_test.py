@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import tarfile
 from io import BytesIO
 from pathlib import Path
 from zipfile import ZipFile
@@ -15,7 +16,10 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 HEADER = Path("runtime/core/include/sbgc/version.hpp")
 # What a release is made of, except what DEV stands for.
-PARTS = (".ci/release", "LICENSE", "spec", "generator", "generated/include", "runtime")
+PARTS = (
+    *(".ci/release", "LICENSE", "pyproject.toml", "spec", "generator", "generated/include"),
+    *("python/build_backend.py", "runtime"),
+)
 CATEGORIES = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
 # Instead of ./dev, which compiles for minutes.
 DEV = """\
@@ -106,6 +110,10 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
     assert found[0] == found[1]
     listed = [line.split()[1] for line in found[0]["SHA256SUMS"].decode().splitlines()]
     assert listed == sorted(found[0].keys() - {"SHA256SUMS"})
+    with tarfile.open(fileobj=BytesIO(found[0][f"sbgc-{version()}.tar.gz"])) as sources:
+        told = sources.extractfile(f"sbgc-{version()}/PKG-INFO")
+        assert told and f"Name: sbgc\nVersion: {version()}\n" in told.read().decode()
+        assert {entry.mtime for entry in sources} == {1767323045}
     for name, file in archives.items():
         names = ZipFile(BytesIO(found[0][f"{name}.zip"])).namelist()
         assert {entry.partition("/")[0] for entry in names} == {name}

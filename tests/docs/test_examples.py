@@ -316,7 +316,7 @@ def snippet_of(page: Page) -> Snippet:
     text = code.text
     includes = tuple(re.findall(r"^#include <.+>$", text, re.MULTILINE))
     statements = re.sub(r"^#include .+$", "", text, flags=re.MULTILINE).strip()
-    output = page.root.with_class("example-output")
+    output = page.root.with_class("output-cpp")
     expected = output[0].text if output else ""
     if "encode_frame" in statements:
         statements += "\n  show(written, frame.data());"

@@ -35,6 +35,10 @@ from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
 
 
+# How many values of a long message code looks at.
+_SHOWN = 8
+
+
 @dataclass(frozen=True)
 class Piece:
     """One value of a body: its place, type, bytes and meaning.
@@ -72,6 +76,14 @@ class Piece:
 
 
 @dataclass(frozen=True)
+class Earlier:
+    """A frame that comes before one, and the direction of its message."""
+
+    direction: str
+    frame: bytes
+
+
+@dataclass(frozen=True)
 class Example:
     """An ordinary frame of a message, and the earlier frames that it needs as context.
 
@@ -81,7 +93,7 @@ class Example:
     message: Message
     fields: Fields
     context: Fields
-    before: tuple[bytes, ...]
+    before: tuple[Earlier, ...]
     header: bytes
     pieces: tuple[Piece, ...]
     trailer: bytes
@@ -97,6 +109,18 @@ class Example:
     def missing(self) -> frozenset[str]:
         """The paths of all values and groups in the example that may be missing in other bodies."""
         return frozenset(path for piece in self.pieces for path in piece.missing)
+
+    @property
+    def shown(self) -> list[Piece]:
+        """One value of each field, as far as code that looks at them has room."""
+        seen: set[int] = set()
+        found = []
+        for piece in self.pieces:
+            is_new = id(piece.field) not in seen or isinstance(piece.field.type, Announced)
+            if is_new and not piece.is_padding and not piece.field.is_counter:
+                seen.add(id(piece.field))
+                found.append(piece)
+        return found[:_SHOWN]
 
     @property
     def body(self) -> bytes:
@@ -124,7 +148,9 @@ def example_of(message: Message, layout: Layout) -> Example:
     pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
     assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
     before = tuple(
-        write_frame(framing, earlier["id"], bytes.fromhex(earlier["hex"]))
+        Earlier(
+            earlier["direction"], write_frame(framing, earlier["id"], bytes.fromhex(earlier["hex"]))
+        )
         for earlier in vector_line.get("after", ())
     )
     return Example(

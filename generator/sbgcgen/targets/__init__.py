@@ -55,6 +55,45 @@ class Code:
     output: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Documented:
+    """A public name of a library: how it is used, and what its author says about it.
+
+    `kind` is a word: class, function, attribute. `text` has paragraphs between empty lines; the indented
+    ones are code.
+    """
+
+    kind: str
+    name: str
+    signature: str
+    text: str
+    members: tuple[Documented, ...] = ()
+
+    @property
+    def summary(self) -> str:
+        """The first sentence."""
+        return " ".join(self.text.split("\n\n")[0].split())
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The reference of a library, module by module.
+
+    `source` is the folder of the library in the project, `messages` the module with the messages.
+    """
+
+    language: str
+    word: str
+    source: str
+    messages: str
+    parts: tuple[Documented, ...]
+
+    @property
+    def page(self) -> str:
+        """The path of its page."""
+        return f"reference/{self.word}.html"
+
+
 class Target:
     """The interface of a target to the generator."""
 
@@ -103,6 +142,10 @@ class Target:
         """Code in its language that converts a number to a quantity and back; None without one."""
         return None
 
+    def reference(self, project: Path) -> Optional[Reference]:
+        """The reference of the library in its language; None without one."""
+        return None
+
 
 @cache
 def targets() -> tuple[Target, ...]:
@@ -143,6 +186,11 @@ def outputs(layout: Layout, project: Path) -> dict[str, bytes]:
 def codes_of(example: Example) -> list[Code]:
     """The code of an example in the language of every target that has one."""
     return [code for t in targets() if (code := t.example(example)) is not None]
+
+
+def references_of(project: Path) -> list[Reference]:
+    """The references of the libraries in the languages of all targets."""
+    return [found for t in targets() if (found := t.reference(project)) is not None]
 
 
 def conversions_of(quantity: Quantity) -> list[Code]:

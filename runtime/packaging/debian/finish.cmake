@@ -23,8 +23,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
                  NO_SOURCE_PERMISSIONS)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/changelog.in" "${documents}/changelog.Debian" @ONLY
                  NO_SOURCE_PERMISSIONS)
-  # Header-only libraries become part of the compiled code; these ask for their notice in copies of it.
-  foreach(library IN ITEMS libcli11-dev libfmt-dev nlohmann-json3-dev)
+  foreach(library IN LISTS CPACK_SBGC_NOTICES)
     file(COPY_FILE "/usr/share/doc/${library}/copyright" "${documents}/copyright.${library}")
   endforeach()
   file(GLOB compressed "${documents}/changelog.Debian" "${root}/share/man/man1/*.1")

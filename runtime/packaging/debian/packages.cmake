@@ -1,5 +1,5 @@
-# Debian packages: sbgc (the command) and libsbgc-dev (the library). `./dev package` makes them with the
-# preset deb; SOURCE_DATE_EPOCH determines every time in them.
+# Debian packages: sbgc (the command), libsbgc-dev (the library) and python3-sbgc. `./dev package` makes them
+# with the preset deb; SOURCE_DATE_EPOCH determines every time in them.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sbgc)
@@ -15,6 +15,12 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_SBGC_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
 set(CPACK_COMPONENTS_ALL command development)
+# Header-only libraries become part of the compiled code; these ask for their notice in copies of it.
+set(CPACK_SBGC_NOTICES libcli11-dev libfmt-dev nlohmann-json3-dev)
+if(TARGET sbgc_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  list(APPEND CPACK_SBGC_NOTICES pybind11-dev)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -44,5 +50,19 @@ headers that need no operating system; clients for serial ports and sockets,
 and an emulated gimbal, as static libraries.
 .
 Contains files for CMake and pkg-config.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-sbgc)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# The extension works with this version of Python only.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11~), python3 (<< 3.12)")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/postinst"
+                                              "${CMAKE_CURRENT_LIST_DIR}/prerm")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+    "Python package for the SimpleBGC serial protocol
+A class for every message of gimbal controllers by BaseCam Electronics, a
+client for gimbals that waits or works with asyncio, and an emulated gimbal
+for tests without hardware.")
 
 include(CPack)

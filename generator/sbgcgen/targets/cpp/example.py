@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
@@ -29,9 +28,8 @@ from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece
 from sbgcgen.oracle.typical import typical_number
 from sbgcgen.targets.cpp.filters import unit_name
+from sbgcgen.views.values import decimal, flags_of, parts_that_make, value_named
 
-# How many values of a long message the example looks at.
-_SHOWN = 8
 # How many changed bytes are assigned one by one.
 _SINGLE_BYTES = 8
 _WIDTH = 100
@@ -183,15 +181,8 @@ class _Builder:
 
 
 def looks_at(example: Example) -> list[Look]:
-    """Looks at one value of each field, as far as there is room for them."""
-    seen: set[int] = set()
-    pieces = []
-    for piece in example.pieces:
-        is_new = id(piece.field) not in seen or isinstance(piece.field.type, Announced)
-        if is_new and not piece.is_padding and not piece.field.is_counter:
-            seen.add(id(piece.field))
-            pieces.append(piece)
-    return [look for piece in pieces[:_SHOWN] for look in _looks(piece, example.missing)]
+    """Looks at the values that examples show."""
+    return [look for piece in example.shown for look in _looks(piece, example.missing)]
 
 
 def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
@@ -249,41 +240,7 @@ def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]
     return raw, (line, f"real value: {float(quantity.real(raw)):g}{unit}")
 
 
-def decimal(raw: int, quantity: Quantity) -> str:
-    """The shortest decimal number to which this raw value is the nearest one."""
-    exact = quantity.real(raw)
-    for digits in range(12):
-        text = f"{float(exact):.{digits}f}"
-        if abs(quantity.raw(Fraction(text)) - raw) < Fraction(1, 2):
-            return text
-    raise ValueError(f"no decimal for {raw} of {quantity.name}")
-
-
 # What the templates ask
-
-
-def value_named(enum: Enum, value: int) -> EnumValue | None:
-    """The enumerator of a value."""
-    return next((v for v in enum.values if v.value == value), None)
-
-
-def flags_of(enum: Enum, bits: int) -> list[EnumValue]:
-    """The flags that make these bits; none if they do not make all of them."""
-    found = [v for v in enum.values if v.value and bits & v.value == v.value]
-    covered = 0
-    for flag in found:
-        covered |= flag.value
-    return found if covered == bits else []
-
-
-def parts_that_make(packed: Packed, raw: int) -> list[tuple[Part, int]] | None:
-    """The parts that are not zero with what they hold; None if they do not make the whole number."""
-    made = 0
-    for part in packed.parts:
-        made |= 0 if part.is_digits else part_of(part, raw) << part.shift
-    if made != raw or raw < 0:
-        return None
-    return [(part, part_of(part, raw)) for part in packed.parts if part_of(part, raw)]
 
 
 def has_literal(code: str) -> bool:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Optional
 
 from sbgcgen.model import Layout
-from sbgcgen.targets import Target, View
+from sbgcgen.oracle.example import Example
+from sbgcgen.targets import Code, Reference, Target, View
 from sbgcgen.targets.python import words
+from sbgcgen.targets.python.example import decoding, encoding
+from sbgcgen.targets.python.reference import reference_of
 
 
 class Python(Target):
@@ -14,3 +18,14 @@ class Python(Target):
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(names={"homes": words.homes(layout)}, filters=words.FILTERS)
+
+    def example(self, example: Example) -> Code:
+        """The code of a host: it encodes what goes to the board, and decodes the rest."""
+        message = example.message
+        if message.in_both_directions or message.direction == "to_board":
+            return Code("Python", "python", encoding(example))
+        text, output = decoding(example)
+        return Code("Python", "python", text, output)
+
+    def reference(self, project: Path) -> Optional[Reference]:
+        return reference_of(project)

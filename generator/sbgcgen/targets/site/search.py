@@ -9,6 +9,8 @@ from html import unescape
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
+from sbgcgen.targets import Reference
+from sbgcgen.targets.site.documentation import anchors_of
 from sbgcgen.targets.site.headers import Header
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.firmware import History
@@ -93,14 +95,23 @@ class Entry:
 
 
 def search_index(
-    layout: Layout, guides: Sequence[Page], history: History, headers: Sequence[Header]
+    layout: Layout,
+    guides: Sequence[Page],
+    history: History,
+    references: Sequence[Reference] = (),
+    headers: Sequence[Header] = (),
 ) -> dict[str, Any]:
     """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
         "entries": [
             entry.data
-            for entry in (*_entries(layout, guides, history), *_names_of_headers(headers))
+            for entries in (
+                _entries(layout, guides, history),
+                _references(references),
+                _names_of_headers(headers),
+            )
+            for entry in entries
         ],
     }
 
@@ -166,10 +177,10 @@ def _pages(layout: Layout, history: History) -> Iterator[Entry]:
 
 def _names_of_headers(headers: Sequence[Header]) -> Iterator[Entry]:
     for header in headers:
-        yield Entry("C++", header.include, header.sentence, header.page)
+        yield Entry("name", header.include, header.sentence, header.page)
         for item in header.items:
             words = " ".join(member.name for member in item.members)
-            yield Entry("C++", item.name, item.sentence, f"{header.page}#{item.anchor}", words)
+            yield Entry("name", item.name, item.sentence, f"{header.page}#{item.anchor}", words)
 
 
 def _joined(*words: str) -> str:
@@ -242,6 +253,18 @@ def _words_of(row: Row) -> Iterator[str]:
         yield from (leaf.path for leaf in row.leaves if leaf.path != row.path)
     if isinstance(row.field.type, Quantity) and row.field.type.unit:
         yield _unit(row.field.type)
+
+
+def _references(references: Sequence[Reference]) -> Iterator[Entry]:
+    """The references of libraries, and the names in them that are called or made."""
+    for reference in references:
+        words = f"{reference.language.lower()} library package api module"
+        title = f"{reference.language} reference"
+        yield Entry("page", title, reference.parts[0].summary, reference.page, words)
+        for anchor, thing in anchors_of(reference):
+            if thing.kind in ("class", "function"):
+                about = f"{reference.language}: {thing.summary}"
+                yield Entry("name", anchor, about, f"{reference.page}#{anchor}")
 
 
 # Guides

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote
 
@@ -18,9 +19,17 @@ from sbgcgen import library
 from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import Example, example_of, physical
-from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
+from sbgcgen.targets import (
+    Items,
+    Target,
+    View,
+    codes_of,
+    conversions_of,
+    references_of,
+)
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.headers import Header, headers_of
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
@@ -58,9 +67,14 @@ def captures_in(folder: Path) -> list[Capture]:
     ]
 
 
-def guides_in(folder: Path, headers: Sequence[Header]) -> list[Guide]:
-    """The guides, sorted by the numbers at the start of their file names."""
-    return [_guide(path, headers) for path in sorted(folder.glob("*.md"), key=_guide_order)]
+def guides_in(
+    folder: Path, pages: Mapping[str, str] = MappingProxyType({}), headers: Sequence[Header] = ()
+) -> list[Guide]:
+    """The guides, sorted by the numbers at the start of their file names.
+
+    `pages` are the pages about folders of the project.
+    """
+    return [_guide(path, pages, headers) for path in sorted(folder.glob("*.md"), key=_guide_order)]
 
 
 def _guide_order(path: Path) -> tuple[int, str]:
@@ -68,7 +82,7 @@ def _guide_order(path: Path) -> tuple[int, str]:
     return (int(number[0] or 0) if number else 0, path.stem)
 
 
-def _guide(path: Path, headers: Sequence[Header]) -> Guide:
+def _guide(path: Path, pages: Mapping[str, str], headers: Sequence[Header]) -> Guide:
     text = path.read_text(encoding="utf-8")
     title = re.search(r"^# (.+)$", text, re.MULTILINE)
     html = markdown.markdown(
@@ -84,6 +98,8 @@ def _guide(path: Path, headers: Sequence[Header]) -> Guide:
     for header in headers:
         name = f"<code>{header.include}</code>"
         html = html.replace(name, f'<a href="../{header.page}">{name}</a>')
+    for about, page in pages.items():
+        html = html.replace(f'href="../{about}"', f'href="../{page}"')
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
@@ -123,12 +139,16 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     docs = project / "docs"
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     headers = headers_of(project, layout)
-    guides = guides_in(docs, headers)
+    references = references_of(project)
+    guides = guides_in(
+        docs, {reference.source: reference.page for reference in references}, headers
+    )
     history = History(layout)
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
         "header": [(header.word, header) for header in headers],
         "headers": [("headers", headers)] if headers else [],
+        "reference": [(reference.word, reference) for reference in references],
         "release": [(release.text, release) for release in history.releases],
     }
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
@@ -141,6 +161,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "fingerprint": export(layout)["fingerprint"],
         "guides": guides,
         "headers": headers,
+        "references": references,
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
@@ -153,7 +174,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         },
         "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
-        "search_index": search_index(layout, guides, history, headers),
+        "search_index": search_index(layout, guides, history, references, headers),
     }
     tests = {"mentions": lambda guide, word: str(word) in guide.html}
     return View(names=names, filters=_filters(layout), tests=tests, each=each)
@@ -193,6 +214,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "example": lambda message: example_for_page(message, layout),
         "codes": codes_of,
         "conversions": conversions_of,
+        "documentation": Documentation,
         "hex_bytes": lambda data: data.hex(" ").upper(),
         "plain": plain,
         "physical": lambda raw, quantity: physical(int(raw), quantity),

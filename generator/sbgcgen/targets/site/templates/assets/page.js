@@ -71,6 +71,66 @@
     block.prepend(button);
   }
 
+  // Tabs. The choice holds for all pages, and an address with the id of a heading chooses its tab.
+  for (const box of document.querySelectorAll(".tabs")) {
+    const panels = [...box.querySelectorAll(":scope > .tab")];
+    const list = document.createElement("div");
+    list.className = "tab-list";
+    list.setAttribute("role", "tablist");
+    const tabs = panels.map((panel, index) => {
+      const tab = document.createElement("button");
+      const heading = panel.querySelector("h3");
+      panel.id = `tab-${heading.id}`;
+      panel.setAttribute("role", "tabpanel");
+      tab.type = "button";
+      tab.textContent = panel.dataset.tab;
+      tab.setAttribute("role", "tab");
+      tab.setAttribute("aria-controls", panel.id);
+      tab.addEventListener("click", () => open(index));
+      return tab;
+    });
+    const open = (chosen, isKept = true) => {
+      for (const [index, panel] of panels.entries()) {
+        panel.classList.toggle("closed", index !== chosen);
+        tabs[index].setAttribute("aria-selected", String(index === chosen));
+        tabs[index].tabIndex = index === chosen ? 0 : -1;
+      }
+      if (!isKept) return;
+      try {
+        localStorage.setItem("tab", panels[chosen].id);
+      } catch {
+        // The choice lasts for this page only.
+      }
+    };
+    const named = (id) => panels.findIndex((panel) => panel.id === id);
+    const openAddress = () => {
+      const index = named(`tab-${location.hash.slice(1)}`);
+      if (index < 0) return;
+      open(index);
+      panels[index].scrollIntoView();
+    };
+    list.addEventListener("keydown", (event) => {
+      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      const next = (tabs.indexOf(document.activeElement) + step + tabs.length) % tabs.length;
+      open(next);
+      tabs[next].focus();
+    });
+    list.setAttribute("aria-label", "Language of the example");
+    list.append(...tabs);
+    box.prepend(list);
+    let kept = null;
+    try {
+      kept = localStorage.getItem("tab");
+    } catch {
+      // The first one, then.
+    }
+    open(Math.max(0, named(kept)), false);
+    openAddress();
+    addEventListener("hashchange", openAddress);
+  }
+
   // Highlights bytes of a frame and their rows together.
   for (const part of document.querySelectorAll("[data-part]")) {
     const scope = part.closest("article") ?? document;

@@ -13,7 +13,7 @@
   // A synonym scores less than the word itself, and less the later it is listed.
   const [synonymWorth, laterWorth] = [0.5, 0.02];
   // The order of kinds among equals.
-  const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum", "C++"];
+  const kinds = ["message", "command", "page", "guide", "unit", "section", "name", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum"];
 
   let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
   let synonyms; // groups of words
