@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote
 
-import markdown
 from markupsafe import Markup, escape
 
 from sbgcgen import library
@@ -30,25 +28,13 @@ from sbgcgen.targets import (
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.documentation import Documentation
-from sbgcgen.targets.site.headers import Header, headers_of
+from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
+from sbgcgen.targets.site.headers import headers_of
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
 from sbgcgen.views.history import Revisions
 from sbgcgen.views.rows import Row, rows_of as rows_of_message
-
-
-@dataclass(frozen=True)
-class Guide:
-    """A handwritten page: docs/<name>.md."""
-
-    name: str
-    title: str
-    html: Markup
-
-    @property
-    def page(self) -> str:
-        return f"guides/{self.name}.html"
 
 
 @dataclass(frozen=True)
@@ -62,73 +48,9 @@ class Capture:
 def captures_in(folder: Path) -> list[Capture]:
     """The captures, sorted by file name; the title is the name in words."""
     return [
-        Capture(_guide_name(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
+        Capture(name_of(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
         for path in sorted(folder.glob("*.hex"))
     ]
-
-
-def guides_in(
-    folder: Path, pages: Mapping[str, str] = MappingProxyType({}), headers: Sequence[Header] = ()
-) -> list[Guide]:
-    """The guides, sorted by the numbers at the start of their file names.
-
-    `pages` are the pages about folders of the project.
-    """
-    return [_guide(path, pages, headers) for path in sorted(folder.glob("*.md"), key=_guide_order)]
-
-
-def _guide_order(path: Path) -> tuple[int, str]:
-    number = re.match(r"[0-9]*", path.stem)
-    return (int(number[0] or 0) if number else 0, path.stem)
-
-
-def _guide(path: Path, pages: Mapping[str, str], headers: Sequence[Header]) -> Guide:
-    text = path.read_text(encoding="utf-8")
-    title = re.search(r"^# (.+)$", text, re.MULTILINE)
-    html = markdown.markdown(
-        text, extensions=["tables", "fenced_code", "toc"], output_format="html"
-    )
-    # Guides link to each other as files, so that they can also be read in the repository.
-    html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
-    html = re.sub(
-        r'href="\.\./((?:spec|generated/fields)\b[^"]*)',
-        lambda m: f'href="../{_page_about(m[1])}',
-        html,
-    )
-    for header in headers:
-        name = f"<code>{header.include}</code>"
-        html = html.replace(name, f'<a href="../{header.page}">{name}</a>')
-    for about, page in pages.items():
-        html = html.replace(f'href="../{about}"', f'href="../{page}"')
-    html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
-    html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
-    name = _guide_name(path.stem)
-    return Guide(name, title[1].strip() if title else name, Markup(html))
-
-
-# The pages about files of the repository; the other files are those of families.
-_PAGES = {
-    "spec": "messages.html",
-    "spec/adjustable_variables.yaml": "variables.html",
-    "spec/errata.yaml": "errata.html",
-    "spec/simplebgc.yaml#directions": "units.html#directions",
-    "spec/simplebgc.yaml#framings": "framing.html",
-    "spec/simplebgc.yaml#revisions": "availability.html",
-    "spec/units.yaml": "units.html",
-    "generated/fields": "messages.html",
-}
-
-
-def _page_about(link: str) -> str:
-    """The page with the contents of a file, or a section of it, that a guide links."""
-    path, _, section = link.partition("#")
-    if path == "spec/errata.yaml" and section:
-        return f"errata.html#{section}"
-    return _PAGES.get(link, f"families/{Path(path).stem}.html")
-
-
-def _guide_name(stem: str) -> str:
-    return re.sub(r"^[0-9]+[-_]", "", stem)
 
 
 def view_of(site: Target, layout: Layout, project: Path) -> View:
@@ -140,9 +62,8 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     headers = headers_of(project, layout)
     references = references_of(project)
-    guides = guides_in(
-        docs, {reference.source: reference.page for reference in references}, headers
-    )
+    handwritten = Pages(headers, {reference.source: reference.page for reference in references})
+    guides = guides_in(docs, handwritten)
     history = History(layout)
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
@@ -159,6 +80,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "pages": frozenset(pages),
         "version": version,
         "fingerprint": export(layout)["fingerprint"],
+        "front": front_of(project, handwritten),
         "guides": guides,
         "headers": headers,
         "references": references,
@@ -168,9 +90,9 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "history": history,
         "revisions": Revisions(layout),
         "guide_pages": {
-            about: f"guides/{_guide_name(Path(path).stem)}.html"
+            about: f"guides/{name_of(Path(path).stem)}.html"
             for about, path in layout.guides.items()
-            if f"guides/{_guide_name(Path(path).stem)}.html" in pages
+            if f"guides/{name_of(Path(path).stem)}.html" in pages
         },
         "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
