@@ -67,6 +67,7 @@ class Pages:
             name = f"<code>{header.include}</code>"
             html = html.replace(name, f'<a href="{root}{header.page}">{name}</a>')
         html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
+        html = html.replace("<th>", '<th scope="col">')
         html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
         return Markup(html)
 

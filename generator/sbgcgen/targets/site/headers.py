@@ -140,6 +140,7 @@ class _Reader:
         page = f"headers/{path.partition('/include/sbgc/')[2].removesuffix('.hpp')}.html"
 
         def give(element: Element, name: str) -> None:
+            name = name.replace(" ", "-")  # of conversions: operator bool
             anchor, count = name, 1
             while anchor in taken and self._description(element):
                 count += 1
