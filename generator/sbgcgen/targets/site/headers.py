@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree.ElementTree import Element, parse
@@ -78,6 +78,35 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
     return _Reader(project, layout, compounds).headers()
 
 
+def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
+    """Code that uses the library, with links from headers, names and messages to their pages."""
+    pages = {f"sbgc::msg::{name}": page for name, page in _types(layout).items()}
+    for family in layout.families:
+        pages[f"sbgc/messages/{family.name}.hpp"] = f"families/{family.name}.html"
+    for header in headers:
+        pages[header.include] = header.page
+        for item in header.items:
+            pages.setdefault(f"sbgc::{item.name}", f"{header.page}#{item.anchor}")
+    result, end = Markup(), 0
+    for match in re.finditer(r"sbgc/[\w/]+\.hpp|sbgc::(?:msg::)?\w+", code) if headers else ():
+        if page := pages.get(match[0]):
+            result += escape(code[end : match.start()]) + _link(page, match[0])
+            end = match.end()
+    return result + escape(code[end:])
+
+
+def _types(layout: Layout) -> dict[str, str]:
+    """The pages of messages and types by their names."""
+    types: list[Enum | Packed | Quantity] = [*layout.enums, *layout.packed, *layout.quantities]
+    found = {message.name: uses.page_of_message(message) for message in layout.definitions}
+    return found | {type_.name: uses.page_of_type(type_) for type_ in types}
+
+
+def _link(page: str, text: str) -> Markup:
+    # The template knows the way to the root.
+    return Markup('<a href="{}">{}</a>').format("ROOT/" + page, text)
+
+
 def _first_sentence(text: str) -> str:
     return re.split(r"(?<=\.)\s", " ".join(text.split()), maxsplit=1)[0]
 
@@ -102,9 +131,7 @@ class _Reader:
         for element in sorted(self._public(compounds), key=_location):
             self.declared[_location(element)[0]].append(element)
         self.pages: dict[str, str] = {}  # by the id of Doxygen
-        self.types = {item.name: uses.page_of_message(item) for item in layout.definitions}
-        types: list[Enum | Packed | Quantity] = [*layout.enums, *layout.packed, *layout.quantities]
-        self.types.update((type_.name, uses.page_of_type(type_)) for type_ in types)
+        self.types = _types(layout)
 
     @staticmethod
     def _public(compounds: list[Element]) -> Iterator[Element]:
@@ -278,7 +305,7 @@ class _Reader:
 
         def link(match: re.Match[str]) -> Markup:
             page = f"guides/{match[2]}.html" if match[2] else self.types.get(match[1])
-            return self._link(page, match[0]) if page else escape(match[0])
+            return _link(page, match[0]) if page else escape(match[0])
 
         parts, end = Markup(), 0
         text = re.sub(r"\s+", " ", text)
@@ -287,16 +314,11 @@ class _Reader:
             end = match.end()
         return parts + escape(text[end:])
 
-    @staticmethod
-    def _link(page: str, text: str) -> Markup:
-        # The template knows the way to the root.
-        return Markup('<a href="{}">{}</a>').format("ROOT/" + page, text)
-
     def _reference(self, element: Element) -> Markup:
         """A <ref> of Doxygen."""
         text = "".join(element.itertext())
         page = self.pages.get(element.get("refid", ""))
-        return self._link(page, text) if page else escape(text)
+        return _link(page, text) if page else escape(text)
 
     # Descriptions
 

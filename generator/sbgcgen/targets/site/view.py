@@ -29,7 +29,7 @@ from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
-from sbgcgen.targets.site.headers import headers_of
+from sbgcgen.targets.site.headers import Header, headers_of, linked
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
@@ -99,10 +99,10 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "search_index": search_index(layout, guides, history, references, headers),
     }
     tests = {"mentions": lambda guide, word: str(word) in guide.html}
-    return View(names=names, filters=_filters(layout), tests=tests, each=each)
+    return View(names=names, filters=_filters(layout, headers), tests=tests, each=each)
 
 
-def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
+def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., Any]]:
     """The filters of the site's templates."""
     prose = _Prose(layout)
     undocumented = {command.name for command in layout.commands if command.undocumented}
@@ -147,6 +147,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,
         "label": label,
+        "linked": lambda code: linked(code, headers, layout),
         "rooted": lambda html, root: Markup(str(html).replace('href="ROOT/', f'href="{root}')),
         "size_words": size_words,
         "offset_words": offset_words,
@@ -183,7 +184,7 @@ def fragment(link: str) -> str:
 
 
 class _Prose:
-    """Adds links to the commands and errata that a text names."""
+    """Adds links to the commands and errata that a text names; what is in backticks is code."""
 
     def __init__(self, layout: Layout) -> None:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
@@ -199,7 +200,7 @@ class _Prose:
             result += (
                 Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
             )
-        return result
+        return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", result))
 
 
 # Words
