@@ -189,7 +189,8 @@ class _Reader:
                 break
             about.append(line.removeprefix("///").strip())
         others = tuple(name.text or "" for name in self.files[path].findall("includes"))
-        text = Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", self._words(" ".join(about))))
+        words = str(self._words(" ".join(about)))
+        text = Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", words))
         items = tuple(self._items(self.declared[path]))
         return Header(include, Path(component).name, text, items, others)
 
@@ -298,7 +299,8 @@ class _Reader:
         result = self._words(element.text or "")
         for part in element:
             result += self._reference(part) + self._words(part.tail or "")
-        return Markup(re.sub(r"&lt; | (?=&gt;|&amp;|\*)", lambda m: m[0].strip(), result).strip())
+        plain = re.sub(r"&lt; | (?=&gt;|&amp;|\*)", lambda m: m[0].strip(), str(result))
+        return Markup(plain.strip())
 
     def _words(self, text: str) -> Markup:
         """Text with links to messages and types of the protocol, and to guides."""
@@ -358,7 +360,9 @@ _BLOCKS: dict[str, Callable[[Markup], Markup]] = {
     "emphasis": _element("em"),
     "bold": _element("strong"),
     "itemizedlist": lambda content: Markup("</p><ul>{}</ul><p>").format(content),
-    "listitem": lambda content: Markup("<li>{}</li>").format(Markup(re.sub("</?p>", "", content))),
+    "listitem": lambda content: Markup("<li>{}</li>").format(
+        Markup(re.sub("</?p>", "", str(content)))
+    ),
 }
 
 # The libraries, in the order in which one gets to know them.

@@ -200,7 +200,7 @@ class _Prose:
             result += (
                 Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
             )
-        return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", result))
+        return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(result)))
 
 
 # Words
