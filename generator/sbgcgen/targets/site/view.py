@@ -98,7 +98,10 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "confirmation": confirmation(layout),
         "search_index": search_index(layout, guides, history, references, headers),
     }
-    tests = {"mentions": lambda guide, word: str(word) in guide.html}
+    tests: dict[str, Callable[..., bool]] = {
+        "mentions": lambda guide, word: str(word) in guide.html,
+        "an_enum_or_flags": lambda type_: isinstance(type_, Enum),
+    }
     return View(names=names, filters=_filters(layout, headers), tests=tests, each=each)
 
 
@@ -184,13 +187,16 @@ def fragment(link: str) -> str:
 
 
 class _Prose:
-    """Adds links to the commands and errata that a text names; what is in backticks is code."""
+    """Adds links to the commands, messages and errata that a text names; what is in backticks is code."""
 
     def __init__(self, layout: Layout) -> None:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
         pages.update({e.number: f"errata.html#{e.number}" for e in layout.errata})
+        pages.update({m.name: page_of(m) for m in layout.definitions})
         self.pages = pages
-        self.known = re.compile(rf"\b({layout.command_prefix}[A-Z0-9_]+|E[0-9]{{3}})\b")
+        self.known = re.compile(
+            rf"\b({layout.command_prefix}[A-Z0-9_]+|E[0-9]{{3}}|(?:[A-Z][a-z0-9]+){{2,}})\b"
+        )
 
     def __call__(self, text: str, root: str) -> Markup:
         parts = self.known.split(text)
