@@ -1,7 +1,8 @@
-"""Tests of ./dev release with a part of the project, in which nothing is compiled."""
+"""Tests of ./dev release and of the versions of the site with a part of the project, in which nothing is compiled."""
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -17,7 +18,16 @@ ROOT = Path(__file__).resolve().parents[2]
 HEADER = Path("runtime/core/include/sbgc/version.hpp")
 # What a release is made of, except what DEV stands for.
 PARTS = (
-    *(".ci/release", "LICENSE", "pyproject.toml", "spec", "generator", "generated/include"),
+    *(
+        ".ci/release",
+        ".ci/sbom.py",
+        ".ci/versions",
+        "LICENSE",
+        "pyproject.toml",
+        "spec",
+        "generator",
+        "generated/include",
+    ),
     *("python/build_backend.py", "runtime"),
 )
 CATEGORIES = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
@@ -28,7 +38,13 @@ set -eu
 case $1 in
   package) echo package >"$2/sbgc_1_amd64.deb" ;;
   wheel) echo wheel >"$2/sbgc-1.whl" ;;
-  docs) mkdir -p build/site/assets && echo page | tee build/site/index.html >build/site/assets/x ;;
+  docs)
+    cd "$(dirname "$0")" # of the worktree of a tag
+    mkdir -p build/site/assets build/site/inner
+    printf '<body data-root="">\n<p>%s</p>\n<footer>\n</footer>\n' "$(cat NEWS 2>/dev/null)" >build/site/index.html
+    printf '<body data-root="../">\n<footer>\n</footer>\n' >build/site/inner/page.html
+    echo page >build/site/assets/x
+    ;;
 esac
 """
 
@@ -105,7 +121,8 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
         f"sbgc-arduino-{version()}": "library.properties",
         f"sbgc-site-{version()}": "index.html",
     }
-    files = {*(f"{name}.zip" for name in archives), f"sbgc-{version()}.tar.gz", "sbgc.hpp"}
+    others = (f"sbgc-{version()}.tar.gz", f"sbgc-{version()}.spdx.json", "sbgc.hpp")
+    files = {*(f"{name}.zip" for name in archives), *others}
     assert found[0].keys() == files | {"sbgc-1.whl", "sbgc_1_amd64.deb", "SHA256SUMS"}
     assert found[0] == found[1]
     listed = [line.split()[1] for line in found[0]["SHA256SUMS"].decode().splitlines()]
@@ -118,6 +135,79 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
         names = ZipFile(BytesIO(found[0][f"{name}.zip"])).namelist()
         assert {entry.partition("/")[0] for entry in names} == {name}
         assert f"{name}/{file}" in names
+
+
+# What the schema of SPDX 2.3 requires.
+REQUIRED = {
+    "": {"SPDXID", "spdxVersion", "creationInfo", "dataLicense", "name", "documentNamespace"},
+    "creationInfo": {"created", "creators"},
+    "packages": {"SPDXID", "name", "downloadLocation"},
+    "files": {"SPDXID", "fileName", "checksums"},
+    "relationships": {"spdxElementId", "relationshipType", "relatedSpdxElement"},
+}
+
+
+def test_what_the_files_consist_of(project: Path) -> None:
+    done = make(project)
+    assert done.returncode == 0, done.stderr
+    folder = project / "build" / f"release-{version()}"
+    told = json.loads((folder / f"sbgc-{version()}.spdx.json").read_text(encoding="utf-8"))
+    for key, names in REQUIRED.items():
+        things = told[key] if key else told
+        for thing in things if isinstance(things, list) else [things]:
+            assert names <= thing.keys(), thing
+    assert told["spdxVersion"] == "SPDX-2.3" and told["dataLicense"] == "CC0-1.0"
+    ids = [told["SPDXID"], *(thing["SPDXID"] for thing in [*told["packages"], *told["files"]])]
+    assert len(set(ids)) == len(ids)
+    assert all(re.fullmatch(r"SPDXRef-[A-Za-z0-9.-]+", name) for name in ids)
+    for relation in told["relationships"]:
+        assert {relation["spdxElementId"], relation["relatedSpdxElement"]} <= set(ids)
+    sums = {
+        name: value
+        for value, name in map(str.split, (folder / "SHA256SUMS").read_text().splitlines())
+    }
+    del sums[f"sbgc-{version()}.spdx.json"]
+    shown = {
+        entry["fileName"].removeprefix("./"): next(
+            sum_["checksumValue"] for sum_ in entry["checksums"] if sum_["algorithm"] == "SHA256"
+        )
+        for entry in told["files"]
+    }
+    assert shown == sums
+
+
+def test_a_file_of_unknown_parts_is_refused(project: Path) -> None:
+    dev = project / "dev"
+    dev.write_text(DEV.replace("sbgc-1.whl", "other.bin"), encoding="utf-8")
+    done = make(project, "--try")
+    assert done.returncode == 1 and "unknown what other.bin consists of" in done.stderr
+
+
+def test_the_tag_is_that_of_the_version(project: Path) -> None:
+    git(project, "tag", f"v{version()}")
+    assert make(project).returncode == 0
+    git(project, "tag", "v9.9.9")
+    done = make(project)
+    assert done.returncode == 1
+    assert f"has the tag v{version()}, v9.9.9, not v{version()}" in done.stderr
+
+
+def test_the_site_has_those_of_the_releases(project: Path) -> None:
+    for name in ("v0.9.0", "v0.10.0"):
+        (project / "NEWS").write_text(name)
+        git(project, "add", "NEWS")
+        git(project, "commit", "--quiet", "--message", name)
+        git(project, "tag", name)
+    (project / "NEWS").write_text("soon")
+    subprocess.run([project / "dev", "docs"], check=True)
+    subprocess.run([project / ".ci/versions"], check=True)
+    site = project / "build/site"
+    links = ' <a href="{0}v0.10.0/index.html">0.10.0</a> <a href="{0}v0.9.0/index.html">0.9.0</a>'
+    for page, root in (("index.html", ""), ("inner/page.html", "../")):
+        assert f"<p>Releases:{links.format(root)}</p>\n</footer>" in (site / page).read_text()
+    for name in ("v0.9.0", "v0.10.0"):
+        text = (site / name / "index.html").read_text()
+        assert f"<p>{name}</p>" in text and "Releases" not in text
 
 
 def test_a_commit_that_is_not_ready(project: Path) -> None:

@@ -51,7 +51,7 @@ def commands(workflow: dict[str, Any]) -> Iterator[str]:
 
 
 def test_there_are_workflows() -> None:
-    assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "nightly"]
+    assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "nightly", "release"]
 
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
@@ -83,9 +83,25 @@ def test_it_runs_nothing_but_the_commands_of_the_project(path: Path) -> None:
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
 def test_it_uses_only_actions_of_the_code_host(path: Path) -> None:
-    for step in steps(load(path)):
-        if "uses" in step:
-            assert re.fullmatch(r"actions/[a-z/-]+@v\d+", step["uses"]), step
+    used = re.findall(r"^ +(?:- )?uses: (.+)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(used) == sum("uses" in step for step in steps(load(path)))
+    for action in used:  # a tag could be moved to other code
+        assert re.fullmatch(r"actions/[a-z/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", action), action
+
+
+def test_an_action_has_one_version() -> None:
+    text = "".join(path.read_text(encoding="utf-8") for path in WORKFLOWS)
+    found = set(re.findall(r"uses: (actions/[a-z-]+)[a-z/]*@(.+)$", text, re.MULTILINE))
+    assert len(found) == len({name for name, _ in found})
+
+
+def test_a_tag_makes_a_release_and_its_site() -> None:
+    for name, command in (("release", "./dev release"), ("docs", "./dev docs --versions")):
+        workflow = load(ROOT / f".github/workflows/{name}.yml")
+        assert workflow["on"]["push"]["tags"] == ["v*"]
+        assert command in commands(workflow)
+        checkout = next(s for s in steps(workflow) if "checkout" in s.get("uses", ""))
+        assert checkout["with"]["fetch-depth"] == "0", "without the tags, none is checked"
 
 
 def test_crashes_and_corpus_are_where_the_fuzzers_leave_them() -> None:

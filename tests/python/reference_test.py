@@ -6,6 +6,7 @@ import inspect
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 
@@ -19,6 +20,10 @@ from sbgcgen.targets import Documented, Reference, references_of  # noqa: E402
 
 REFERENCE: Reference = next(r for r in references_of(ROOT) if r.language == "Python")
 MODULES = {"sbgc": sbgc, "sbgc.aio": aio}
+
+
+def name_of(part: Documented) -> str:
+    return part.name
 
 
 def names_in(module: ModuleType) -> dict[str, object]:
@@ -44,7 +49,7 @@ def members_of(type_: type) -> dict[str, object]:
     }
 
 
-@pytest.mark.parametrize("part", REFERENCE.parts, ids=lambda part: part.name)
+@pytest.mark.parametrize("part", REFERENCE.parts, ids=name_of)
 def test_all_names_are_there(part: Documented) -> None:
     expected = names_in(MODULES[part.name])
     shown = {thing.name: thing for thing in part.members}
@@ -56,14 +61,14 @@ def test_all_names_are_there(part: Documented) -> None:
             assert members_of(thing).keys() <= inside, name
 
 
-@pytest.mark.parametrize("part", REFERENCE.parts, ids=lambda part: part.name)
+@pytest.mark.parametrize("part", REFERENCE.parts, ids=name_of)
 def test_functions_have_the_parameters_that_python_knows(part: Documented) -> None:
     seen = 0
     for thing in (item for outer in part.members for item in (outer, *outer.members)):
         if thing.kind != "function":
             continue
         assert thing.text, thing.name
-        called: object = MODULES[part.name]
+        called: Any = MODULES[part.name]
         for step in thing.name.split("."):
             called = getattr(called, step)
         assert callable(called)

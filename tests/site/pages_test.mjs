@@ -234,26 +234,18 @@ test("search finds what people ask for, the most fitting first", async () => {
   const page = await browser.newPage({ reducedMotion: "reduce" });
   await visit(page, "index.html");
   await page.keyboard.press("/");
-  const wanted = [
-    ["2.59", 1, /^Firmware 2\.59$/],
-    ["rev 0.11", 1, /^Revision 0\.11$/],
-    ["framing", 1, /^Framing$/],
-    ["decoder", 1, /^Decoder$/],
-    ["availability", 1, /^Availability$/],
-    ["errata", 1, /^Errata$/],
-    ["move camera", 2, /^Control$/],
-    ["how to move the camera", 2, /^Control$/],
-    ["accelerometer", 3, /^CalibAcc$/],
-    ["velocity", 5, /^ControlSpeed$/],
-    ["factory reset", 1, /^UseDefaults$/],
-    ["joystick", 5, /^ApiVirtChControl$|RC/i],
-    ["how to stop", 5, /stop/i],
-  ];
-  for (const [query, most, name] of wanted) {
-    const { names, note } = await search(page, query);
-    assert.equal(note, "", query);
-    assert.ok(names.slice(0, most).some((one) => name.test(one)), `${query}: ${names.slice(0, 9)}`);
+  const lines = fs.readFileSync(new URL("queries.txt", import.meta.url), "utf8").split("\n");
+  const wanted = lines.filter((line) => line && !line.startsWith("#")).map((line) => line.split(/ {2,}/));
+  assert.ok(wanted.length >= 60);
+  const missed = [];
+  for (const [query, pages] of wanted) {
+    const { pages: found, note } = await search(page, query);
+    const first = found.slice(0, 3).map((link) => decodeURIComponent(link).replace(".html", ""));
+    if (note || !pages.split(" ").some((meant) => first.includes(meant))) {
+      missed.push(`${query}: ${note} ${first.join(" ")}`);
+    }
   }
+  assert.deepEqual(missed, []);
   const velocity = await search(page, "velocity");
   assert.ok(velocity.names.slice(0, 4).every((name) => /speed$/i.test(name)), velocity.names.join());
   for (const query of ["°", "dps", "°/s", "degrees per second"]) {
@@ -293,6 +285,31 @@ test("what moves has a badge that leads to what it does, and a link to the page 
     assert.equal(await page.locator("h1").textContent(), "Safety");
   }
   await page.close();
+});
+
+test("the languages of an example are tabs; the choice holds for other pages", async () => {
+  const context = await browser.newContext({ reducedMotion: "reduce" });
+  const page = await context.newPage();
+  const [first, second] = all.filter((file) => file.startsWith("messages/"));
+  const shown = async () => {
+    const tabs = page.getByRole("tab", { selected: true });
+    const panels = page.locator(".tab:visible");
+    assert.equal(await panels.count(), 1);
+    assert.equal(await panels.getAttribute("data-tab"), await tabs.textContent());
+    return tabs.textContent();
+  };
+  await visit(page, first);
+  assert.deepEqual(await page.getByRole("tab").allTextContents(), ["C++", "Python", "Command line"]);
+  assert.equal(await shown(), "C++");
+  await page.getByRole("tab", { name: "C++" }).press("ArrowRight");
+  assert.equal(await shown(), "Python");
+  await visit(page, second);
+  assert.equal(await shown(), "Python");
+  await page.locator("nav a[href='#example-command']").click();
+  assert.equal(await shown(), "Command line");
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator(".tab:visible").count(), 3);
+  await context.close();
 });
 
 test("the example of a message opens in the decoder", async () => {

@@ -34,13 +34,22 @@ _PAGES = (
         "framing",
         "Framing",
         "How to build and check frames and find them in a byte stream.",
-        "frame frames header body start byte id size checksum crc sync line serial baud parity",
+        "frame frames header body start byte id size checksum sync line serial baud parity",
     ),
     (
         "decoder",
         "Decoder",
         "Shows the frames, fields, units and errors in bytes of a serial line.",
         "decode parse inspect hex bytes capture log dump frame frames",
+    ),
+    ("enums", "Enums and flags", "Meanings of numbers and bits.", "enum enums flag flags bits"),
+    ("packed", "Packed values", "Several values in one integer, bit by bit.", "packed bits bit"),
+    ("units", "Units", "Quantities with their exact scales.", "unit quantity scale factor"),
+    (
+        "variables",
+        "Adjustable variables",
+        "Parameters that can change while the device runs.",
+        "variable variables parameter",
     ),
     (
         "availability",
@@ -155,7 +164,9 @@ def _entries(layout: Layout, guides: Sequence[Page], history: History) -> Iterat
 
 def _pages(layout: Layout, history: History) -> Iterator[Entry]:
     """The pages that are not about one entry, and the sections of the pages about versions."""
+    sums = " ".join(sum_.kind for framing in layout.framings for sum_ in framing.checksums)
     for name, title, about, words in _PAGES:
+        words += f" {sums}" if name == "framing" else ""
         yield Entry("page", title, about, f"{name}.html", words)
     about = "What this version added, changed and ended."
     for release in history.releases:
@@ -261,8 +272,10 @@ def _references(references: Sequence[Reference]) -> Iterator[Entry]:
         words = f"{reference.language.lower()} library package api module"
         title = f"{reference.language} reference"
         yield Entry("page", title, reference.parts[0].summary, reference.page, words)
+        seen = set()
         for anchor, thing in anchors_of(reference):
-            if thing.kind in ("class", "function"):
+            if thing.kind in ("class", "function") and thing.name not in seen:
+                seen.add(thing.name)
                 about = f"{reference.language}: {thing.summary}"
                 yield Entry("name", anchor, about, f"{reference.page}#{anchor}")
 

@@ -9,11 +9,11 @@
   const root = document.body.dataset.root;
   const limit = 30;
   // Stop words.
-  const empty = new Set("a an are can do does for how i in is it my of on the to what with".split(" "));
+  const empty = new Set("a an are can do does for how i in is it my of on the to what why with".split(" "));
   // A synonym scores less than the word itself, and less the later it is listed.
-  const [synonymWorth, laterWorth] = [0.5, 0.02];
+  const [synonymWorth, laterWorth, singularWorth] = [0.5, 0.02, 0.95];
   // The order of kinds among equals.
-  const kinds = ["message", "command", "page", "guide", "unit", "section", "name", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum"];
+  const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "name", "field", "value", "erratum"];
 
   let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
   let synonyms; // groups of words
@@ -35,7 +35,7 @@
         kind,
         order,
         rank: kinds.indexOf(kind),
-        isProse: kind === "guide" || kind === "section",
+        isProse: ["guide", "section", "name"].includes(kind),
         twins: twins.map(([n, a, p, m]) => findable(n, a, p, m)),
       }));
     });
@@ -49,6 +49,7 @@
     names: plain(name),
     parts: plain(name.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ")).split(/[_.\s]+/),
     words: plain(more).split(" ").filter((word) => !isLines.test(word)),
+    inner: plain(more).split(" ").filter((word) => word.includes(".")).flatMap((path) => path.split(/[._]/)),
     lines: plain(more).split(" ").map((word) => isLines.exec(word)).filter(Boolean)
       .map(([, first, last]) => [Number(first), Number(last ?? first)]),
     text: plain(about),
@@ -85,18 +86,22 @@
   // How well a word matches the name and the other words of an entry.
   const fitName = (entry, word, tight, isProse) => {
     if (word.includes(" ") && !isProse && ` ${entry.words.join(" ")} `.includes(` ${word} `)) return 90;
-    if (entry.names === word || squeeze(entry.names) === tight) return 100;
+    // A value such as STOP says less than a page of this name.
+    if (entry.names === word || squeeze(entry.names) === tight) return entry.kind === "value" ? 78 : 100;
     // Most words of a guide are incidental.
     if (!isProse && entry.words.includes(word)) return entry.kind === "value" ? 75 : 90;
     const last = entry.names.slice(entry.names.lastIndexOf(".") + 1);
     if (last === word) return 85;
+    if (isProse && entry.names.startsWith(word) && !entry.names.includes(" ")) return 85; // Stopping
+    if (entry.inner.includes(word)) return 80; // an axis of a field
+    if (word.length === 1) return entry.parts.includes(word) ? 55 : 0;
     if (entry.names.startsWith(word) || entry.names.startsWith(`cmd_${word}`)) return 70;
     if (last.startsWith(word) || (!isProse && entry.words.some((w) => w.startsWith(word)))) return 60;
     if (/^\d+$/.test(word)) return 0; // a number matches only as a whole
     if (entry.parts.at(-1) === word) return 70; // "ControlSpeed" is a speed
     if (entry.parts.includes(word)) return 55;
     if (entry.parts.some((part) => part.startsWith(word))) return 50;
-    if (tight.length > 1 && squeeze(entry.names).includes(tight)) return 40;
+    if (tight.length > 2 && squeeze(entry.names).includes(tight)) return 40;
     if (isProse && entry.words.includes(word)) return 38;
     if (isProse && word.length > 2 && entry.words.some((w) => w.startsWith(word))) return 34;
     if (!isProse && tight.length > 2 && squeeze(entry.words.join(" ")).includes(tight)) return 30;
@@ -106,6 +111,7 @@
   // Alternatives to a word, with their scores.
   const meanings = (word) => {
     const found = new Map([[word, 1]]);
+    if (/^[a-z]{3,}s$/.test(word) && !word.endsWith("ss")) found.set(word.slice(0, -1), singularWorth);
     for (const group of synonyms) {
       const isMeant = group.includes(word) || (word.length > 3 && group.some((w) => w.startsWith(word)));
       for (const [index, other] of isMeant ? group.entries() : []) {
