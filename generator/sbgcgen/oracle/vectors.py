@@ -197,7 +197,7 @@ class _Maker:
                 lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
                 empty = self.choice(short=True, lengths={path: 0}, **{**case, "fits": False})
-                rest = 255 - len(first_that_fits(self.message, empty))
+                rest = self.message.room - len(first_that_fits(self.message, empty))
                 assert isinstance(member.type, Blob)
                 lengths = {0, 1, min(rest, member.type.size or rest)}
                 if member.fits:  # what follows it is a mistake
@@ -223,7 +223,7 @@ class _Maker:
             return
         context, body = self.whole(short=self.message.keeps_tail)
         least = max(1, self.message.max_size + 1 - len(body)) if self.message.takes_surplus else 1
-        for size in sorted({1, least, 255 - len(body)}):
+        for size in sorted({1, least, self.message.room - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
             self.add_body(body + tail, context, f"a tail of {size} bytes")
 
