@@ -283,8 +283,8 @@ def test_the_bytes_of_a_known_stream(gimbal: EmulatedGimbal) -> None:
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     (
-        (["--id", "200", "--config", "0e4"], "--config wants up to 8 pairs"),
-        (["--id", "200", "--config", "00" * 9], "--config wants up to 8 pairs"),
+        (["--id", "200", "--config", "0e4"], "up to 8 pairs of hex digits"),
+        (["--id", "200", "--config", "00" * 9], "up to 8 pairs of hex digits"),
         (["--id", "88"], "has a name"),
         (["RealtimeData3", "--id", "23"], "--id is for bytes"),
         ([], "name a stream, or give --id"),

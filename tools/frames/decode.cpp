@@ -494,10 +494,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->add_option("--firmware", options.firmware,
                    "Firmware of the board, such as 2.59: name what it does not know")
       ->type_name("VERSION")
-      ->check([](const std::string& text) -> std::string {
-        if (parse_firmware(text)) return {};
-        return fmt::format("'{}' is not {}", text, firmware_example);
-      });
+      ->check(firmware_problem);
   auto* const hex = command->add_flag(
       "--hex", options.hex,
       "Read text, such as hex, a hex dump or a list of numbers, which is also recognized without "

@@ -1,7 +1,6 @@
 // sbgc stream: the values of a data stream, as a table, CSV or JSON.
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -10,14 +9,12 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <sbgc/json/hex.hpp>
-#include <sbgc/message.hpp>
 
 #include "board/reconnecting.hpp"
 #include "command/choices.hpp"
@@ -28,7 +25,6 @@
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
-#include "frames/command_lookup.hpp"
 #include "frames/sample_writer.hpp"
 #include "line/field_patterns.hpp"
 #include "line/line_queue.hpp"
@@ -154,27 +150,6 @@ bool write_until(End end, LineQueue& lines, const IsOver& is_over) {
   return is_read;
 }
 
-roles::StreamRequest raw_request_of(const StreamOptions& options) {
-  auto request = value_of(detail::stream_request<roles::StreamRequest>(interval_of(options.rate)));
-  roles::stream_command(request) = static_cast<msg::CommandFromBoard>(*options.id);
-  const auto config = detail::from_hex(options.config);
-  auto& place = request.config.rest;
-  if (!config || !place.resize(config->size())) {
-    throw CommandError(
-        fmt::format("--config wants up to {} pairs of hex digits, such as 0e45", place.capacity()),
-        wrong_usage);
-  }
-  std::ranges::copy(*config, place.begin());
-  std::array<std::uint8_t, max_body_size> body{};
-  if (!encode(request, std::span(body))) {
-    throw CommandError(
-        fmt::format("the stream of {} has a name: `sbgc stream {}`", *options.id,
-                    command_name(static_cast<std::uint8_t>(*options.id), Direction::from_board)),
-        wrong_usage);
-  }
-  return request;
-}
-
 /// A frame as a line of a table, CSV or JSON.
 std::string raw_line(OutputFormat format, double time, const Frame& frame) {
   const std::string body = detail::to_hex(frame.body);
@@ -193,7 +168,8 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
     throw CommandError("--id is for bytes: it has neither a name, --fields nor --with",
                        wrong_usage);
   }
-  const roles::StreamRequest request = raw_request_of(options);
+  const roles::StreamRequest request =
+      raw_stream_request(*options.id, options.config, interval_of(options.rate));
   const OutputFormat format = format_named(options.format);
   std::signal(SIGPIPE, SIG_IGN);
   LineQueue lines;

@@ -173,24 +173,30 @@ class ValueParser {
     if (text.empty()) return fail("a value is needed"), 0;
     if (text.starts_with("raw:")) {
       const std::string_view number = trimmed(text.substr(4));
-      return fitting(number, integer_of(number));
-    }
-    if (type_.is_wide && (unit_ == nullptr || unit_->is_plain())) {
-      const auto number = parse_number<std::uint64_t>(text);
-      if (number) return static_cast<std::int64_t>(*number);
+      return fitting(number, on_wire(number));
     }
     if (type_.names != nullptr || type_.packed != nullptr) {
       if (const auto number = integer_of(text)) return fitting(text, number);
       return names(text);
     }
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
-    const auto number = integer_of(text);
+    const auto number = on_wire(text);
     const auto measure = number ? std::nullopt : measure_of(text);
     if (measure && !measure->rest.empty()) {
       const auto size = text.size() - measure->rest.size();
       fail("it has no unit: write " + std::string(text.substr(0, size)));
     }
     return fitting(text, number);
+  }
+
+  /// Reads an integer of the wire; of an unsigned one of 64 bits, the bits.
+  std::optional<std::int64_t> on_wire(std::string_view text) const {
+    if (type_.is_wide) {
+      if (const auto number = parse_number<std::uint64_t>(text)) {
+        return static_cast<std::int64_t>(*number);
+      }
+    }
+    return integer_of(text);
   }
 
   /// Fails if the wire cannot carry the integer.
@@ -230,13 +236,17 @@ class ValueParser {
       fail(shown(text) + " is between two values, which are " + unit_text(step, unit) + " apart");
     }
     const auto lowest = static_cast<double>(type_.lowest);
-    const auto highest = static_cast<double>(type_.highest);
-    if (raw < lowest || raw > highest) {
+    const auto highest = type_.is_wide
+                             ? static_cast<double>(std::numeric_limits<std::uint64_t>::max())
+                             : static_cast<double>(type_.highest);
+    // As a double, the highest integer of 64 bits is one above it.
+    if (raw < lowest || raw > highest || (type_.size == 8 && raw == highest)) {
       fail(shown(text) + " does not fit: " + in_unit(lowest, &unit) + " to " +
            in_unit(highest, &unit));
       return 0;
     }
-    const auto result = static_cast<std::int64_t>(raw);
+    const auto result = type_.is_wide ? static_cast<std::int64_t>(static_cast<std::uint64_t>(raw))
+                                      : static_cast<std::int64_t>(raw);
     for (const Special& special : specials()) {
       if (special.value != result || unit.real(raw) == measure->number) continue;
       const std::string number = std::to_string(result);

@@ -139,10 +139,9 @@ class Client : public TaskCalls<Client> {
   Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
-    return conversation_.stream(
-        detail::stream_requests(conversation_, request, options),
-        {static_cast<std::uint8_t>(roles::stream_command(request)), {}, true},
-        detail::typed_handler<Frame>(std::move(handler)), options);
+    return conversation_.stream(detail::stream_requests(conversation_, request, options),
+                                detail::raw_key(request),
+                                detail::typed_handler<Frame>(std::move(handler)), options);
   }
 
   /// Drives a task to completion. The task waits on `clock` between its calls.

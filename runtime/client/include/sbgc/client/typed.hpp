@@ -98,6 +98,12 @@ void choose_stream(Request& request) noexcept {
   }
 }
 
+/// Returns the key of the frames of the data stream that `request` selects.
+template <Message Request>
+MessageKey raw_key(Request request) noexcept {
+  return {.id = static_cast<std::uint8_t>(roles::stream_command(request)), .is_raw = true};
+}
+
 /// Returns the requests that start and end the data stream that `request` selects.
 template <Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation,

@@ -42,6 +42,13 @@ struct Leaf {
   std::size_t offset{};
   std::size_t size{};
   Secrets secrets{};  ///< whether the texts below show the value if it is secret
+
+  /// Returns the number on the wire, of which a double may not hold all digits.
+  constexpr double number() const noexcept {
+    if (kind == LeafKind::real) return real;
+    return is_u64 ? static_cast<double>(static_cast<std::uint64_t>(integer))
+                  : static_cast<double>(integer);
+  }
 };
 
 /// Returns true if the value is secret and not empty.
@@ -106,8 +113,7 @@ namespace detail {
 inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
   if (leaf.unit != nullptr) {
     if (leaf.unit->is_plain()) return;
-    const double raw = leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
-    detail::put_in_unit(out, leaf.unit->real(raw), *leaf.unit);
+    detail::put_in_unit(out, leaf.unit->real(leaf.number()), *leaf.unit);
   } else if (leaf.names != nullptr) {
     if (!leaf.names->is_flags) return out.put(detail::value_name(*leaf.names, leaf.integer));
     detail::put_flags(out, *leaf.names, static_cast<std::uint32_t>(leaf.integer));
