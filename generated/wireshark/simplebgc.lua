@@ -2651,15 +2651,15 @@ local function leaf(field, path, axis)
   local enum, packed = protocol.enums[field.enum], protocol.packed[field.packed]
   local bits = 8 * type[2]
   local shows_bits = (packed or enum and enum.is_flags) and field.type:sub(1, 1) == "u"
-  local function number(filter)
+  local function number(filter, label)
     local names = names_of(enum or packed and protocol.enums[packed.names])
-    if field.type:sub(1, 1) == "f" then return ProtoField.new(field.name, filter, type[3]) end
-    return ProtoField.new(field.name, filter, type[3], names, shows_bits and base.HEX or base.DEC)
+    if field.type:sub(1, 1) == "f" then return ProtoField.new(label or field.name, filter, type[3]) end
+    return ProtoField.new(label or field.name, filter, type[3], names, shows_bits and base.HEX or base.DEC)
   end
   made.size = type[2]
   if is_real then
     made.shown = register(path, function(filter) return ProtoField.double(filter, field.name) end)
-    made.raw = register(path .. ".raw", number)
+    made.raw = register(path .. ".raw", function(filter) return number(filter, "raw value") end)
   else
     made.shown = register(path, number)
   end
@@ -3047,11 +3047,16 @@ local words = (function(numbers)
 local M = {}
 local MOST = 8 -- values in a line
 
+-- "NAME | NAME | 0x40"
 local function flags_text(enum, value)
-  local names = {}
+  local names, bits = {}, value % 4294967296
   for _, flag in ipairs(enum.values or {}) do
-    if flag[1] ~= 0 and numbers.has(value, flag[1]) then names[#names + 1] = flag[2] end
+    if flag[1] ~= 0 and numbers.has(bits, flag[1]) then
+      names[#names + 1] = flag[2]
+      bits = bit32.band(bits, bit32.bnot(flag[1]))
+    end
   end
+  if bits ~= 0 then names[#names + 1] = string.format("0x%x", bits) end
   return table.concat(names, " | ")
 end
 
@@ -3084,31 +3089,26 @@ local function display_text(packed, value)
   return filled(display)
 end
 
--- The value of a part of a packed value, in words.
+-- The value of a part of a packed value: "RC_MODE_ANGLE", "inverted 1"; "" for an unnamed 0 of an enum.
 function M.part_text(part, number)
   local enum = protocol.enums[part.enum]
-  if enum then
-    local text = enum_text(enum, number)
-    return text ~= "" and text or tostring(number)
-  end
-  local value = numbers.real(part, number)
-  return string.format("%.6g", value) .. (part.unit and " " .. part.unit or "")
+  local text = enum and enum_text(enum, number) or ""
+  if enum and (text ~= "" or number == 0) then return text end
+  local value = part.is_bool and number or numbers.real(part, number)
+  return string.format("%s %.6g", part.name, value) .. (part.unit and " " .. part.unit or "")
 end
 
-function M.packed_text(packed, value)
+-- With `is_short`, without numbers that are 0.
+function M.packed_text(packed, value, is_short)
+  if packed.display then return display_text(packed, value) end
   local names = protocol.enums[packed.names]
   if names and names.names[value] then return names.names[value] end
-  if packed.display then return display_text(packed, value) end
   local texts = {}
   for _, part in ipairs(packed.parts) do
     local number = numbers.part(part, value)
-    local enum = protocol.enums[part.enum]
-    if enum and not enum.is_flags then
-      texts[#texts + 1] = M.part_text(part, number)
-    elseif number ~= 0 then
-      local text = part.is_bool and part.name or enum and M.part_text(part, number)
-      texts[#texts + 1] = text or part.name .. " " .. M.part_text(part, number)
-    end
+    local text = M.part_text(part, number)
+    local is_left_out = is_short and number == 0 and not part.enum
+    if text ~= "" and not is_left_out then texts[#texts + 1] = text end
   end
   return table.concat(texts, ", ")
 end
@@ -3127,13 +3127,13 @@ function M.special_text(leaf, value)
 end
 
 -- A value in words; "" if the number says it all.
-function M.value_text(item)
+function M.value_text(item, is_short)
   local leaf, value = item.leaf, item.value
-  if type(value) ~= "number" then return "" end
+  if type(value) ~= "number" and not leaf.packed then return "" end
   local special = M.special_text(leaf, value)
   if special then return special end
   if leaf.enum then return enum_text(leaf.enum, value) end
-  if leaf.packed then return M.packed_text(leaf.packed, value) end
+  if leaf.packed then return M.packed_text(leaf.packed, value, is_short) end
   local meaning = item.meaning or leaf.field
   if meaning.unit or not numbers.is_plain(meaning) then return M.quantity_text(leaf, meaning, value) end
   return ""
@@ -3231,7 +3231,7 @@ local function content(message, bytes)
           item.meaning = other
         end
       end
-      local text = M.value_text(item)
+      local text = M.value_text(item, true)
       if text == "" then text = leaf.name .. " " .. tostring(value) end
       if one.rank == 4 and leaf.field.unit then text = leaf.name .. " " .. text end
       if one.rank == 2 and last == one.group and #texts > 0 then
@@ -3335,6 +3335,16 @@ end
 function M.remember(one, number, known_facts)
   one.facts[#one.facts + 1] = {number = number, known = known_facts}
   if #one.facts > MOST_FACTS then table.remove(one.facts, 1) end
+end
+
+-- Ends what has not ended: what comes behind this packet knows nothing of what came before.
+function M.begin_session(one, number)
+  for _, side in pairs(one.sides) do
+    if side.waiting ~= "" then one.ended[side.last] = true end
+    side.waiting = ""
+  end
+  one.pending = {}
+  M.remember(one, number, {})
 end
 
 local learners = {}
@@ -3554,7 +3564,8 @@ local function show_parts(item, tree, range)
       local is_real = part.scale or part.add
       local shown = tree:add(one.field, range, is_real and numbers.real(part, number) or number)
       if part.enum or part.unit then
-        shown:set_text(part.name .. ": " .. words.part_text(part, number))
+        local text = words.part_text(part, number)
+        shown:set_text(part.name .. ": " .. (text ~= "" and text or number))
       end
       show_flags(one.flags, shown, range)
       check_name(protocol.enums[part.enum], number, part.name, shown)
@@ -3576,12 +3587,13 @@ local function show_value(item, tree, place, is_visible)
   local is_asked = is_visible or tree:referenced(leaf.shown)
   if not is_asked and not (leaf.raw or leaf.flags or leaf.parts) then return end
   if item.size == 0 then
-    return is_visible and tree:add(nodes.proto, place(item.at, 0), item.label .. ": (empty)")
+    return is_visible and tree:add(place(item.at, 0), item.label .. ": (empty)")
   end
   local range = place(item.at, item.size)
   if leaf.field.blob then return show_text(item, tree, range) end
   if leaf.field.announced then
-    return tree:add(leaf.shown, range, tonumber(tostring(item.value)), item.label .. ": " .. tostring(item.value))
+    local value = type(item.value) == "number" and item.value or tonumber(tostring(item.value))
+    return tree:add(leaf.shown, range, value):set_text(item.label .. ": " .. tostring(item.value))
   end
   local shown
   if leaf.raw then
@@ -3805,24 +3817,12 @@ end
 
 -- A recorded line: the flags of a packet say its direction. One without bytes begins a session, which
 -- knows nothing of the one before.
-local line = Proto(protocol.filter .. "_line", protocol.name .. ", a recorded line")
-function line.dissector(tvb, pinfo, tree)
+local function dissect_line(tvb, pinfo, tree)
   local one = conversations.get("line")
-  if tvb:len() == 0 then
-    if not pinfo.visited then
-      for _, side in pairs(one.sides) do
-        if side.waiting ~= "" then one.ended[side.last] = true end
-        side.waiting = ""
-      end
-      one.pending = {}
-      conversations.remember(one, pinfo.number, {})
-    end
-    pinfo.cols.protocol = protocol.short
-    pinfo.cols.info = "a session begins"
-    return 0
-  end
-  dissect(tvb, pinfo, tree, one, pinfo.p2p_dir == 0)
-  return tvb:len()
+  if tvb:len() > 0 then return dissect(tvb, pinfo, tree, one, pinfo.p2p_dir == 0) end
+  if not pinfo.visited then conversations.begin_session(one, pinfo.number) end
+  pinfo.cols.protocol = protocol.short
+  pinfo.cols.info = "a session begins"
 end
 
 -- The conversation of a packet of TCP or UDP, and whether its sender is the host. The board has the port
@@ -3848,9 +3848,13 @@ local function conversation_of(tvb, pinfo)
 end
 
 function proto.dissector(tvb, pinfo, tree)
-  if tvb:len() == 0 then return 0 end
-  local one, to_board = conversation_of(tvb, pinfo)
-  dissect(tvb, pinfo, tree, one, to_board)
+  local is_line = pinfo.src_port == 0 and pinfo.dst_port == 0
+  if is_line then
+    dissect_line(tvb, pinfo, tree)
+  elseif tvb:len() > 0 then
+    local one, to_board = conversation_of(tvb, pinfo)
+    dissect(tvb, pinfo, tree, one, to_board)
+  end
   return tvb:len()
 end
 
@@ -3886,7 +3890,7 @@ function proto.prefs_changed()
   end
 end
 
-DissectorTable.get("wtap_encap"):add(LINK_TYPE, line)
+DissectorTable.get("wtap_encap"):add(LINK_TYPE, proto)
 for _, kind in ipairs({"tcp", "udp"}) do
   DissectorTable.get(kind .. ".port"):add_for_decode_as(proto)
   proto:register_heuristic(kind, heuristic)
