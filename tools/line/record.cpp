@@ -52,6 +52,11 @@ struct RecordOptions {
   std::vector<double> rates;
   std::optional<std::chrono::milliseconds> time;
   std::optional<double> seconds;
+  bool pcapng = false;
+
+  io::CaptureFormat format() const {
+    return pcapng ? io::CaptureFormat::pcapng : io::CaptureFormat::sbgc;
+  }
 };
 
 /// Reads until the end of the stream or until it is stopped, and discards the bytes.
@@ -88,7 +93,7 @@ class Listener {
 
 int record_line(const RecordOptions& options) {
   asio::io_context context;
-  io::CaptureWriter writer;
+  io::CaptureWriter writer(options.format());
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
   // Standard output then carries only the capture.
@@ -201,7 +206,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     return !problem.empty();
   };
   const auto record = [&](std::unique_ptr<io::Transport> transport) {
-    io::CaptureWriter writer;
+    io::CaptureWriter writer(options.format());
     const io::Error error =
         to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
     if (error) {
@@ -316,6 +321,7 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->take_all()
       ->allow_extra_args(false)
       ->check(number_range(0.02, 1000.0));
+  command->add_flag("--pcapng", options.pcapng, "Write a file for Wireshark instead of a capture");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->add_option("--seconds", options.seconds, "The same, as a number of seconds")
       ->check(number_range(0.0, 1e9));
@@ -329,6 +335,7 @@ void add_record(CLI::App& app, CommandContext& context) {
       "Examples:\n"
       "  sbgc record --stream RealtimeData4 --rate 20 --for 5s capture\n"
       "  sbgc record --stream 23 --for 2s capture\n"
+      "  sbgc record --stream RealtimeData4 --pcapng --for 5s capture.pcapng\n"
       "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 5s capture");
   command.runs(run_record);
 }

@@ -139,12 +139,19 @@ class CaptureParser {
   detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
 };
 
+/// What CaptureWriter writes.
+enum class CaptureFormat : std::uint8_t {
+  sbgc,    ///< see above
+  pcapng,  ///< for Wireshark (see pcapng.hpp); a note is a comment of the next packet
+};
+
 /// Writes a capture.
 class CaptureWriter {
  public:
   using Clock = std::chrono::steady_clock;
 
   CaptureWriter() = default;
+  explicit CaptureWriter(CaptureFormat format) : format_(format) {}
   CaptureWriter(CaptureWriter&& other) noexcept;
   CaptureWriter& operator=(CaptureWriter&& other) noexcept;
   CaptureWriter(const CaptureWriter&) = delete;
@@ -171,6 +178,10 @@ class CaptureWriter {
 
  private:
   void begin_session();
+  bool is_own(std::span<const std::uint8_t> begin) const noexcept;
+  bool may_become_own(std::span<const std::uint8_t> begin) const noexcept;
+  void append_record(CaptureKind kind, std::span<const std::uint8_t> bytes, CaptureTime time);
+  void append_packet(CaptureKind kind, std::span<const std::uint8_t> bytes, CaptureTime time);
   bool put(std::span<const std::uint8_t> bytes);
   bool wait_for_reader();
   Error fail(int reason);
@@ -178,7 +189,10 @@ class CaptureWriter {
   int fd_ = -1;
   bool may_wait_ = false;  // for a reader
   std::string path_;
+  CaptureFormat format_ = CaptureFormat::sbgc;
   Clock::time_point start_{};
+  std::chrono::sys_time<std::chrono::microseconds> wall_start_{};
+  std::vector<std::string> comments_;  // of the next packet
   std::vector<std::uint8_t> buffer_;
   Error error_;
 };
