@@ -41,10 +41,14 @@ def rows_of(result: Result) -> tuple[list[str], list[list[str]]]:
 
 def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     header, rows = rows_of(
-        stream(gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
+        stream(
+            gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s"
+        )
     )
     assert header[0] == "time[s]"
-    assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(header)
+    assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(
+        header
+    )
     assert 5 <= len(rows) <= 21  # a busy machine delivers fewer than 20
     assert all(len(row) == len(header) for row in rows)
     assert all(float(cell) is not None for row in rows for cell in row if cell)
@@ -56,6 +60,25 @@ def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     assert 6 < float(values["bat_level[V]"]) < 30
 
 
+def test_old_firmware_is_polled() -> None:
+    """Before 2.59 there are no data streams."""
+    with emulated_gimbal("--firmware", "2.43b9") as old:
+        result = stream(
+            old, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s"
+        )
+        _, rows = rows_of(result)
+        assert 5 <= len(rows) <= 22
+        assert (
+            result.error.count(
+                "CMD_REALTIME_DATA_4 is repeated instead of a data stream"
+            )
+            == 1
+        )
+        assert "needs firmware 2.59" in " ".join(result.error.split())
+        refused = stream(old, "RealtimeDataCustom", "--with", "IMU_ANGLES")
+        assert refused.status == 1 and "firmware 2.59" in refused.error
+
+
 def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
     header, _ = rows_of(
         stream(
@@ -63,7 +86,9 @@ def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
             "--fields", "angle.*,cycle_time,rotor_angle",
         )
     )  # fmt: skip
-    names = [f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES]
+    names = [
+        f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES
+    ]
     assert header == ["time[s]", *names[:3], "cycle_time[us]", *names[3:]]
 
 
@@ -71,22 +96,37 @@ AXES = ("roll", "pitch", "yaw")
 
 
 def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None:
-    arguments = ("RealtimeDataCustom", "--format", "jsonl", "--for", "200ms", "--rate", "20")
+    arguments = (
+        "RealtimeDataCustom",
+        "--format",
+        "jsonl",
+        "--for",
+        "200ms",
+        "--rate",
+        "20",
+    )
     result = stream(gimbal, *arguments, "--fields", "imu_angles.yaw,rc_data")
     assert result.status == 0, result
     for sample in result.objects:
         assert 0 < sample["time"] < 10
         assert sample["version"] == 1 and sample["message"] == "RealtimeDataCustom"
-        assert set(sample["fields"]) == {"imu_angles.yaw", *(f"rc_data[{i}]" for i in range(6))}
+        assert set(sample["fields"]) == {
+            "imu_angles.yaw",
+            *(f"rc_data[{i}]" for i in range(6)),
+        }
         angle = sample["fields"]["imu_angles.yaw"]
         assert angle["unit"] == "deg"
         assert angle["real"] == pytest.approx(angle["raw"] * 360 / 16384)
     same = stream(gimbal, *arguments, "--with", "imu_angles|RC_DATA")
-    assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(same.objects[0]["fields"])
+    assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(
+        same.objects[0]["fields"]
+    )
 
 
 def test_text_is_a_table(gimbal: EmulatedGimbal) -> None:
-    result = stream(gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code")
+    result = stream(
+        gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code"
+    )
     assert result.status == 0, result
     lines = result.text.splitlines()
     assert lines[0].split() == ["time[s]", "angle.yaw[deg]", "error_code"]
@@ -101,7 +141,9 @@ def test_the_table_has_as_many_columns_as_fit_into_the_terminal(
     outside, inside = pty.openpty()
     arguments = ["stream", "-p", gimbal.address, "RealtimeData4", "--for", "100ms"]
     environment = {**os.environ, "COLUMNS": str(columns)}
-    with subprocess.Popen([PROGRAM, *arguments], stdout=inside, env=environment) as process:
+    with subprocess.Popen(
+        [PROGRAM, *arguments], stdout=inside, env=environment
+    ) as process:
         os.close(inside)
         shown = b""
         try:
@@ -156,15 +198,27 @@ def test_a_restart_is_reported() -> None:
 
 def without_losses(error: str) -> str:
     """Returns the other lines: on a busy machine, the last message may be late and count as lost."""
-    return re.sub(r"sbgc: about \d+ messages? lost on the line, \d+ received\n", "", error)
+    return re.sub(
+        r"sbgc: about \d+ messages? lost on the line, \d+ received\n", "", error
+    )
 
 
 def test_lost_messages_are_counted() -> None:
     with emulated_gimbal("--bit-errors", "4e-4") as noisy:
-        arguments = ("RealtimeData4", "--rate", "50", "--for", "1500ms", "--format", "csv")
+        arguments = (
+            "RealtimeData4",
+            "--rate",
+            "50",
+            "--for",
+            "1500ms",
+            "--format",
+            "csv",
+        )
         result = run("stream", *arguments, "-p", noisy.address, "--attempts", "50")
     rows = rows_of(result)[1]
-    told = re.search(r"about (\d+) messages? lost on the line, (\d+) received", result.error)
+    told = re.search(
+        r"about (\d+) messages? lost on the line, (\d+) received", result.error
+    )
     assert told, result
     lost, received = map(int, told.groups())
     assert received == len(rows)
@@ -173,9 +227,18 @@ def test_lost_messages_are_counted() -> None:
 
 def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
-    recorded = ("record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4")
+    recorded = (
+        "record",
+        "-p",
+        gimbal.address,
+        str(capture),
+        "--stream",
+        "RealtimeData4",
+    )
     assert run(*recorded, "--for", "1s").status == 0
-    result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
+    result = run(
+        "stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv"
+    )
     assert (result.status, without_losses(result.error)) == (0, "")
     assert len(rows_of(result)[1]) > 3
 
@@ -217,7 +280,9 @@ def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
     )
 
 
-def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(gimbal: EmulatedGimbal) -> None:
+def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(
+    gimbal: EmulatedGimbal,
+) -> None:
     process = start(gimbal, "RealtimeData4", "--format", "jsonl", "--rate", "10")
     assert process.stdout is not None
     for _ in range(3):
@@ -247,11 +312,15 @@ def test_a_stream_of_an_unknown_message_is_bytes() -> None:
             while data := line.recv(4096):
                 number = data[1]
                 if number == 86:
-                    line.sendall(frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000")))
+                    line.sendall(
+                        frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000"))
+                    )
                 elif number == 85:
                     asked.append(data[4:-1])
                     line.sendall(frame(67, b"\x55"))
-                    line.sendall(frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200))
+                    line.sendall(
+                        frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200)
+                    )
                 else:
                     line.sendall(frame(255, bytes([number, 6, 0, 0, 0, 0])))
 
