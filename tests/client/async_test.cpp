@@ -29,6 +29,7 @@
 #include <sbgc/meta/all.hpp>
 
 #include "collector.hpp"
+#include "emulated_board.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -83,6 +84,23 @@ TEST_F(Async, WorksWithFutures) {
   const auto answer = client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get();
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(*answer, angles);
+}
+
+TEST(AsyncPolls, ReplaceStreamsOfOldFirmware) {
+  emulator::EmulatorOptions old = quick_board();
+  old.board.firmware = msg::FirmwareVersion(2439);
+  EmulatedBoard board{old};
+  Running running;
+  AsyncClient client(running.executor());
+  ASSERT_TRUE(client.async_connect_over(board.line(), quick(), asio::use_future).get());
+  Collector<msg::RealtimeData3> samples;
+  auto stream = client
+                    .async_stream<msg::RealtimeData3>(
+                        milliseconds(5), [&](const msg::RealtimeData3& one) { samples.add(one); },
+                        asio::use_future)
+                    .get();
+  ASSERT_TRUE(stream) << stream.error().message;
+  EXPECT_GE(samples.wait_for(5).size(), 5U);
 }
 
 TEST_F(Async, WorksWithCallbacksThatCanOnlyBeMoved) {

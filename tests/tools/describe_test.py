@@ -140,6 +140,27 @@ def test_fields_and_variables_say_which_way_they_count() -> None:
             assert f"positive: {variable['positive'] or 'unknown'}" in page
 
 
+def test_topics_have_their_parameters() -> None:
+    for topic in MODEL["topics"]:
+        text = words_of(described(topic["name"].upper()))
+        assert f"topic of parameters {topic['summary']}" in text
+        for message in MODEL["messages"]:
+            for leaf in message["layout"]:
+                if topic["name"] in leaf.get("topics", []):
+                    assert leaf["summary"] in text, leaf
+    assert described("tuning") == described("pid")
+    assert "Control.axes.roll.speed" in described("speed"), "a field as well"
+
+
+def test_other_words_are_searched() -> None:
+    text = run("describe", "tilt", "limit").text
+    assert text.startswith("tilt limit  occurs at ")
+    assert "ReadParams3.rc.roll|pitch|yaw.rc_max_angle\n" in text
+    assert "\n  RC_LIMIT_MAX_PITCH " in text and "YAW" not in text
+    many = described("tilt")
+    assert many.endswith("\n  and more; search for several words\n")
+
+
 def test_a_long_list_of_uses_is_cut() -> None:
     lines = described("MenuCommand").splitlines()
     uses = lines[lines.index("Used in") + 1 :]

@@ -26,6 +26,14 @@ def angle(lines: list[str], axis: str) -> float:
     return float(line.split()[1])
 
 
+def test_old_firmware_is_polled(tmp_path: Path) -> None:
+    with emulated_gimbal("--firmware", "2.43b9") as gimbal, terminal(tmp_path) as shell:
+        assert "firmware 2.43b9" in begin(shell, gimbal)[0]
+        shell.press("4")
+        shell.wait("instead of a data stream")
+        shell.press("q")
+
+
 def test_pages_at_80x24(tmp_path: Path) -> None:
     with emulated_gimbal("--firmware", "2.70") as gimbal, terminal(tmp_path) as shell:
         lines = begin(shell, gimbal)

@@ -66,9 +66,22 @@ def test_a_stream_without_a_name_is_asked_for_by_its_number(tmp_path: Path) -> N
 def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     for _ in range(2):
-        arguments = ("record", gimbal.address, str(capture), "--stream", "realtime_data_4")
+        arguments = (
+            "record",
+            gimbal.address,
+            str(capture),
+            "--stream",
+            "realtime_data_4",
+        )
         assert run(*arguments, "--for", "200ms").status == 0
     assert {line["session"] for line in decode(capture.read_bytes())} == {0, 1}
+
+
+@pytest.mark.parametrize("name", ["flight.csv", "FLIGHT.CSV", "a.json"])
+def test_a_capture_is_no_table(name: str, tmp_path: Path) -> None:
+    result = run("record", str(tmp_path / name), "--stream", "AhrsHelper", "-p", "capture:none")
+    assert result.status == 2 and not list(tmp_path.iterdir())
+    assert "`sbgc stream AhrsHelper --format csv`" in " ".join(result.error.split())
 
 
 def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:
@@ -81,7 +94,15 @@ def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     with emulated_gimbal() as gimbal:
         process = subprocess.Popen(
-            [PROGRAM, "record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4"],
+            [
+                PROGRAM,
+                "record",
+                "-p",
+                gimbal.address,
+                str(capture),
+                "--stream",
+                "RealtimeData4",
+            ],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

@@ -56,6 +56,18 @@ def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     assert 6 < float(values["bat_level[V]"]) < 30
 
 
+def test_old_firmware_is_polled() -> None:
+    """Before 2.59 there are no data streams."""
+    with emulated_gimbal("--firmware", "2.43b9") as old:
+        result = stream(old, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
+        _, rows = rows_of(result)
+        assert 5 <= len(rows) <= 22
+        assert result.error.count("CMD_REALTIME_DATA_4 is repeated instead of a data stream") == 1
+        assert "needs firmware 2.59" in " ".join(result.error.split())
+        refused = stream(old, "RealtimeDataCustom", "--with", "IMU_ANGLES")
+        assert refused.status == 1 and "firmware 2.59" in refused.error
+
+
 def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
     header, _ = rows_of(
         stream(
@@ -71,13 +83,24 @@ AXES = ("roll", "pitch", "yaw")
 
 
 def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None:
-    arguments = ("RealtimeDataCustom", "--format", "jsonl", "--for", "200ms", "--rate", "20")
+    arguments = (
+        "RealtimeDataCustom",
+        "--format",
+        "jsonl",
+        "--for",
+        "200ms",
+        "--rate",
+        "20",
+    )
     result = stream(gimbal, *arguments, "--fields", "imu_angles.yaw,rc_data")
     assert result.status == 0, result
     for sample in result.objects:
         assert 0 < sample["time"] < 10
         assert sample["version"] == 1 and sample["message"] == "RealtimeDataCustom"
-        assert set(sample["fields"]) == {"imu_angles.yaw", *(f"rc_data[{i}]" for i in range(6))}
+        assert set(sample["fields"]) == {
+            "imu_angles.yaw",
+            *(f"rc_data[{i}]" for i in range(6)),
+        }
         angle = sample["fields"]["imu_angles.yaw"]
         assert angle["unit"] == "deg"
         assert angle["real"] == pytest.approx(angle["raw"] * 360 / 16384)
@@ -161,7 +184,15 @@ def without_losses(error: str) -> str:
 
 def test_lost_messages_are_counted() -> None:
     with emulated_gimbal("--bit-errors", "4e-4") as noisy:
-        arguments = ("RealtimeData4", "--rate", "50", "--for", "1500ms", "--format", "csv")
+        arguments = (
+            "RealtimeData4",
+            "--rate",
+            "50",
+            "--for",
+            "1500ms",
+            "--format",
+            "csv",
+        )
         result = run("stream", *arguments, "-p", noisy.address, "--attempts", "50")
     rows = rows_of(result)[1]
     told = re.search(r"about (\d+) messages? lost on the line, (\d+) received", result.error)
@@ -173,7 +204,14 @@ def test_lost_messages_are_counted() -> None:
 
 def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
-    recorded = ("record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4")
+    recorded = (
+        "record",
+        "-p",
+        gimbal.address,
+        str(capture),
+        "--stream",
+        "RealtimeData4",
+    )
     assert run(*recorded, "--for", "1s").status == 0
     result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
     assert (result.status, without_losses(result.error)) == (0, "")
@@ -217,7 +255,9 @@ def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
     )
 
 
-def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(gimbal: EmulatedGimbal) -> None:
+def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(
+    gimbal: EmulatedGimbal,
+) -> None:
     process = start(gimbal, "RealtimeData4", "--format", "jsonl", "--rate", "10")
     assert process.stdout is not None
     for _ in range(3):

@@ -25,6 +25,7 @@
 #include <unistd.h>
 
 #include <sbgc/detail/parse_number.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/observer.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
@@ -263,12 +264,29 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
   }
 }
 
+/// A capture has the bytes of the line. Throws CommandError for a file that promises a table.
+void require_capture(const RecordOptions& options) {
+  const auto has_end = [&](const char* end) {
+    return detail::lower_case(options.file).ends_with(end);
+  };
+  if (std::ranges::none_of(std::array{".csv", ".tsv", ".json", ".jsonl", ".xlsx"}, has_end)) return;
+  const std::string stream = options.streams.empty() ? "RealtimeData4" : options.streams.front();
+  throw CommandError(
+      fmt::format("{} would be a capture, which has the bytes of the line: for a table, use `sbgc "
+                  "stream {} --format csv`, or record to another name and use `sbgc decode NAME -m "
+                  "{} --format csv`",
+                  clipped(options.file), clipped(stream.substr(0, stream.find(':'))),
+                  clipped(stream.substr(0, stream.find(':')))),
+      wrong_usage);
+}
+
 /// With --stream or a gimbal of its own, the board is asked; otherwise the line is listened to.
 int run_record(RecordOptions options, CommandContext& context) {
   if (options.seconds) {
     options.time = std::chrono::milliseconds(std::llround(*options.seconds * 1000));
   }
   options.file = options.places.back();
+  require_capture(options);
   if (options.file == "-") require_no_terminal("a file instead of -");
   const bool has_address = options.places.size() == 2;
   const bool has_gimbal = !context.gimbal.port.empty() || !context.gimbal.name.empty();

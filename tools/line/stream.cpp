@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -219,7 +220,11 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
                                     : report_changes(client);
 
+  bool is_polling = false;  // only on the thread of the client
   const Subscription notices = client.on_notice([&](const Notice& notice) {
+    if (notice.kind == NoticeKind::polling && !std::exchange(is_polling, true)) {
+      remark("sbgc: {}\n", notice.message);
+    }
     if (notice.kind != NoticeKind::unreadable || notice.command != stream.info().id) return;
     remark("sbgc: {}\n", notice.message);
     has_unreadable = true;
@@ -293,7 +298,8 @@ void add_stream(CLI::App& app, CommandContext& context) {
   command->footer(
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
       "empty. The time is that of arrival. If the line is lost, the command connects again and "
-      "goes on. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
+      "goes on. Where the firmware has no data streams (before 2.59), it requests each message. "
+      "The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
       "there is no connection or no such stream on this board, or if messages could not be "
       "decoded, 2 for wrong usage.\n"
       "\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,7 +32,6 @@ namespace {
 
 struct ShowOptions {
   std::vector<std::string> names{};
-  std::string filter{};
   std::string format = "text";
   ProfileOption profile{};
 };
@@ -49,11 +49,9 @@ void print_json(const ChosenProfile& profile, const std::vector<ShownParameter>&
   fmt::print("{}\n", detail::json_text(document, 2));
 }
 
-bool fits(const ShownParameter& parameter, const std::string& filter) {
-  const std::string wanted = detail::lower_case(filter);
-  const std::string name = detail::lower_case(parameter.message + '.' + parameter.path);
-  return name.find(wanted) != std::string::npos ||
-         detail::lower_case(parameter.spec_name).find(wanted) != std::string::npos;
+bool fits(const ShownParameter& parameter, const Query& query) {
+  const std::string name = parameter.message + '.' + parameter.path + ' ' + parameter.spec_name;
+  return query.fits(name, parameter.summary, parameter.topics, true);
 }
 
 void print_table(const std::vector<ShownParameter>& parameters) {
@@ -62,17 +60,17 @@ void print_table(const std::vector<ShownParameter>& parameters) {
   for (const ShownParameter& parameter : parameters) {
     width = std::max(width, parameter.path.size());
   }
-  std::string message;
-  for (const ShownParameter& parameter : parameters) {
-    if (parameter.message != message) {
-      message = parameter.message;
-      const char* const summary = find_message(message)->info->summary;
-      fmt::print("{}\n", wrapped(fmt::format("{}: {}", colors(Color::bold, message), summary),
-                                 line_width()));
+  for (const TopicReference& topic : topic_references) {
+    bool is_first = true;
+    for (const ShownParameter& parameter : parameters) {
+      if (parameter.topics.empty() || parameter.topics.front() != &topic) continue;
+      if (std::exchange(is_first, false)) {
+        fmt::print("{}: {}\n", colors(Color::bold, topic.name), topic.summary);
+      }
+      const std::size_t column = width + 4;
+      fmt::print("  {:<{}}  {}\n", parameter.path, width,
+                 wrapped(parameter.short_text(), line_width(), column, column));
     }
-    const std::size_t column = width + 4;
-    fmt::print("  {:<{}}  {}\n", parameter.path, width,
-               wrapped(parameter.short_text(), line_width(), column, column));
   }
 }
 
@@ -87,13 +85,16 @@ int show(const ShowOptions& options, const CommandContext& context) {
     return of->copies == 1 || id.copy == profile.index;
   });
   std::vector<ShownParameter> parameters;
+  const std::string words = fmt::format("{}", fmt::join(options.names, " "));
+  const Query query(words);
   for (const Parameters& block : set.all()) {
     for (ShownParameter& parameter : shown_parameters(block, client.identity().versions())) {
-      if (fits(parameter, options.filter)) parameters.push_back(std::move(parameter));
+      if (fits(parameter, query)) parameters.push_back(std::move(parameter));
     }
   }
   if (parameters.empty()) {
-    throw CommandError(fmt::format("no parameter has '{}' in its name", clipped(options.filter)));
+    throw CommandError(fmt::format(
+        "no parameter has '{}' in its name, its description or its topics", clipped(words)));
   }
   if (options.format == "json") {
     print_json(profile, parameters);
@@ -216,8 +217,12 @@ void add_params_show(CLI::App& params, CommandContext& context) {
   const Subcommand<ShowOptions> command(params, context, "show",
                                         "List the parameters of a profile");
   auto& options = command.options();
-  command->add_option("filter", options.filter, "Only the parameters with this text in their name")
-      ->type_name("TEXT");
+  command
+      ->add_option(
+          "words", options.names,
+          "Only the parameters with all these words: a topic (pid), part of a name, or words "
+          "of a description (tilt limit)")
+      ->type_name("WORDS");
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command.runs(show);
@@ -229,8 +234,8 @@ void add_params_get(CLI::App& params, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("names", options.names,
-                   "Paths (axes.pitch.p), ends of paths (pitch.p) or names of the "
-                   "specification; without an axis, all axes")
+                   "Paths (axes.pitch.p), ends of paths (pitch.p, tilt.p) or names of the "
+                   "specification (P_PITCH); without an axis, all axes")
       ->type_name("PARAMETER")
       ->required();
   add_profile_option(*command, options.profile);

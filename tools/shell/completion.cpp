@@ -13,6 +13,7 @@
 
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/reference.hpp>
 #include <sbgc/roles.hpp>
 
 #include "board/configuration.hpp"
@@ -134,6 +135,14 @@ Candidates field_values(const std::string& message, const std::string& word) {
   return result;
 }
 
+Candidates topics() {
+  Candidates result;
+  for (const TopicReference& topic : topic_references) {
+    result.push_back({topic.name, topic.summary});
+  }
+  return result;
+}
+
 Candidates streams() {
   Candidates result;
   const auto add = [&]<class M>(Type<M>) {
@@ -225,6 +234,7 @@ Candidates values_of(const CLI::Option& option, const Place& place) {
          return place.arguments.empty() ? Candidates()
                                         : field_values(place.arguments[0], place.word);
        }},
+      {"WORDS", [](const Place&) { return topics(); }},
       {"WORD", [](const Place&) { return words(described_words()); }},
       {"NAME[:WITH]", [](const Place&) { return streams(); }},
       {"CALIBRATION", [](const Place&) { return calibration_names(); }},

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import unescape
+from itertools import chain
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
@@ -252,7 +253,8 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
             continue
         anchor = row.leaves[0].path if row.leaves else row.path
         page = f"{page_of_message(message)}#field-{anchor}"
-        words = " ".join([*_words_of(row), *twins])
+        topics = chain.from_iterable((t.name, *t.words) for t in layout.topics_of(row.field))
+        words = " ".join([*_words_of(row), *topics, *twins])
         yield Entry("field", f"{message.name}.{row.path}", row.field.summary, page, words)
 
 

@@ -112,6 +112,8 @@ class Client : public TaskCalls<Client> {
   /// Makes the board send M every `interval` as long as the subscription lives. The shortest
   /// interval is 1 ms. Fails with ErrorCode::invalid if the interval is 0 or longer than a request
   /// can express (about a minute), and with ErrorCode::overload if the line cannot carry the data.
+  /// Firmware without data streams is asked for M each time, if a request without content does it,
+  /// at most as often as it answers; NoticeKind::polling reports that.
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
