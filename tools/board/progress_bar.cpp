@@ -36,7 +36,7 @@ void ProgressBar::show(const Progress& progress) const {
 
 void ProgressBar::show(std::string_view text) const {
   if (!is_on_) return;
-  show_status(printable(text.substr(0, line_width() - 1)));
+  show_status(printable(text.substr(0, line_width(stderr) - 1)));
 }
 
 ProgressHandler ProgressBar::handler() const {

@@ -144,6 +144,7 @@ Json to_json(const ShownParameter& parameter) {
   result["unit"] = parameter.unit.empty() ? Json() : Json(parameter.unit);
   result["meaning"] = parameter.meaning.empty() ? Json() : Json(parameter.meaning);
   result["general"] = parameter.is_general;
+  if (!parameter.other_default.empty()) result["default"] = parameter.other_default;
   return result;
 }
 

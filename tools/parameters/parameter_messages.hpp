@@ -61,6 +61,7 @@ struct ShownParameter {
   std::size_t bytes{};  ///< of bytes without a meaning as numbers; 0 for others
   bool is_special{};    ///< the raw value has a meaning of its own
   bool is_general{};
+  std::string other_default{};  ///< the text of the factory default, if it is known and another
 
   /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
   std::string text() const;
