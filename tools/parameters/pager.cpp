@@ -4,11 +4,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include "command/colors.hpp"
 #include "command/system.hpp"
 
 namespace sbgc::tools {
@@ -17,12 +17,8 @@ namespace {
 
 /// The command line of the pager; "" for none.
 std::string pager() {
-  const auto variable = [](const char* name) -> std::string_view {
-    const char* const value = std::getenv(name);
-    return value == nullptr ? "" : value;
-  };
-  if (!is_terminal(stdout) || variable("TERM") == "dumb") return "";
-  if (std::getenv("PAGER") != nullptr) return std::string(variable("PAGER"));
+  if (!is_terminal(stdout) || is_dumb_terminal()) return "";
+  if (const char* const chosen = std::getenv("PAGER")) return chosen;
   return "if command -v less >/dev/null; then exec less -FRX; else exec cat; fi";
 }
 
