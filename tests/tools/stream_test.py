@@ -327,7 +327,6 @@ def test_the_bytes_of_a_known_stream(gimbal: EmulatedGimbal) -> None:
         (["--id", "200", "--config", "00" * 9], "up to 8 pairs of hex digits"),
         (["--id", "88"], "has a name"),
         (["RealtimeData3", "--id", "23"], "--id is for bytes"),
-        ([], "name a stream, or give --id"),
     ),
 )
 def test_mistakes_with_bytes(arguments: list[str], problem: str) -> None:

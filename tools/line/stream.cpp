@@ -16,6 +16,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/json/hex.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/meta/realtime.hpp>
 
 #include "board/reconnecting.hpp"
 #include "command/choices.hpp"
@@ -199,9 +201,12 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
   return success;
 }
 
-int run_stream(const StreamOptions& options, const CommandContext& context) {
+int run_stream(StreamOptions options, const CommandContext& context) {
   if (options.id) return run_raw_stream(options, context);
-  if (options.name.empty()) throw CommandError("name a stream, or give --id", wrong_usage);
+  if (options.name.empty()) {
+    options.name = Meta<msg::RealtimeData3>::info.name;
+    if (options.fields.empty()) options.fields = "angle.*";
+  }
   const auto interval = interval_of(options.rate);
   const StreamType stream = chosen_stream(options);
   const bool is_watched = is_terminal(stdout);
@@ -271,7 +276,9 @@ void add_stream(CLI::App& app, CommandContext& context) {
   const Subcommand<StreamOptions> command(app, context, "stream",
                                           "Show the values of a data stream");
   auto& options = command.options();
-  command->add_option("name", options.name, "The message, such as RealtimeData4")
+  command
+      ->add_option("name", options.name,
+                   "The message, such as RealtimeData4; without it, the angles")
       ->type_name("STREAM");
   auto* const id = command->add_option("--id", options.id,
                                        "Show the bytes of the stream of this message, also of one "
@@ -304,6 +311,7 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "decoded, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
+      "  sbgc stream --for 2s\n"
       "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
       "  sbgc stream --id 23 --rate 10 --for 2s\n"
       "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");

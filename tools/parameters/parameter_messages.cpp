@@ -150,6 +150,7 @@ Json to_json(const ShownParameter& parameter) {
   for (const TopicReference* const topic : parameter.topics) {
     result["topics"].push_back(topic->name);
   }
+  if (!parameter.other_default.empty()) result["default"] = parameter.other_default;
   return result;
 }
 

@@ -64,6 +64,7 @@ struct ShownParameter {
   bool is_general{};
   std::string summary{};
   std::vector<const TopicReference*> topics{};  ///< its own first
+  std::string other_default{};  ///< the text of the factory default, if it is known and another
 
   /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
   std::string text() const;
