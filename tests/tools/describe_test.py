@@ -80,6 +80,12 @@ def test_all_parameters_of_a_profile_are_not_general() -> None:
     assert text.count("general: the same in all profiles") == len(general)
 
 
+def test_a_field_has_its_name_in_the_specification_too() -> None:
+    text = described("DataStreamInterval")
+    assert "config.telemetry_flags (FLAGS)" in text
+    assert "config.drv_id (" not in text
+
+
 def test_facts_stand_under_their_heading() -> None:
     text = described("MotorsOff")
     assert text.endswith("\n  response    a confirmation within 500 ms; may be repeated\n")
