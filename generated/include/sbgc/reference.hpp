@@ -2551,26 +2551,31 @@ inline constexpr const char* synonyms_3[] = {"battery", "bat"};
 inline constexpr const char* synonyms_4[] = {"baud", "baudrate", "bitrate"};
 inline constexpr const char* synonyms_5[] = {"calibration", "calibrate", "calib"};
 inline constexpr const char* synonyms_6[] = {"checksum", "crc"};
-inline constexpr const char* synonyms_7[] = {"current", "ampere"};
-inline constexpr const char* synonyms_8[] = {"deg", "degrees", "°"};
-inline constexpr const char* synonyms_9[] = {"dps", "deg/s", "°/s", "degrees per second"};
-inline constexpr const char* synonyms_10[] = {"defaults", "factory", "factory reset"};
-inline constexpr const char* synonyms_11[] = {"danger", "hazard", "safety"};
-inline constexpr const char* synonyms_12[] = {"eeprom", "memory"};
-inline constexpr const char* synonyms_13[] = {"error", "fault", "failure"};
-inline constexpr const char* synonyms_14[] = {"firmware", "version"};
-inline constexpr const char* synonyms_15[] = {"gyroscope", "gyro"};
-inline constexpr const char* synonyms_16[] = {"joystick", "rc"};
-inline constexpr const char* synonyms_17[] = {"magnetometer", "compass", "mag"};
-inline constexpr const char* synonyms_18[] = {"pan", "yaw"};
-inline constexpr const char* synonyms_19[] = {"reset", "restart", "reboot"};
-inline constexpr const char* synonyms_20[] = {"save", "store", "write"};
-inline constexpr const char* synonyms_21[] = {"settings", "parameters", "params", "configuration", "config"};
-inline constexpr const char* synonyms_22[] = {"speed", "velocity", "rate"};
-inline constexpr const char* synonyms_23[] = {"stabilise", "stabilize", "stabilisation", "stabilization"};
-inline constexpr const char* synonyms_24[] = {"stop", "halt", "emergency"};
-inline constexpr const char* synonyms_25[] = {"temperature", "temp"};
-inline constexpr const char* synonyms_26[] = {"tilt", "pitch"};
+inline constexpr const char* synonyms_7[] = {"confirmation", "confirm", "acknowledge", "ack"};
+inline constexpr const char* synonyms_8[] = {"current", "ampere"};
+inline constexpr const char* synonyms_9[] = {"deg", "degrees", "°"};
+inline constexpr const char* synonyms_10[] = {"dps", "deg/s", "°/s", "degrees per second"};
+inline constexpr const char* synonyms_11[] = {"defaults", "factory", "factory reset"};
+inline constexpr const char* synonyms_12[] = {"danger", "hazard", "safety"};
+inline constexpr const char* synonyms_13[] = {"emulated", "emulator", "emulate", "simulator", "simulation"};
+inline constexpr const char* synonyms_14[] = {"eeprom", "memory"};
+inline constexpr const char* synonyms_15[] = {"error", "fault", "failure"};
+inline constexpr const char* synonyms_16[] = {"firmware", "version"};
+inline constexpr const char* synonyms_17[] = {"gyroscope", "gyro"};
+inline constexpr const char* synonyms_18[] = {"joystick", "rc"};
+inline constexpr const char* synonyms_19[] = {"limit", "min", "max"};
+inline constexpr const char* synonyms_20[] = {"magnetometer", "compass", "mag"};
+inline constexpr const char* synonyms_21[] = {"pan", "yaw"};
+inline constexpr const char* synonyms_22[] = {"reset", "restart", "reboot"};
+inline constexpr const char* synonyms_23[] = {"save", "store", "write"};
+inline constexpr const char* synonyms_24[] = {"settings", "parameters", "params", "configuration", "config"};
+inline constexpr const char* synonyms_25[] = {"speed", "velocity", "rate"};
+inline constexpr const char* synonyms_26[] = {"stabilise", "stabilize", "stabilisation", "stabilization"};
+inline constexpr const char* synonyms_27[] = {"stop", "halt", "emergency"};
+inline constexpr const char* synonyms_28[] = {"temperature", "temp"};
+inline constexpr const char* synonyms_29[] = {"tune", "tuning"};
+inline constexpr const char* synonyms_30[] = {"vibration", "it shake", "it shakes", "vibrate", "oscillation", "oscillate"};
+inline constexpr const char* synonyms_31[] = {"tilt", "pitch"};
 }  // namespace detail
 
 /// In the order in which they are shown.
@@ -2653,7 +2658,7 @@ inline constexpr std::array<TopicReference, 19> topic_references{ {    {.name = 
 }};
 
 /// Groups of words that mean the same.
-inline constexpr std::array<std::span<const char* const>, 26> synonyms{ {    detail::synonyms_1,
+inline constexpr std::array<std::span<const char* const>, 31> synonyms{ {    detail::synonyms_1,
     detail::synonyms_2,
     detail::synonyms_3,
     detail::synonyms_4,
@@ -2679,6 +2684,11 @@ inline constexpr std::array<std::span<const char* const>, 26> synonyms{ {    det
     detail::synonyms_24,
     detail::synonyms_25,
     detail::synonyms_26,
+    detail::synonyms_27,
+    detail::synonyms_28,
+    detail::synonyms_29,
+    detail::synonyms_30,
+    detail::synonyms_31,
 }};
 
 }  // namespace sbgc
