@@ -38,9 +38,7 @@ def test_pages_at_80x24(tmp_path: Path) -> None:
     with emulated_gimbal("--firmware", "2.70") as gimbal, terminal(tmp_path) as shell:
         lines = begin(shell, gimbal)
         assert len(lines) == 24 and all(len(line) <= 80 for line in lines)
-        assert (
-            "board 3.6, firmware 2.70" in lines[0] and "connected 00:00:0" in lines[0]
-        )
+        assert "board 3.6, firmware 2.70" in lines[0] and "connected 00:00:0" in lines[0]
         assert lines[-1].strip().startswith(KEYS)
         text = "\n".join(lines)
         assert re.search(r"battery +1[0-9]\.\d\d V", text) and "errors    none" in text
@@ -55,8 +53,7 @@ def test_pages_at_80x24(tmp_path: Path) -> None:
         # The ranges of the charts, in two columns.
         span = re.compile(r"[\d.]+ to -?[\d.]+")
         shell.wait(
-            lambda now: {one.end() for line in now for one in span.finditer(line)}
-            == {38, 78}
+            lambda now: {one.end() for line in now for one in span.finditer(line)} == {38, 78}
         )
         shell.press("3")
         lines = shell.wait("axes.roll.acc_data")
@@ -110,12 +107,8 @@ def test_charts_have_a_dot_for_each_message(tmp_path: Path, locale: str) -> None
             assert characters == {"*"}
         else:
             assert all("\u2800" < one <= "\u28ff" for one in characters), "Braille"
-        labels = [
-            re.match(r"  [a-z ]{5} +(-?\d+\.\d\d)( |$)", line) for line in lines[12:23]
-        ]
-        assert [label.end(1) for label in labels if label] == [
-            17
-        ] * 6, "the range of each chart"
+        labels = [re.match(r"  [a-z ]{5} +(-?\d+\.\d\d)( |$)", line) for line in lines[12:23]]
+        assert [label.end(1) for label in labels if label] == [17] * 6, "the range of each chart"
 
 
 def test_resizing_while_it_runs(tmp_path: Path) -> None:
@@ -125,17 +118,13 @@ def test_resizing_while_it_runs(tmp_path: Path) -> None:
         lines = shell.wait(lambda now: now[59].strip().startswith(KEYS))
         assert re.search(r"connected \d\d:\d\d:\d\d$", lines[0].rstrip())
         assert len(lines[0].rstrip()) == 199
-        assert any(
-            len(line.rstrip()) > 150 for line in lines[12:58]
-        ), "charts fill the screen"
+        assert any(len(line.rstrip()) > 150 for line in lines[12:58]), "charts fill the screen"
         shell.press("3")
         lines = shell.wait("axes.roll.acc_data")
         assert "axes." in lines[3] and lines[3].count("   ") > 3, "several columns"
         assert "system_state_flags" in "\n".join(lines), "the last value"
         shell.resize(60, 10)
-        lines = shell.wait(
-            lambda now: len(now) == 10 and now[9].strip().startswith(KEYS)
-        )
+        lines = shell.wait(lambda now: len(now) == 10 and now[9].strip().startswith(KEYS))
         shell.resize(20, 5)
         shell.wait("too small")
         shell.resize(80, 24)
@@ -165,8 +154,7 @@ def test_pause_and_zero(tmp_path: Path) -> None:
         shell.wait(lambda now: angle(now, "pitch") < -19.5)
         shell.press("z")
         shell.wait(
-            lambda now: "relative to the zero" in "\n".join(now)
-            and abs(angle(now, "pitch")) < 0.5
+            lambda now: "relative to the zero" in "\n".join(now) and abs(angle(now, "pitch")) < 0.5
         )
         shell.press("z")
         shell.wait(lambda now: angle(now, "pitch") < -19.5)
@@ -193,9 +181,7 @@ def test_the_rate_of_the_messages(tmp_path: Path) -> None:
         shell.wait(r"received +\d+ frames, (1\.9|2\.[01]) per second of live data")
 
 
-@pytest.mark.parametrize(
-    "way", ["q", "C-c", signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]
-)
+@pytest.mark.parametrize("way", ["q", "C-c", signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
 def test_the_terminal_is_restored(tmp_path: Path, way: str | signal.Signals) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
         before = shell.state()
@@ -209,10 +195,7 @@ def test_the_terminal_is_restored(tmp_path: Path, way: str | signal.Signals) -> 
         lines = shell.wait("monitor -p")
         assert "motor power" not in "\n".join(lines)
         assert shell.state() == before
-        assert (
-            shell.tmux("display-message", "-p", "#{cursor_flag}#{alternate_on}").strip()
-            == "10"
-        )
+        assert shell.tmux("display-message", "-p", "#{cursor_flag}#{alternate_on}").strip() == "10"
 
 
 @pytest.mark.parametrize("way", ["q", signal.SIGKILL])

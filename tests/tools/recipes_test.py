@@ -19,9 +19,7 @@ GUIDE = (Path(__file__).parents[2] / "docs/12-command.md").read_text(encoding="u
 
 
 def recipe(language: str) -> str:
-    (text,) = re.findall(
-        rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE
-    )
+    (text,) = re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
     return str(text)
 
 
@@ -34,11 +32,7 @@ def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     assert len(commands) == 2
     with emulated_gimbal() as gimbal:
         port = f"record -p {shlex.quote(gimbal.address)}"
-        script = (
-            "\n".join(commands)
-            .replace("sbgc record", f"sbgc {port}")
-            .replace("60s", "1s")
-        )
+        script = "\n".join(commands).replace("sbgc record", f"sbgc {port}").replace("60s", "1s")
         path = f"{folder}{os.pathsep}{os.environ['PATH']}"
         subprocess.run(
             ["bash", "-euc", script],
@@ -52,9 +46,7 @@ def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 def test_the_table_has_the_columns_of_the_recipes(folder: Path) -> None:
     with (folder / "flight.csv").open(encoding="utf-8") as file:
         header, *rows = csv.reader(file)
-    named = set(
-        re.findall(r'"([\w.]+\[[^"\]]+\])"', recipe("python") + recipe("gnuplot"))
-    )
+    named = set(re.findall(r'"([\w.]+\[[^"\]]+\])"', recipe("python") + recipe("gnuplot")))
     assert len(named) == 3 and named <= set(header) and header[0] == "time[s]"
     assert len(set(header)) == len(header), "PlotJuggler wants different names"
     assert len(rows) > 20 and all(len(row) == len(header) for row in rows)

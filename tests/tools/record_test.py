@@ -47,9 +47,7 @@ def test_streams_are_asked_for(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert 7 <= rate_of("RealtimeDataCustom", capture) <= 13
 
 
-def test_an_existing_capture_gets_another_session(
-    gimbal: EmulatedGimbal, tmp_path: Path
-) -> None:
+def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     for _ in range(2):
         arguments = (
@@ -65,17 +63,13 @@ def test_an_existing_capture_gets_another_session(
 
 @pytest.mark.parametrize("name", ["flight.csv", "FLIGHT.CSV", "a.json"])
 def test_a_capture_is_no_table(name: str, tmp_path: Path) -> None:
-    result = run(
-        "record", str(tmp_path / name), "--stream", "AhrsHelper", "-p", "capture:none"
-    )
+    result = run("record", str(tmp_path / name), "--stream", "AhrsHelper", "-p", "capture:none")
     assert result.status == 2 and not list(tmp_path.iterdir())
     assert "`sbgc stream AhrsHelper --format csv`" in " ".join(result.error.split())
 
 
 def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:
-    result = run(
-        "record", "-p", gimbal.address, "-", "--stream", "AhrsHelper", "--for", "200ms"
-    )
+    result = run("record", "-p", gimbal.address, "-", "--stream", "AhrsHelper", "--for", "200ms")
     assert result.status == 0, result
     assert messages(result.out)["AhrsHelper"] >= 5
 
@@ -112,11 +106,7 @@ def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=20)
             assert process.returncode == 0
-    streamed = [
-        line
-        for line in decode(capture.read_bytes())
-        if line["message"] == "RealtimeData4"
-    ]
+    streamed = [line for line in decode(capture.read_bytes()) if line["message"] == "RealtimeData4"]
     assert streamed[-1]["session"] >= 1
 
 
@@ -164,14 +154,10 @@ def test_replay_serves_a_capture(gimbal: EmulatedGimbal, tmp_path: Path) -> None
     process.communicate(timeout=20)
     assert process.returncode == 0
     from_board = [
-        line
-        for line in decode(capture.read_bytes())
-        if line["direction"] == "from_board"
+        line for line in decode(capture.read_bytes()) if line["direction"] == "from_board"
     ]
     replayed = decode(copy.out)
-    assert [line["fields"] for line in replayed] == [
-        line["fields"] for line in from_board
-    ]
+    assert [line["fields"] for line in replayed] == [line["fields"] for line in from_board]
     whole = from_board[-1]["time"] - from_board[0]["time"]
     assert replayed[-1]["time"] - replayed[0]["time"] < whole
 

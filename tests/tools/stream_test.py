@@ -41,14 +41,10 @@ def rows_of(result: Result) -> tuple[list[str], list[list[str]]]:
 
 def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     header, rows = rows_of(
-        stream(
-            gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s"
-        )
+        stream(gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
     )
     assert header[0] == "time[s]"
-    assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(
-        header
-    )
+    assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(header)
     assert 5 <= len(rows) <= 21  # a busy machine delivers fewer than 20
     assert all(len(row) == len(header) for row in rows)
     assert all(float(cell) is not None for row in rows for cell in row if cell)
@@ -63,17 +59,10 @@ def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
 def test_old_firmware_is_polled() -> None:
     """Before 2.59 there are no data streams."""
     with emulated_gimbal("--firmware", "2.43b9") as old:
-        result = stream(
-            old, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s"
-        )
+        result = stream(old, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
         _, rows = rows_of(result)
         assert 5 <= len(rows) <= 22
-        assert (
-            result.error.count(
-                "CMD_REALTIME_DATA_4 is repeated instead of a data stream"
-            )
-            == 1
-        )
+        assert result.error.count("CMD_REALTIME_DATA_4 is repeated instead of a data stream") == 1
         assert "needs firmware 2.59" in " ".join(result.error.split())
         refused = stream(old, "RealtimeDataCustom", "--with", "IMU_ANGLES")
         assert refused.status == 1 and "firmware 2.59" in refused.error
@@ -86,9 +75,7 @@ def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
             "--fields", "angle.*,cycle_time,rotor_angle",
         )
     )  # fmt: skip
-    names = [
-        f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES
-    ]
+    names = [f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES]
     assert header == ["time[s]", *names[:3], "cycle_time[us]", *names[3:]]
 
 
@@ -118,15 +105,11 @@ def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None
         assert angle["unit"] == "deg"
         assert angle["real"] == pytest.approx(angle["raw"] * 360 / 16384)
     same = stream(gimbal, *arguments, "--with", "imu_angles|RC_DATA")
-    assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(
-        same.objects[0]["fields"]
-    )
+    assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(same.objects[0]["fields"])
 
 
 def test_text_is_a_table(gimbal: EmulatedGimbal) -> None:
-    result = stream(
-        gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code"
-    )
+    result = stream(gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code")
     assert result.status == 0, result
     lines = result.text.splitlines()
     assert lines[0].split() == ["time[s]", "angle.yaw[deg]", "error_code"]
@@ -141,9 +124,7 @@ def test_the_table_has_as_many_columns_as_fit_into_the_terminal(
     outside, inside = pty.openpty()
     arguments = ["stream", "-p", gimbal.address, "RealtimeData4", "--for", "100ms"]
     environment = {**os.environ, "COLUMNS": str(columns)}
-    with subprocess.Popen(
-        [PROGRAM, *arguments], stdout=inside, env=environment
-    ) as process:
+    with subprocess.Popen([PROGRAM, *arguments], stdout=inside, env=environment) as process:
         os.close(inside)
         shown = b""
         try:
@@ -198,9 +179,7 @@ def test_a_restart_is_reported() -> None:
 
 def without_losses(error: str) -> str:
     """Returns the other lines: on a busy machine, the last message may be late and count as lost."""
-    return re.sub(
-        r"sbgc: about \d+ messages? lost on the line, \d+ received\n", "", error
-    )
+    return re.sub(r"sbgc: about \d+ messages? lost on the line, \d+ received\n", "", error)
 
 
 def test_lost_messages_are_counted() -> None:
@@ -216,9 +195,7 @@ def test_lost_messages_are_counted() -> None:
         )
         result = run("stream", *arguments, "-p", noisy.address, "--attempts", "50")
     rows = rows_of(result)[1]
-    told = re.search(
-        r"about (\d+) messages? lost on the line, (\d+) received", result.error
-    )
+    told = re.search(r"about (\d+) messages? lost on the line, (\d+) received", result.error)
     assert told, result
     lost, received = map(int, told.groups())
     assert received == len(rows)
@@ -236,9 +213,7 @@ def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
         "RealtimeData4",
     )
     assert run(*recorded, "--for", "1s").status == 0
-    result = run(
-        "stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv"
-    )
+    result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
     assert (result.status, without_losses(result.error)) == (0, "")
     assert len(rows_of(result)[1]) > 3
 
@@ -312,15 +287,11 @@ def test_a_stream_of_an_unknown_message_is_bytes() -> None:
             while data := line.recv(4096):
                 number = data[1]
                 if number == 86:
-                    line.sendall(
-                        frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000"))
-                    )
+                    line.sendall(frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000")))
                 elif number == 85:
                     asked.append(data[4:-1])
                     line.sendall(frame(67, b"\x55"))
-                    line.sendall(
-                        frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200)
-                    )
+                    line.sendall(frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200))
                 else:
                     line.sendall(frame(255, bytes([number, 6, 0, 0, 0, 0])))
 
