@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from compiler import COMPILERS, ROOT, Compiler
+from compiler import COMPILERS, INCLUDES, ROOT, Compiler
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,13 @@ MISUSES = [
         says="only the board sends this message",
     ),
     Misuse(
+        "call_with_an_answer",
+        "void use(sbgc::Client& client) { static_cast<void>(client.call(sbgc::msg::WRONG{})); }",
+        wrong="GetAngles",
+        right="GetAnglesRequest",
+        says="a call takes the request that it answers",
+    ),
+    Misuse(
         "stream_of_a_message_without_one",
         STREAM,
         wrong="GetAngles",
@@ -90,6 +98,31 @@ def test_the_compiler_says_what_is_wrong(compiler: Compiler, misuse: Misuse) -> 
     assert not errors_of(compiler, misuse.code.replace("WRONG", misuse.right))
     errors = errors_of(compiler, misuse.code.replace("WRONG", misuse.wrong))
     assert len(errors) == 1 and misuse.says in errors[0], errors
+
+
+@pytest.mark.parametrize("name", COMPILERS)
+@pytest.mark.parametrize(
+    "header", ["client/client.hpp", "messages.hpp", "units.hpp", "enums.hpp", "any.hpp"]
+)
+def test_older_cpp_is_refused_in_one_sentence(name: str, header: str) -> None:
+    done = subprocess.run(
+        [
+            name,
+            "-std=c++17",
+            *(f"-I{path}" for path in INCLUDES),
+            "-fsyntax-only",
+            "-x",
+            "c++",
+            "-",
+        ],
+        input=f"#include <sbgc/{header}>\n",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    said, missing = [line for line in done.stderr.splitlines() if "error: " in line]
+    assert "sbgc needs C++20: compile with -std=c++20" in said
+    assert "fatal error: " in missing and "the_compiler_stops_here" in missing
 
 
 @pytest.mark.parametrize("name", COMPILERS)

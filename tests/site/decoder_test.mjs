@@ -150,6 +150,25 @@ test("a broken frame is explained", async () => {
     await expectSummary(page, /0 frames; 5 bytes in no frame \(1 bad body\)/);
     const { text } = await inside(page, 0);
     assert.match(text, /CMD_BOARD_INFO \(86\) .* 0 bytes, but the checksum of its body is 0x01, not 0x00/);
+    assert.deepEqual(await page.locator("#inside-0 .bytes .wrong").allTextContents(), ["01"]);
+
+    // The fields of a damaged frame are gray, the byte that contradicts them is marked.
+    const damaged = frame(67, [5, ...Array(12).fill(0)]);
+    damaged[17] ^= 0xff;
+    await type(page, damaged.toString("hex"));
+    await expectSummary(page, /0 frames; 18 bytes in no frame/);
+    const fields = await inside(page, 0);
+    assert.match(fields.text, /any of them may be wrong/);
+    assert.match(fields.text, /control_mode/);
+    const marked = await page.locator("#inside-0 .bytes .wrong").allTextContents();
+    assert.deepEqual(marked, [damaged.subarray(17).toString("hex")]);
+    const color = (selector) => page.locator(selector).first().evaluate((cell) => getComputedStyle(cell).color);
+    assert.equal(await color("#inside-0 .damaged td"), await color("#inside-0 .damaged a"), "gray");
+
+    await type(page, Buffer.from([0x3e, 0x56, 9, 0]).toString("hex"));
+    await expectSummary(page, /0 frames; 4 bytes in no frame/);
+    await inside(page, 0);
+    assert.deepEqual(await page.locator("#inside-0 .bytes .wrong").allTextContents(), ["00"]);
 
     await type(page, frame(65, [0, 0, 0, 0, 0]).toString("hex"));
     await expectSummary(page, /1 frame; 1 of them not decodable/);

@@ -281,11 +281,13 @@ test("the engine lists frames and gaps without holes and tells everything about 
   const misses = async (i) => (await engine.details(1, i, items[i])).misses;
   assert.deepEqual(await misses(0), []);
   assert.deepEqual(await misses(2), [
-    [0, "looks like CMD_CONFIRM (67) from the board with a body of 1 byte, but the checksum of its body is 0x4c, not 0x4d"],
-    [6, "a start byte, but the checksum of its header is 0x00, not 0x5f"],
+    [0, "looks like CMD_CONFIRM (67) from the board with a body of 1 byte, but the checksum of its body is 0x4c, not 0x4d", [5, 1],
+      "Confirm", [["cmd", "77", "CMD_MOTORS_ON", "", 4, 1], ["data", "", "", "", 5, 0]]],
+    [6, "a start byte, but the checksum of its header is 0x00, not 0x5f", [3, 1], "", []],
   ]);
   assert.deepEqual(await misses(4), [
-    [0, "looks like CMD_CONFIRM (67) from the board with a body of 3 bytes, but the last 2 of its 8 bytes are missing"],
+    [0, "looks like CMD_CONFIRM (67) from the board with a body of 3 bytes, but the last 2 of its 8 bytes are missing", [7, 0],
+      "", []],
   ]);
 });
 

@@ -150,13 +150,24 @@ std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t>
         candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;
     if (const auto changed = has_header ? std::nullopt : changed_header(from, direction)) {
       result.push_back(
-          {at, candidate.verdict, true, true,
+          {at, candidate.verdict, true, true, 0, 0, 0,
            fmt::format("looks like {}, but {}", claimed(changed->id, changed->size, direction),
                        changed->change)});
       continue;
     }
-    result.push_back(
-        {at, candidate.verdict, has_header, false, reason(candidate, from, direction)});
+    RejectedCandidate rejected{at, candidate.verdict, has_header, false};
+    if (candidate.verdict == Verdict::bad_header) {
+      const bool has_id = from[frame_id_offset] != 0;
+      rejected.wrong = has_id ? frame_header_checksum_offset : frame_id_offset;
+      rejected.wrong_size = 1;
+    } else if (has_header) {
+      rejected.size = candidate.size;
+      const std::size_t trailer = Trailer(framing_of(from.data())).size;
+      rejected.wrong = candidate.size - trailer;
+      rejected.wrong_size = candidate.verdict == Verdict::bad_body ? trailer : 0;
+    }
+    rejected.text = reason(candidate, from, direction);
+    result.push_back(std::move(rejected));
   }
   return result;
 }

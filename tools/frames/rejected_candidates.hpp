@@ -15,11 +15,14 @@ namespace sbgc::tools {
 
 /// A start byte that does not begin a frame.
 struct RejectedCandidate {
-  std::uint64_t offset{};  ///< in the examined bytes
-  Verdict verdict{};       ///< incomplete, bad_header or bad_body
-  bool has_header{};       ///< probably intended as a frame: its header is, or was, valid
-  bool is_changed{};       ///< a driver has probably changed its header
-  std::string text{};      ///< the reason, such as "a start byte, but no command has the id 0"
+  std::uint64_t offset{};    ///< in the examined bytes
+  Verdict verdict{};         ///< incomplete, bad_header or bad_body
+  bool has_header{};         ///< probably intended as a frame: its header is, or was, valid
+  bool is_changed{};         ///< a driver has probably changed its header
+  std::size_t size{};        ///< that of the frame, if it has a header
+  std::size_t wrong{};       ///< from its start byte: what contradicts the other bytes
+  std::size_t wrong_size{};  ///< 0 if bytes are missing
+  std::string text{};        ///< the reason, such as "a start byte, but no command has the id 0"
 };
 
 /// The number of bytes after a start byte that the reason can depend on.

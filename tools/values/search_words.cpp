@@ -22,8 +22,8 @@ constexpr bool is_in_word(char c) {
 /// True if a word of the text, which may be in the plural, means the same.
 bool occurs(std::string_view text, std::string_view word) {
   for (std::size_t at = 0; at < text.size();) {
-    const auto end = std::ranges::find_if_not(text.substr(at), is_in_word);
-    const auto size = static_cast<std::size_t>(end - (text.begin() + static_cast<long>(at)));
+    std::size_t size = 0;
+    while (at + size < text.size() && is_in_word(text[at + size])) ++size;
     const std::string_view one = text.substr(at, size);
     if (means_same(one, word)) return true;
     if (one.ends_with('s') && means_same(one.substr(0, size - 1), word)) return true;

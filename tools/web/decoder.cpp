@@ -52,6 +52,22 @@ void put_rows(TextOutput& out, const Rows& rows) {
   out.put(rows.empty() ? "[]" : "]");
 }
 
+/// Writes the message of a frame whose checksum is wrong, and its rows: any of them may be.
+void put_damaged(TextOutput& out, std::span<const std::uint8_t> input,
+                 const RejectedCandidate& candidate, std::optional<Direction> direction) {
+  const auto from = input.subspan(static_cast<std::size_t>(candidate.offset));
+  FrameDecoder decoder({.rows = true});
+  DecodedFrame decoded;
+  if (candidate.verdict == Verdict::bad_body && candidate.size <= from.size()) {
+    const auto body = from.subspan(frame_header_size, candidate.wrong - frame_header_size);
+    decoded = decoder.decode({from[frame_id_offset], body, 0, framing_of(from.data())}, direction);
+  }
+  const bool is_known = decoded.message != nullptr && decoded.status;
+  put_json_string(out, is_known ? decoded.message->name : "");
+  out.put(',');
+  put_rows(out, is_known ? decoded.rows : Rows());
+}
+
 /// Decodes one input, from its first byte to its end.
 class Decoding {
  public:
@@ -220,7 +236,9 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 }
 
 /// Treats the input as bytes outside of frames and the bytes after them. Outputs a JSON list of
-/// [offset, reason] for at most `limit` start bytes among the first `gap` bytes.
+/// [offset, reason, [wrong, wrong size], message, rows] for at most `limit` start bytes among the
+/// first `gap` bytes. The rows are those of a damaged frame as it came; its message is "" if there
+/// are none.
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(state().input);
   state().output.clear();
@@ -234,6 +252,12 @@ SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, 
     list.put(candidate.offset);
     list.put(',');
     sbgc::tools::put_json_string(list, candidate.text);
+    list.put(",[");
+    list.put(candidate.wrong);
+    list.put(',');
+    list.put(candidate.wrong_size);
+    list.put("],");
+    sbgc::tools::put_damaged(list, input, candidate, state().decoding.direction());
     list.put(']');
   }
   list.put(separator == '[' ? "[]" : "]");

@@ -4,6 +4,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 
 /// True for enums whose values are flags of a set. Generated code specializes it.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sbgc/detail/compiler.hpp>
+
 namespace sbgc {
 
 template <class Q>

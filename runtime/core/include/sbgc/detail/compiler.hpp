@@ -2,6 +2,12 @@
 /// The compilers are g++ and clang++, on any processor and system. MSVC is not supported.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "sbgc needs C++20: compile with -std=c++20, in CMake with CMAKE_CXX_STANDARD 20"
+// A missing file ends the compilation: more errors would only confuse.
+#include <the_compiler_stops_here>
+#endif
+
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>

@@ -155,22 +155,28 @@ const decoderView = (() => {
   function insideGap(answer, item) {
     const shown = 512; // bytes
     const list = element("ul", {});
-    const starts = new Map(answer.misses);
-    for (const [offset, reason] of answer.misses) {
-      list.append(element("li", {}, `@${item.offset + offset}: ${reason}.`));
+    const parts = [];
+    for (const [offset, reason, [wrong, wrongSize], message, rows] of answer.misses) {
+      const entry = element("li", {}, `@${item.offset + offset}: ${reason}.`);
+      if (rows.length !== 0) {
+        const note = element("p", { class: "small" }, "The fields as they came; any of them may be wrong:");
+        const table = rowsTable({ rows, frame: { message } });
+        for (const row of table.querySelectorAll("[data-part]")) delete row.dataset.part;
+        entry.append(element("div", { class: "damaged" }, note, table));
+      }
+      list.append(entry);
+      parts.push({ at: offset, size: 1, part: null, tint: "framing", name: "start byte" });
+      const at = offset + wrong;
+      if (wrongSize !== 0) parts.push({ at, size: wrongSize, part: null, tint: "wrong", name: "wrong" });
     }
-    const parts = [...starts.keys()].filter((at) => at < shown);
-    const result = [
-      colored(
-        answer.bytes.subarray(0, shown),
-        parts.map((at) => ({ at, size: 1, part: null, tint: "wrong", name: "start byte" })),
-        "Bytes in no frame",
-      ),
-    ];
+    parts.sort((a, b) => a.at - b.at);
+    // A start byte may be inside of a candidate, and at the place of its checksum.
+    const apart = parts.filter(({ at }, i) => at < shown && (i === 0 || at >= parts[i - 1].at + parts[i - 1].size));
+    const result = [colored(answer.bytes.subarray(0, shown), apart, "Bytes in no frame")];
     if (item.size > shown) {
       result.push(element("p", { class: "muted" }, `… and ${counted(item.size - shown, "byte")} more`));
     }
-    if (starts.size === 0) {
+    if (answer.misses.length === 0) {
       result.push(element("p", {}, "They contain no start byte (3e)."));
     } else {
       result.push(list);
