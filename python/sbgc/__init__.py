@@ -11,6 +11,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 """
 
 from sbgc import aio, msg
+from sbgc.captures import read_capture
 from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
@@ -75,5 +76,6 @@ __all__ = [
     "encode",
     "encode_body",
     "msg",
+    "read_capture",
     "validate",
 ]

@@ -71,7 +71,7 @@ py::object value_of(const Leaf& leaf, bool raw) {
   switch (leaf.kind) {
     case LeafKind::integer:
     case LeafKind::counter: {
-      if (unit != nullptr) return py::float_(unit->real(static_cast<double>(leaf.integer)));
+      if (unit != nullptr) return py::float_(unit->real(leaf.number()));
       const auto bits = static_cast<std::uint64_t>(leaf.integer);
       if (leaf.is_u64) return py::int_(bits);
       if (is_a_set(leaf)) return py::int_(detail::low_bits(bits, leaf.size));
@@ -266,7 +266,7 @@ void copy_values(AnyMessage& to, std::string_view path, const AnyMessage& from,
     const UnitInfo* unit = nullptr;
     from.with_leaf(std::string(other) + rest, [&](const Leaf& leaf) {
       unit = leaf.unit;
-      if (unit != nullptr) real = unit->real(static_cast<double>(leaf.integer));
+      if (unit != nullptr) real = unit->real(leaf.number());
     });
     if (unit == nullptr) continue;
     const UnitInfo* actual = unit;

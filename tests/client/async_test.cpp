@@ -29,6 +29,7 @@
 #include <sbgc/meta/all.hpp>
 
 #include "collector.hpp"
+#include "emulated_board.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -83,6 +84,23 @@ TEST_F(Async, WorksWithFutures) {
   const auto answer = client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get();
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(*answer, angles);
+}
+
+TEST(AsyncPolls, ReplaceStreamsOfOldFirmware) {
+  emulator::EmulatorOptions old = quick_board();
+  old.board.firmware = msg::FirmwareVersion(2439);
+  EmulatedBoard board{old};
+  Running running;
+  AsyncClient client(running.executor());
+  ASSERT_TRUE(client.async_connect_over(board.line(), quick(), asio::use_future).get());
+  Collector<msg::RealtimeData3> samples;
+  auto stream = client
+                    .async_stream<msg::RealtimeData3>(
+                        milliseconds(5), [&](const msg::RealtimeData3& one) { samples.add(one); },
+                        asio::use_future)
+                    .get();
+  ASSERT_TRUE(stream) << stream.error().message;
+  EXPECT_GE(samples.wait_for(5).size(), 5U);
 }
 
 TEST_F(Async, WorksWithCallbacksThatCanOnlyBeMoved) {
@@ -373,6 +391,40 @@ TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
   EXPECT_TRUE(possible);
   EXPECT_TRUE(board.wait_for<msg::DataStreamInterval>(1));
   EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U) << "nothing was sent for the others";
+}
+
+TEST_F(Async, RawStreamsHaveTheBytesOfAnyMessage) {
+  constexpr std::uint8_t unknown_id = 200;
+  board.on<msg::DataStreamInterval>([&](const msg::DataStreamInterval& request) {
+    registrations.add(request);
+    board.confirm(request);
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const std::array<std::uint8_t, 3> body{1, 2, 3};
+    for (const std::uint8_t id : {std::uint8_t{201}, unknown_id}) {
+      board.send_bytes(std::span(frame).first(write_frame(id, body, frame).size));
+    }
+  });
+  msg::DataStreamInterval request;
+  request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
+  request.interval_ms = msg::Milliseconds(20);
+  std::promise<Frame> first;
+  std::atomic<bool> has_one{};
+  const auto take = [&](const Frame& frame) {
+    if (!has_one.exchange(true)) first.set_value({.id = frame.id, .body = {}});
+  };
+  AsyncClient client(running.executor());
+  const auto refused = client.async_stream_raw(request, take, asio::use_future).get();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::not_connected);
+  connect(client);
+  {
+    const auto stream = client.async_stream_raw(request, take, {}, asio::use_future).get();
+    ASSERT_TRUE(stream) << stream.error().message;
+    EXPECT_EQ(first.get_future().get().id, unknown_id);
+  }
+  EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
+    return requests.size() == 2 && requests.back().interval_ms == msg::Milliseconds{};
+  }));
 }
 
 TEST_F(Async, CanConnectAgain) {

@@ -575,6 +575,8 @@ TEST_F(BackupTest, TheContentsOfAFileAreChecked) {
               HasSubstr("contents[1].copies: expected a list"));
   EXPECT_THAT(wrong([](Json& json) { json["contents"][0]["copies"][1] = 256; }).message,
               HasSubstr("contents[0].copies[1]: expected a number from 0 to 255"));
+  EXPECT_THAT(wrong([](Json& json) { json["contents"][0]["copies"][1] = 255; }).message,
+              HasSubstr("or 'contents', was edited"));
 }
 
 TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {

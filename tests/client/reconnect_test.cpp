@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages.hpp>
 
 #include "collector.hpp"
@@ -207,6 +208,52 @@ TEST_F(Reconnecting, StreamsAndSubscriptionsGoOn) {
   slow.wait_for(slow_before + 2);
   EXPECT_TRUE(client.get_angles());
   angles.wait_for(1);
+}
+
+TEST_F(Reconnecting, PollsOfOldFirmwareGoOn) {
+  emulator::BoardOptions old = board.options();
+  old.firmware = msg::FirmwareVersion(2439);
+  board.become(old);
+  ReconnectingClient client = connect();
+  std::atomic<int> samples = 0;
+  const auto stream =
+      client.stream<msg::RealtimeData4>(Ms(5), [&](const msg::RealtimeData4&) { ++samples; });
+  ASSERT_TRUE(stream) << stream.error().message;
+  pull();
+  ASSERT_TRUE(wait_for(LinkState::searching));
+  const int before = samples;
+  is_plugged = true;
+  ASSERT_TRUE(wait_for(LinkState::connected));
+  while (samples < before + 5) std::this_thread::sleep_for(Ms(1));
+}
+
+TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
+  const auto commands = [&] { return board.count<msg::Control>(); };
+  ReconnectingClient client = connect();
+  SpeedControl control(client, {.silence = Ms(60'000), .repeat = Ms(20)});
+  EXPECT_EQ(control.state(), SpeedControl::State::idle);
+  EXPECT_FALSE(control.refresh());
+  EXPECT_TRUE(control.stop());
+  const Axes<msg::ControlSpeed> speed{.yaw = msg::ControlSpeed(50)};
+  ASSERT_TRUE(control.set(speed));
+  while (commands() < 2) std::this_thread::sleep_for(Ms(1));
+  pull();
+  ASSERT_TRUE(wait_for(LinkState::searching));
+  const auto during = control.set(speed);
+  ASSERT_FALSE(during);
+  EXPECT_EQ(during.error().code, ErrorCode::not_connected);
+  is_plugged = true;
+  ASSERT_TRUE(wait_for(LinkState::connected));
+  const std::size_t before = commands();
+  std::this_thread::sleep_for(Ms(100));
+  EXPECT_EQ(commands(), before) << "nothing turns unasked";
+  EXPECT_FALSE(control.refresh()) << "also not by keeping what has ended";
+  ASSERT_TRUE(control.set(speed));
+  while (commands() < before + 2) std::this_thread::sleep_for(Ms(1));
+  EXPECT_EQ(control.state(), SpeedControl::State::turning);
+  EXPECT_TRUE(control.stop());
+  EXPECT_TRUE(control.wait());
+  EXPECT_EQ(control.state(), SpeedControl::State::idle);
 }
 
 TEST_F(Reconnecting, SubscriptionsDoNotWaitForStreams) {

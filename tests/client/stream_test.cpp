@@ -19,6 +19,7 @@
 #include <sbgc/frame.hpp>
 #include <sbgc/messages.hpp>
 
+#include "collector.hpp"
 #include "emulated_board.hpp"
 #include "scripted_board.hpp"
 
@@ -45,6 +46,76 @@ class Streams : public ::testing::Test {
 
   EmulatedBoard board{quick_board(), {}, false};
 };
+
+/// A board whose firmware has no data streams.
+class Polls : public ::testing::Test {
+ protected:
+  static emulator::EmulatorOptions old_board() {
+    emulator::EmulatorOptions options = quick_board();
+    options.board.firmware = msg::FirmwareVersion(2439);
+    return options;
+  }
+  std::size_t requests() { return board.count<msg::RealtimeData4Request>(); }
+
+  EmulatedBoard board{old_board()};
+};
+
+TEST_F(Polls, ReplaceStreamsAsLongAsTheyAreWanted) {
+  auto connected = connect_over(board.line(), quick());
+  ASSERT_TRUE(connected) << connected.error().message;
+  Client& client = *connected;
+  Collector<Notice> notices;
+  const Subscription told = client.on_notice([&](const Notice& one) { notices.add(one); });
+  Collector<msg::RealtimeData4> samples;
+  auto slow =
+      client.stream<msg::RealtimeData4>(std::chrono::minutes(1), [](const msg::RealtimeData4&) {});
+  ASSERT_TRUE(slow) << slow.error().message;
+  EXPECT_EQ(requests(), 1U);
+  auto stream = client.stream<msg::RealtimeData4>(
+      milliseconds(5), [&](const msg::RealtimeData4& one) { samples.add(one); });
+  ASSERT_TRUE(stream) << stream.error().message;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_GE(samples.wait_for(20).size(), 20U);
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(90)) << "not faster than asked";
+  const Notice notice = notices.wait_for(1).front();
+  EXPECT_EQ(notice.kind, NoticeKind::polling);
+  EXPECT_THAT(notice.message, ::testing::HasSubstr("firmware 2.59"));
+  // The other one goes on, at the interval of the last.
+  stream->cancel();
+  const std::size_t before = requests();
+  while (requests() < before + 3) std::this_thread::sleep_for(milliseconds(1));
+  slow->cancel();
+  EXPECT_TRUE(client.get_angles());
+  const std::size_t last = requests();
+  std::this_thread::sleep_for(milliseconds(30));
+  EXPECT_EQ(requests(), last);
+}
+
+TEST_F(Polls, WaitForTheAnswerBeforeTheNextRequest) {
+  std::atomic<bool> is_silent = false;
+  board.on_lost([&](const Packet& packet) {
+    return is_silent && packet.id == static_cast<std::uint8_t>(msg::RealtimeData4Request::command);
+  });
+  auto client = connect_over(board.line(), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  auto stream = client->stream<msg::RealtimeData4>(milliseconds(1), [](const auto&) {},
+                                                   {.timeout = milliseconds(200)});
+  ASSERT_TRUE(stream) << stream.error().message;
+  is_silent = true;
+  const auto calls = client->statistics().calls;
+  std::this_thread::sleep_for(milliseconds(300));
+  EXPECT_LE(client->statistics().calls, calls + 3) << "each takes 200 ms";
+  stream->cancel();
+  board.on_lost(nullptr);
+}
+
+TEST_F(Polls, AMessageWithoutARequestIsRefused) {
+  auto client = connect_over(board.line(), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  const auto stream = client->stream<msg::RealtimeDataCustom>(milliseconds(20), [](const auto&) {});
+  ASSERT_FALSE(stream);
+  EXPECT_EQ(stream.error().code, ErrorCode::unsupported);
+}
 
 TEST_F(Streams, KeepTheirRate) {
   Client client = connect();

@@ -101,6 +101,65 @@ TEST(AnyMessage, ValuesAreAssignedFromText) {
   EXPECT_FALSE(sound.add("note"));
 }
 
+TEST(AnyMessage, TextsMeanWhatTheSpecificationSays) {
+  struct Case {
+    const char* message;
+    const char* path;
+    const char* text;
+    std::int64_t raw;
+  };
+  for (const Case& one : {
+           Case{"SelectImu3", "imu_type", "FRAME", 2},
+           Case{"SelectImu3", "imu_type", "imu_type_main", 1},
+           Case{"HelperDataExt", "frame_heading", "32767", 32767},
+           Case{"HelperDataExt", "frame_heading", "raw:32767", 32767},
+           Case{"HelperDataExt", "frame_heading", "90", 4096},
+           Case{"BoardInfo", "board_ver", "major:3, minor:6", 36},
+           Case{"BoardInfo", "firmware_ver", "major 2, minor 73, beta 1", 2731},
+           Case{"BoardInfo", "firmware_ver", "major:2,minor:74,minor:0,beta:5", 2005},
+       }) {
+    AnyMessage message = find_message(one.message)->make();
+    EXPECT_EQ(message.assign(one.path, one.text, false), "");
+    message.with_leaf(one.path,
+                      [&](const Leaf& leaf) { EXPECT_EQ(leaf.integer, one.raw) << one.text; });
+  }
+}
+
+TEST(AnyMessage, APackedQuaternionTakesItsComponents) {
+  AnyMessage message = find_message("ControlQuatAttitudePacked")->make();
+  const auto after = [&](const char* text) {
+    EXPECT_EQ(message.assign("target_attitude", text), "");
+    return message.get_if<msg::ControlQuatAttitudePacked>()->target_attitude.raw();
+  };
+  // Sign and magnitude, in units of 1/741453.785976.
+  constexpr std::uint64_t minus = 1U << 19U;
+  EXPECT_EQ(after("a:-5"), minus + 5);
+  EXPECT_EQ(after("a:5"), 5U);
+  EXPECT_EQ(after("b:-7"), (minus + 7) * 0x100000U + 5);
+  EXPECT_EQ(after("b:0, largest_sign:1"), (std::uint64_t{1} << 62U) + 5);
+  EXPECT_EQ(after("a:0.5"), (std::uint64_t{1} << 62U) + 370727);
+  for (const char* text : {"a:524288", "a:-524288", "a:1e30", "a:-1e30"}) {
+    EXPECT_NE(message.assign("target_attitude", text).find("does not fit into 'a'"),
+              std::string::npos);
+  }
+}
+
+TEST(AnyMessage, ANumberHasTheTypeThatItsTextNames) {
+  AnyMessage variables = find_message("DebugVars3")->make();
+  const auto bytes_of = [&](const char* text) {
+    EXPECT_EQ(variables.assign("var_value[0]", text), "");
+    return encoded_body(variables);
+  };
+  EXPECT_EQ(bytes_of("u8:255"), ByteVector{255});
+  EXPECT_EQ(bytes_of("i8:-5"), ByteVector{251});
+  EXPECT_EQ(bytes_of("i16:-2"), (ByteVector{254, 255}));
+  EXPECT_EQ(bytes_of("f32:1.5"), (ByteVector{0, 0, 0xC0, 0x3F}));
+  for (const char* text : {"u8:256", "u8:-1", "i8:128", "i16:-32769", "u32:4294967296"}) {
+    EXPECT_EQ(variables.assign("var_value[0]", text),
+              std::string("var_value[0]: ") + text + " does not fit");
+  }
+}
+
 TEST(AnyMessage, WhatAMessageCanLackIsAddedFoundAndRemoved) {
   AnyMessage motors = find_message("ExtMotorsControl")->make();
   EXPECT_FALSE(motors.has("setpoint16"));
@@ -133,8 +192,34 @@ TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {
   EXPECT_EQ(sound.assign("note_freq_hz[50]", "600"), "note_freq_hz: 51 elements are more than 50");
   EXPECT_EQ(sound.assign("note_freq_hz[999]", "600"),
             "note_freq_hz[999]: there is no such element");
+  EXPECT_EQ(sound.assign(".note_length", "5"), "BeepSound has no field '.note_length'");
+  EXPECT_EQ(sound.assign("decay_factor", "5 Hz"), "decay_factor: it has no unit: write 5");
   EXPECT_TRUE(sound.assign("mode", "LOUD").starts_with("mode: 'LOUD' is not a name of BeepModes"));
   EXPECT_TRUE(sound == before);
+
+  struct Case {
+    const char* message;
+    const char* path;
+    const char* text;
+    const char* problem;
+  };
+  for (const Case& one : {
+           Case{"BoardInfo", "connection_flags", "USB", "'USB' is not a name of ConnectionFlags"},
+           Case{"BoardInfo", "board_ver", "minor:10", "10 does not fit into 'minor'"},
+           Case{"BoardInfo", "board_ver", "minor:-1", "-1 does not fit into 'minor'"},
+           Case{"BoardInfo", "firmware_ver", "major:66", "66 does not fit into 'major'"},
+           Case{"AhrsHelper", "z1_vector.x", "up", "'up' is not a number"},
+           Case{"HelperDataExt", "frame_heading", "32767 deg", "32767 deg does not fit"},
+           Case{"HelperDataExt", "frame_heading", "719.97 deg",
+                "719.97 deg is sent as 32767, which means: stops the correction of the heading; "
+                "write raw:32767 for that"},
+           Case{"SetAdjVarsVal", "params[0]param_id", "1",
+                "SetAdjVarsVal has no field 'params[0]param_id'"},
+       }) {
+    AnyMessage message = find_message(one.message)->make();
+    EXPECT_NE(message.assign(one.path, one.text).find(one.problem), std::string::npos)
+        << message.assign(one.path, one.text);
+  }
 }
 
 TEST(AnyMessage, EveryValueIsAssignedFromItsOwnText) {

@@ -180,6 +180,17 @@ TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {
   EXPECT_STREQ(result.status.field, "gyro_data");
 }
 
+// Earlier firmware ignores that its flags are asked for.
+TEST(Dispatch, LiveDataWithoutTheFlagsThatWereAskedForAreRead) {
+  Contexts contexts;
+  contexts.learn(
+      msg::RealtimeDataCustomRequest{.flags = msg::RealtimeDataCustomFlag::imu_angles |
+                                              msg::RealtimeDataCustomFlag::include_flags});
+  EXPECT_EQ(
+      visited(88, from_hex("1027 0100 0200 0300"), Direction::from_board, contexts).fields.dump(),
+      R"({"timestamp_ms":10000,"imu_angles":{"roll":1,"pitch":2,"yaw":3}})");
+}
+
 // A stream request provides the same context if it requests this message.
 TEST(Dispatch, StreamsTeachToo) {
   msg::DataStreamInterval request;

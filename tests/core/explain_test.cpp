@@ -88,6 +88,9 @@ TEST(Explain, SaysThatABodyIsTooLongOrBetweenForms) {
 TEST(Explain, ABoardWithoutTheMessageIsNamed) {
   EXPECT_EQ(objection_to(Meta<msg::BeepSound>::info, newest), "");
   EXPECT_EQ(objection_to(Meta<msg::BeepSound>::info, {2430, 36}), "needs firmware 2.59");
+  EXPECT_EQ(objection_to(Meta<msg::AutoPidRequest>::info, {2729, 36}), "");
+  EXPECT_EQ(objection_to(Meta<msg::AutoPidRequest>::info, {2730, 36}),
+            "needs firmware before 2.73");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
+#include <sbgc/later_unit.hpp>
 #include <sbgc/meta/all.hpp>
 
 namespace sbgc::test {
@@ -114,6 +115,54 @@ class Finder {
   std::set<std::type_index> seen_;
   int quantities_ = 0;
 };
+
+struct Metres {
+  static constexpr const char* text = "m";
+};
+template <class Number>
+struct Millimetres : detail::Quantity<Millimetres<Number>, Number, Metres, 1, 1000> {
+  using detail::Quantity<Millimetres<Number>, Number, Metres, 1, 1000>::Quantity;
+};
+
+template <class Q>
+bool takes(double value, typename Q::raw_type raw) {
+  const auto converted = Q::from_real(value);
+  return converted && (*converted).raw() == raw;
+}
+
+TEST(Quantity, Of24BitsEndsWhereTheWireDoes) {
+  using Signed = Millimetres<I24>;
+  using Unsigned = Millimetres<U24>;
+  static_assert(wire_size<Signed> == 3 && wire_size<Unsigned> == 3);
+  EXPECT_TRUE(takes<Signed>(8388.607, 0x7FFFFF) && takes<Signed>(-8388.608, -0x800000));
+  EXPECT_FALSE(Signed::from_real(8388.6076) || Signed::from_real(-8388.6086));
+  EXPECT_TRUE(takes<Unsigned>(16777.2154, 0xFFFFFF) && takes<Unsigned>(-0.0004, 0));
+  EXPECT_FALSE(Unsigned::from_real(16777.2156) || Unsigned::from_real(-0.0006));
+  EXPECT_DOUBLE_EQ(Signed(-1500).real(), -1.5);
+  EXPECT_LT(Signed(-1), Signed(1));
+  EXPECT_DEATH(Unsigned(0x1000000), "");
+}
+
+TEST(Quantity, Of64BitsEndsWhereTheWireDoes) {
+  using Signed = Millimetres<std::int64_t>;
+  using Unsigned = Millimetres<std::uint64_t>;
+  constexpr double end = 9223372036854775.808;  // 2^63 mm
+  EXPECT_TRUE(takes<Signed>(-end, std::numeric_limits<std::int64_t>::min()));
+  EXPECT_FALSE(Signed::from_real(end) || Signed::from_real(-end * 1.0000001));
+  EXPECT_TRUE(takes<Signed>(-2.0006, -2001) && takes<Signed>(2.0004, 2000));
+  EXPECT_TRUE(takes<Unsigned>(end, std::uint64_t{1} << 63) && takes<Unsigned>(-0.0004, 0));
+  EXPECT_FALSE(Unsigned::from_real(2 * end) || Unsigned::from_real(-0.0006));
+  EXPECT_DOUBLE_EQ(Unsigned(~std::uint64_t{0}).real(), 2 * end);
+}
+
+TEST(Quantity, IsOf24BitsInLaterFirmwareOrBefore) {
+  U24 field(5);
+  using Later = detail::LaterType<2730, Millimetres<U24>>;
+  EXPECT_FALSE(detail::set_in_firmware<Later>(field, 0x1000000, {}));
+  EXPECT_TRUE(detail::set_in_firmware<Later>(field, 1.5, {.firmware = 2730}));
+  EXPECT_EQ(field, U24(1500));
+  EXPECT_DOUBLE_EQ(detail::real_in_firmware<Later>(field, {.firmware = 2730}), 1.5);
+}
 
 TEST(Quantity, EveryQuantityOfEveryMessageIsExactAndRoundsToNearest) {
   Finder finder;

@@ -10,18 +10,20 @@ from mutants import Mutant
 
 
 def write_copy(root: Path, copy: Path, mutants: list[Mutant]) -> None:
-    """Copies all sources to `copy`; mutant i of the list is switch number i. Leaves alone what has not
-    changed, so that little is built again."""
+    """Makes `copy` a copy of all sources; mutant i of the list is switch number i. Leaves alone what has
+    not changed, so that little is built again."""
     by_file: dict[str, list[tuple[int, Mutant]]] = defaultdict(list)
     for number, mutant in enumerate(mutants):
         by_file[mutant.file].append((number, mutant))
     list_files = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     listed = subprocess.run(list_files, cwd=root, capture_output=True, check=True).stdout
-    wanted = {name.decode() for name in listed.split(b"\0") if name}
+    names = {name.decode() for name in listed.split(b"\0") if name}
+    wanted = {name for name in names if (root / name).is_file()}
+    for old in copy.rglob("*"):
+        if old.is_file() and old.relative_to(copy).as_posix() not in wanted:
+            old.unlink()
     for name in sorted(wanted):
         source = root / name
-        if not source.is_file():
-            continue
         target = copy / name
         content = source.read_bytes()
         if name in by_file:

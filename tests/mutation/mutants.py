@@ -54,6 +54,16 @@ STATEMENTS = frozenset(
         CursorKind.CONTINUE_STMT,
     )
 )
+# In what is evaluated by the compiler alone, a switch has no effect.
+CONSTANTS = frozenset(
+    (
+        CursorKind.STATIC_ASSERT,
+        CursorKind.ENUM_CONSTANT_DECL,
+        CursorKind.TEMPLATE_NON_TYPE_PARAMETER,
+        CursorKind.TYPE_ALIAS_DECL,
+        CursorKind.TYPE_ALIAS_TEMPLATE_DECL,
+    )
+)
 OPERATIONS = frozenset(
     (
         CursorKind.BINARY_OPERATOR,
@@ -62,7 +72,6 @@ OPERATIONS = frozenset(
         CursorKind.UNEXPOSED_EXPR,
     )
 )
-# In what is evaluated by the compiler alone, a switch has no effect.
 CONSTANT = re.compile(
     r"\b(constexpr|consteval|constinit|static_assert|concept|requires|noexcept)\b"
 )
@@ -146,9 +155,7 @@ class _Finder:
             self.visit(child, cursor)
 
     def _is_constant(self, cursor: Cursor) -> bool:
-        if cursor.kind in (CursorKind.STATIC_ASSERT, CursorKind.ENUM_CONSTANT_DECL):
-            return True
-        if cursor.kind == CursorKind.TEMPLATE_NON_TYPE_PARAMETER:
+        if cursor.kind in CONSTANTS:
             return True
         if cursor.kind in (*FUNCTIONS, CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
             head = self._text(cursor.extent.start.offset, cursor.location.offset)

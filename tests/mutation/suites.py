@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,8 @@ PROGRAMS = (
 PYTEST_FOLDERS = ("tests/tools", "tests/emulator/serving", "tests/crash")
 # A suite of GoogleTest that takes longer is divided into its tests.
 SHORT = 2.0
+# The seconds of several suites that one process runs.
+SHORT_GROUP = 30.0
 PYTEST = [
     "generator/python",
     "--with",
@@ -52,6 +55,19 @@ class Suite:
     seconds: float = 0
     passes: bool = False
     reached: frozenset[int] = frozenset()
+
+
+def groups_of(suites: list[Suite]) -> Iterator[list[Suite]]:
+    """Divides suites into those that one process runs. A group is short, because it is given up only
+    after twice its time if a test hangs."""
+    groups: dict[str, list[Suite]] = {}
+    for suite in suites:
+        group = groups.setdefault(suite.program, [])
+        if group and sum(one.seconds for one in group) + suite.seconds > SHORT_GROUP:
+            yield group
+            group = groups[suite.program] = []
+        group.append(suite)
+    yield from groups.values()
 
 
 class Tests:
@@ -106,17 +122,14 @@ class Tests:
 
     def survives(self, mutant: int, suites: list[Suite]) -> bool:
         """Runs suites with a mutant until one fails."""
-        groups: dict[str, list[Suite]] = {}
-        for suite in suites:
-            groups.setdefault(suite.program, []).append(suite)
         return all(
             self._passes(
-                program,
+                group[0].program,
                 [suite.name for suite in group],
                 10 + 2 * sum(suite.seconds for suite in group),
                 {"SBGC_MUTANT": str(mutant)},
             )
-            for program, group in groups.items()
+            for group in groups_of(suites)
         )
 
     def _passes(

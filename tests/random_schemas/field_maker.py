@@ -253,6 +253,7 @@ class FieldMaker(TypeMaker):
             names = names[: high - low]  # not all of a few values
         chosen = self.random.sample(names, self.random.randint(1, min(3, len(names))))
         word = "is_not" if self.chance(0.2) else "is"
+        chosen = chosen[: max(1, len(names) - 1)] if word == "is_not" else chosen
         return {key: name, word: chosen if len(chosen) > 1 else chosen[0]}
 
     def joined(self, scope: Scope) -> Optional[Node]:
@@ -361,6 +362,7 @@ class FieldMaker(TypeMaker):
         source = self.field_name()
         scope.add(self.said({"name": source, "type": flags}), 2, 2, True)
         inner: list[Node] = []
+        least = 0
         for _ in range(self.random.randint(1, 4)):
             kind = self.number_kind() if self.chance(0.7) else self.blob_kind()
             asked = [f"{{AXIS}}_{word}" for word in self.random.sample(words, 2)]
@@ -371,12 +373,15 @@ class FieldMaker(TypeMaker):
             field_ = self.said({"name": name, "type": kind.name})
             if self.chance(0.8) or not inner:
                 field_["when"] = when
+            else:
+                least += 3 * kind.least * (2 if "[" in name else 1)
             scope.memory += 8 * kind.memory + 12
             scope.budget -= 6 * kind.least
             inner.append(field_)
         suffix = self.random.choice(("[axis]", "[axis]", "_{AXIS}"))
         group = {"name": self.field_name() + suffix, "struct": self.unique("Group")}
-        scope.add(self.said({**group, "fields": inner}), 0, 0, False)
+        scope.budget += least
+        scope.add(self.said({**group, "fields": inner}), least, 0, False)
         return None
 
     def make_struct(

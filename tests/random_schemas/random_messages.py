@@ -22,8 +22,7 @@ from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.json_values import integer_of
 from sbgcgen.oracle.vectors import Vector
 from sbgcgen.oracle.room import has_room
-
-MAX_BODY = 255
+from spec_parts import MAX_BODY
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
@@ -147,10 +146,10 @@ class RandomMessages:
         if kind == 1:
             return body[: self.random.randint(0, len(body))], "cut off"
         if kind == 2:
-            more = self.random.randint(0, min(9, MAX_BODY - len(body)))
+            more = self.random.randint(0, min(9, self.message.room - len(body)))
             return body + self.random.randbytes(more), "with more after it"
         if kind == 3:
-            size = self.random.randint(0, MAX_BODY)
+            size = self.random.randint(0, self.message.room)
             return self.random.randbytes(size), "noise"
         if kind == 4:
             size = self.random.randint(self.message.min_size, self.message.max_size)

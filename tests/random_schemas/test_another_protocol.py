@@ -12,7 +12,11 @@ from pathlib import Path
 import pytest
 
 from random_schemas import ROOT, WARNINGS, Trial, options_of
+from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
+from sbgcgen.oracle.example import example_of
+from sbgcgen.output import Output
+from sbgcgen.targets import outputs, target
 
 COMPILER = os.environ.get("CXX", "g++")
 LAUNCHER = os.environ.get("SBGC_LAUNCHER", "")
@@ -92,6 +96,52 @@ def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
     assert messages == 3 and lines > 100
     trial.compile(COMPILER)
     trial.compare()
+
+
+def test_examples_with_a_part_that_has_a_unit_compile(tmp_path: Path) -> None:
+    """As the pages of the site show them."""
+    main_file, lights = blocks("yaml")
+    fields = "[{name: HEAD, type: Head, typical: 300, summary: The head.}]"
+    lights += f"""
+  LAMP_POSE:
+    id: 9
+    summary: The head.
+    from_board: {{source: Section 4, fields: {fields}}}
+  LAMP_SET_POSE:
+    id: 10
+    summary: Set the head.
+    to_board: {{source: Section 4, effect: turns, answer: none, fields: {fields}}}
+packed:
+  Head:
+    type: u16
+    summary: The head.
+    source: Section 4
+    parts:
+      - {{name: tilt, bits: 0..8, type: Tilt, summary: Its angle.}}
+      - {{name: turns, bits: 9..15, summary: Number of turns.}}
+"""
+    (tmp_path / "spec").mkdir()
+    for name, text in (("lamp", main_file), ("lights", lights)):
+        (tmp_path / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    layout = load_protocol(tmp_path / "spec").layout
+    Output(tmp_path / "generated", outputs(layout, tmp_path)).write()
+    folders = (tmp_path / "generated/include", *ROOT.glob("runtime/*/include"))
+    command = [
+        *shlex.split(LAUNCHER),
+        COMPILER,
+        "-std=c++20",
+        *WARNINGS,
+        "-Wno-unused",
+        "-fsyntax-only",
+    ]
+    for message in (m for m in layout.messages if m.name in ("Pose", "SetPose")):
+        code = target("cpp").example(example_of(message, layout))
+        assert code is not None and "tilt" in code.text
+        source = tmp_path / "example.cpp"
+        heads = [line for line in code.text.splitlines() if line.startswith("#include")]
+        steps = [line for line in code.text.splitlines() if line not in heads]
+        source.write_text("\n".join((*heads, "int main() {", *steps, "}\n")), encoding="utf-8")
+        subprocess.run([*command, *(f"-I{f}" for f in folders), str(source)], check=True)
 
 
 def test_names_are_those_of_the_protocol(lamp: Path) -> None:

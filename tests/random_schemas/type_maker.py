@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from typing import Optional
 
-from spec_parts import INTEGERS, SIZES, UNSIGNED, Body, Kind, Node
+from spec_parts import INTEGERS, SIZES, UNSIGNED, WIDE, Body, Kind, Node
 
 # Names that must not break the generated code: its locals and parameters, and names of the runtime.
 AWKWARD = """OUT IN READER WRITER BODY VALUE DATA SIZE STATUS RAW TO FROM REST N M T CONTEXT VISITOR
@@ -92,7 +92,7 @@ class TypeMaker:
 
     def make_types(self) -> None:
         """Makes types of every kind, some over each integer."""
-        for number in (*SIZES, "f64"):
+        for number in (*SIZES, *WIDE):
             for _ in range(self.random.choice((0, 1, 2, 2))):
                 self.quantities.append(self.make_quantity(number))
         for number in INTEGERS:
@@ -131,8 +131,8 @@ class TypeMaker:
             ratio, over = self.random.choice(steps)
             node["exponential"] = {"ratio": ratio, "over": over}
         self.section(self.any_family(), "quantities")[name] = self.said(node)
-        size = SIZES.get(number, 8)
-        return Kind(name, size, size, number=number, is_quantity=True, unit=unit)
+        least, memory = WIDE.get(number) or 2 * (SIZES[number],)
+        return Kind(name, least, memory, number=number, is_quantity=True, unit=unit)
 
     def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:
         """Makes an enum with the extremes of its type; no value exceeds `highest`."""

@@ -45,8 +45,7 @@ TEST(WireTime, OfAByteAndOfAFrame) {
 TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
   const Duration small = gap_behind(sbgc::msg::Control{});
   const Duration large = gap_behind(sbgc::msg::ReadParams3Request{});
-  EXPECT_GE(small, milliseconds(10));
-  EXPECT_LT(small, milliseconds(11));
+  EXPECT_EQ(small, milliseconds(10));
   EXPECT_GT(large, small + milliseconds(2)) << "the response has a body of 134 bytes";
   EXPECT_LE(large, milliseconds(20));
 }

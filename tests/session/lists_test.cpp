@@ -56,7 +56,7 @@ TEST(LateReplies, AreNotTakenAfterTheirTime) {
 }
 
 TEST(LateReplies, TheOldestIsTakenFirst) {
-  LateReplies<3, true> late;
+  LateReplies<2, true> late;
   late.add(Handle{2}, 4, answers_to(5), 1, 1000);
   late.add(Handle{1}, 3, answers_to(5), 1, 1000);
   EXPECT_EQ(take(late, any), 3);

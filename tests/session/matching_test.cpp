@@ -205,6 +205,19 @@ TEST(Session, AnErrorWhileACalibrationRunsIsThatOfAnother) {
   EXPECT_EQ(line.outcome(running), Outcome::confirmed);
 }
 
+TEST(Session, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
+  Simulation line;  // whose board works on one part after the other, each for up to 5 s
+  sbgc::msg::ModuleFlashWrite part;
+  ASSERT_TRUE(part.data.resize(4));
+  const Handle first = line.send(part);
+  line.run_for(milliseconds(100));
+  line.board = [&](const Written& frame) { line.say(error, {frame.id, 7, 0, 0, 0, 0}); };
+  const Handle second = line.send(part);
+  line.run_for(milliseconds(100));
+  EXPECT_EQ(line.outcome(first), Outcome::board_error);
+  EXPECT_EQ(line.outcome(second), Outcome::none);
+}
+
 TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
   Simulation line;
   line.board = [&](const Written& frame) {

@@ -200,6 +200,9 @@ test("search finds guides, units, synonyms and near spellings; twins are one ent
   assert.ok(volts.pages.some((target) => target.includes("#field-")), "fields in volts, too");
   assert.ok((await search(page, "deg/s")).pages.some((target) => target.includes("units/")));
 
+  const tuning = await search(page, "tuning");
+  assert.ok(tuning.names.includes("ReadParams3.axes.roll|pitch|yaw.p") || tuning.pages.some((target) => target.endsWith("readparams3.html#field-axes.roll.p")), tuning.names.join());
+
   const same = await search(page, "velocity");
   assert.equal(same.note, "");
   assert.ok(same.names.some((name) => /speed/i.test(name)), same.names.join());

@@ -80,6 +80,12 @@ def test_all_parameters_of_a_profile_are_not_general() -> None:
     assert text.count("general: the same in all profiles") == len(general)
 
 
+def test_a_field_has_its_name_in_the_specification_too() -> None:
+    text = described("DataStreamInterval")
+    assert "config.telemetry_flags (FLAGS)" in text
+    assert "config.drv_id (" not in text
+
+
 def test_facts_stand_under_their_heading() -> None:
     text = described("MotorsOff")
     assert text.endswith("\n  response    a confirmation within 500 ms; may be repeated\n")
@@ -138,6 +144,27 @@ def test_fields_and_variables_say_which_way_they_count() -> None:
         assert ("positive:" in page) == ("positive" in variable), page
         if "positive" in variable:
             assert f"positive: {variable['positive'] or 'unknown'}" in page
+
+
+def test_topics_have_their_parameters() -> None:
+    for topic in MODEL["topics"]:
+        text = words_of(described(topic["name"].upper()))
+        assert f"topic of parameters {topic['summary']}" in text
+        for message in MODEL["messages"]:
+            for leaf in message["layout"]:
+                if topic["name"] in leaf.get("topics", []):
+                    assert leaf["summary"] in text, leaf
+    assert described("tuning") == described("pid")
+    assert "Control.axes.roll.speed" in described("speed"), "a field as well"
+
+
+def test_other_words_are_searched() -> None:
+    text = run("describe", "tilt", "limit").text
+    assert text.startswith("tilt limit  occurs at ")
+    assert "ReadParams3.rc.roll|pitch|yaw.rc_max_angle\n" in text
+    assert "\n  RC_LIMIT_MAX_PITCH " in text and "YAW" not in text
+    many = described("tilt")
+    assert many.endswith("\n  and more; search for several words\n")
 
 
 def test_a_long_list_of_uses_is_cut() -> None:

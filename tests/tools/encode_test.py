@@ -307,6 +307,14 @@ def test_names_instead_of_numbers() -> None:
     assert by_name.out == run("encode", stdin=changed(CONTROL, "control_mode", 0x42)).out
     line["fields"]["control_mode"] = ["MODE_ANGLE", "CONTROL_FLAG_AUTO_TASK"]
     assert run("encode", stdin=json.dumps(line)).out == by_name.out
+    of_an_axis = [
+        json.dumps({"message": "WriteParams3", "fields": {"output": {"yaw": output}}})
+        for output in ("I2C_DRV1", 4)
+    ]
+    by_name, by_number = (
+        run("encode", "--defaults", "--no-validate", stdin=line) for line in of_an_axis
+    )
+    assert by_name.status == 0 and by_name.out == by_number.out
     beep = json.loads(changed(BEEP, "mode", "BEEPER_MODE_CUSTOM_MELODY"))
     assert run("encode", stdin=json.dumps(beep)).out == run("encode", stdin=json.dumps(BEEP)).out
     assert "did you mean 'MODE_ANGLE'" in refusal(changed(CONTROL, "control_mode", "MODE_ANGEL"))

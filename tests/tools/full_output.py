@@ -35,6 +35,12 @@ class Output:
     def _stop(self) -> None:
         termios.tcflow(self.descriptor, termios.TCOOFF)  # as Ctrl-S does
 
+    def lose_reader(self) -> None:
+        """From now on, writes fail."""
+        nothing = os.open(os.devnull, os.O_RDONLY)
+        os.dup2(nothing, self.reader)
+        os.close(nothing)
+
     def become_full(self) -> None:
         if self.kind == "terminal stopped later":
             self._stop()

@@ -221,15 +221,21 @@ def test_hosts_are_served(command: str, kind: str) -> None:
             assert process.wait(PATIENCE) == 0
 
 
-def test_a_replay_serves_hosts(tmp_path: Path) -> None:
+@pytest.mark.parametrize("has_reader", [True, False])
+def test_a_replay_serves_hosts(tmp_path: Path, has_reader: bool) -> None:
     capture = tmp_path / "capture"
     with emulated_gimbal() as gimbal:
         assert run("info", "-p", gimbal.address, "--capture", str(capture)).status == 0
     port = free_port()
     with full_output("pipe") as output:
+        if not has_reader:
+            output.lose_reader()
         arguments = ("replay", str(capture), "--tcp", str(port))
-        with running(*arguments, output=output), connected_to(port) as host:
-            assert host.recv(1) == b">"
+        with running(*arguments, output=output) as process:
+            with connected_to(port) as host:
+                assert host.recv(1) == b">"
+            process.terminate()
+            assert process.wait(PATIENCE) == 0
 
 
 def test_what_was_dropped_is_counted() -> None:

@@ -15,11 +15,19 @@ import pytest
 from captures import FROM_BOARD, record, session
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import PROGRAM, run
+from screens import terminal
 
 PATIENCE = 60.0
 
 SERVERS = ("emulate", "bridge")
 """Commands that go on until a signal."""
+
+INTERACTIVE = {
+    "monitor": ("motor power", "q"),
+    "jog": ("q: quit", "q"),
+    "shell": ("^sbgc>$", "C-d"),
+}
+"""Commands that need a terminal: what they show, and the key that ends them."""
 
 OTHERS = {
     *("SBGC_CONFIG", "SBGC_PORTS", "SBGC_TOKEN", "NO_COLOR"),
@@ -79,6 +87,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         for name in ("gimbals", ".zfunc", ".config/fish/completions"):
             (path / name).mkdir(parents=True)
         (path / "capture").write_bytes(capture())
+        (path / "commands").write_text("info\nparams get pitch.p\n")
         assert run("motors", "on", "--yes", "-p", gimbal.address).status == 0
         yield path
 
@@ -96,8 +105,22 @@ def in_folder(folder: Path, example: str) -> str:
     command = re.match(r"sbgc ([a-z]+(?: [a-z]+)?)", example)
     path = tuple(command[1].split()) if command else ()
     text = HELP.get(path) or HELP.get(path[:1], "")
-    is_asking = "--yes" in text and "--yes" not in example and "--dry-run" not in example
+    is_asking = "-y,--yes" in text and "--yes" not in example and "--dry-run" not in example
     return f"{example} --yes" if is_asking else example
+
+
+def run_on_terminal(
+    folder: Path, example: str, environment: dict[str, str], shown: str, key: str
+) -> None:
+    with terminal(folder, environment=environment) as screen:
+        screen.type(example)
+        screen.press("Enter")
+        screen.wait(shown)
+        screen.press(key)
+        screen.wait(r"^\$$")
+        screen.type("echo status $?")
+        screen.press("Enter")
+        screen.wait("^status 0")
 
 
 @pytest.mark.parametrize("example", examples())
@@ -109,6 +132,9 @@ def test_examples_work(folder: Path, example: str) -> None:
         "PATH": f"{folder}:{os.environ['PATH']}",
         "SBGC_PORTS": str(folder / "ports.json"),
     }
+    needs = INTERACTIVE.get(example.split()[1])
+    if needs and "<" not in example:
+        return run_on_terminal(folder, in_folder(folder, example), environment, *needs)
     shell = ["bash", "-c", "exec " * example.startswith("sbgc ") + in_folder(folder, example)]
     with subprocess.Popen(
         shell, cwd=folder, env=environment, stdin=subprocess.DEVNULL,

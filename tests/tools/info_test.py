@@ -36,7 +36,7 @@ def listing_of_ports(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> PortsFi
 def test_text_and_json() -> None:
     with emulated_gimbal("--firmware", "2.59") as gimbal:
         info = json.loads(run("info", "--format", "json", "-p", gimbal.address).text)
-        text = run("info", "-p", gimbal.address).text
+        text = run("info", "--all", "-p", gimbal.address).text
     assert (info["format"], info["version"]) == ("sbgc-info", 1)
     assert (info["board"], info["firmware"]) == ("3.0", "2.59")
     assert info["line"]["responses"] == info["line"]["requests"] == 20

@@ -26,6 +26,14 @@ def angle(lines: list[str], axis: str) -> float:
     return float(line.split()[1])
 
 
+def test_old_firmware_is_polled(tmp_path: Path) -> None:
+    with emulated_gimbal("--firmware", "2.43b9") as gimbal, terminal(tmp_path) as shell:
+        assert "firmware 2.43b9" in begin(shell, gimbal)[0]
+        shell.press("4")
+        shell.wait("instead of a data stream")
+        shell.press("q")
+
+
 def test_pages_at_80x24(tmp_path: Path) -> None:
     with emulated_gimbal("--firmware", "2.70") as gimbal, terminal(tmp_path) as shell:
         lines = begin(shell, gimbal)
@@ -121,6 +129,73 @@ def test_resizing_while_it_runs(tmp_path: Path) -> None:
         shell.wait("too small")
         shell.resize(80, 24)
         shell.wait(lambda now: now[23].strip().startswith(KEYS))
+
+
+def test_a_small_screen(tmp_path: Path) -> None:
+    with emulated_gimbal("--firmware", "2.70") as gimbal, terminal(tmp_path, 40, 10) as shell:
+        shell.run("monitor", "-p", gimbal.address)
+        lines = shell.wait("balance")
+        assert re.fullmatch(r" 3\.6, firmware 2\.70 +connected \d\d:\d\d:\d\d", lines[0].rstrip())
+        assert lines[1].split() == "1 Overview 2 Charts 3 Values 4 Line".split()
+        assert lines[2].split() == ["angle", "target", "balance"]
+        assert all(re.search(r" -?\d+ %$", line) for line in lines[3:6]), lines
+        assert re.search(r"motors +ON +battery +1\d\.\d\d V", lines[6])
+        assert lines[8].split() == ["errors", "none"]
+        assert lines[9].strip() == "1-4, Tab: page   ?: keys   q: quit"
+        shell.press("2")
+        assert re.fullmatch(r" \?: keys   q: quit +1–3 of 8", shell.wait("of 8")[9])
+        for _ in range(9):
+            shell.press("Down")
+        assert "current" in shell.wait("6–8 of 8")[6]
+        shell.press("3")
+        lines = shell.wait("1–7 of 5")
+        assert lines[2].split()[0].startswith("axes.roll.") and all(lines[2:9])
+        shell.press("4")
+        lines = shell.wait("TCP connection to$")
+        assert lines[3].strip() == gimbal.address[4:], "long texts go on in the next line"
+
+
+def test_the_keys(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        begin(shell, gimbal)
+        shell.press("?")
+        lines = shell.wait("pause the display")
+        assert shell.marked(1) == [] and "motor power" not in "\n".join(lines)
+        shell.press("?")
+        shell.wait("motor power")
+        shell.press("?")
+        shell.wait("pause the display")
+        shell.press("2")
+        shell.wait("roll power")
+
+
+def test_a_key_records_and_a_key_marks(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        begin(shell, gimbal)
+        shell.press("m")
+        shell.wait("^ nothing is recorded: r begins")
+        assert list(tmp_path.glob("*.capture")) == []
+        shell.press("r")
+        shell.wait(r"^ recording to monitor-\d{8}T\d{6}Z\.capture")
+        assert "REC  connected" in shell.lines()[0]
+        shell.press("m")
+        shell.wait("^ mark 1")
+        shell.press("m")
+        shell.wait("^ mark 2")
+        shell.press("q")
+        shell.wait("^sbgc: recorded in monitor-")
+    (capture,) = tmp_path.glob("monitor-*.capture")
+    text = run("decode", str(capture)).text
+    notes = re.findall(r'note: "(.*)"', text)
+    assert notes == [f"TCP connection to {gimbal.address[4:]}", "mark 1", "mark 2"]
+    assert "CMD_REALTIME_DATA" in text
+
+
+def test_a_terminal_that_cannot_be_drawn_on(tmp_path: Path) -> None:
+    with terminal(tmp_path) as shell:
+        shell.type("TERM=dumb ")
+        shell.run("monitor", "-p", "tcp:127.0.0.1:1")
+        shell.wait(r"^sbgc: monitor cannot draw on this terminal \(TERM=dumb\)")
 
 
 def test_pause_and_zero(tmp_path: Path) -> None:

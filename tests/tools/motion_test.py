@@ -54,11 +54,39 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
 
 
 @pytest.mark.parametrize(
+    "arguments",
+    [
+        "--tilt 30",
+        "--tilt -30",
+        "--tilt -30down",
+        "--tilt 30left",
+        "--tilt down",
+        "--pan 3right --yaw 3",
+    ],
+)
+def test_words_must_say_the_direction_once(arguments: str) -> None:
+    result = run("move", *arguments.split(), "--yes", "-p", "capture:none")
+    assert result.status == 2 and result.out == b""
+    said = "excludes" if "--yaw" in arguments else "must say which way: 30down or 30up"
+    assert said in result.error
+
+
+@pytest.mark.parametrize(
     "arguments, sentence",
     [
         ("move --pitch 30", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
         ("move --pitch -10", "The camera turns 10 deg up (pitch -10), at up to 10 deg/s."),
         ("move --pitch 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
+        ("move --tilt 30down", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --tilt 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
+        (
+            "move --pan 45left --tilt 7.5up",
+            "The camera turns 7.5 deg up (pitch -7.5), 45 deg left (yaw -45), at up to 10 deg/s.",
+        ),
+        (
+            "speed --pan 3left --for 1s",
+            "The camera turns at 3 deg/s left (yaw -3), for 1 s.",
+        ),
         ("move --yaw 5 --relative", "The camera turns by 5 deg right (yaw 5), at up to 10 deg/s."),
         (
             "move --roll -5 --yaw -0.5",

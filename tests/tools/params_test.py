@@ -71,6 +71,48 @@ def test_show_lists_the_parameters_in_their_units(board: str) -> None:
     assert params(board, "show", "nonsense").status == 1
 
 
+def test_show_groups_by_topic(board: str) -> None:
+    """In the order of the model; each parameter once, in the first of its topics."""
+    groups = re.split(r"^([a-z]+): .*\n", good(board, "show"), flags=re.MULTILINE)[1:]
+    names = [topic["name"] for topic in MODEL["topics"]]
+    assert [name for name in names if name in groups[::2]] == groups[::2]
+    leaves = {
+        leaf["path"]: leaf["topics"][0]
+        for message in MODEL["messages"]
+        if message["name"].startswith("ReadParams") and not message["name"].endswith("Request")
+        for leaf in message["layout"]
+        if "topics" in leaf
+    }
+    shown = {
+        path: topic
+        for topic, lines in zip(groups[::2], groups[1::2])
+        for path in re.findall(r"^  ([a-z]\S*) ", lines, re.MULTILINE)
+    }
+    assert len(shown) > 150 and shown["axes.pitch.p"] == "pid" and shown["gyro_trust"] == "imu"
+    assert {path: leaves[path] for path in shown if path in leaves}.items() <= shown.items()
+
+
+@pytest.mark.parametrize(
+    "words, paths, others",
+    [
+        (["pid"], ["axes.roll.p", "outer_i.yaw", "pid_gain.pitch"], ["gyro_trust"]),
+        (["gain"], ["axes.roll.p", "notch1_gain.roll"], ["gyro_trust"]),
+        (["tilt", "limit"], ["rc.pitch.rc_max_angle"], ["rc.yaw.rc_max_angle", "axes.pitch.p"]),
+        (["compass"], ["mag_trust"], ["gyro_trust"]),
+        (["SPEED"], ["follow_speed.roll", "rc.roll.rc_speed"], ["axes.roll.p"]),
+    ],
+)
+def test_show_finds_words_that_people_use(
+    board: str, words: list[str], paths: list[str], others: list[str]
+) -> None:
+    document = json.loads(good(board, "show", *words, "--format", "json"))
+    found = [one["path"] for one in document["parameters"]]
+    for path in paths:
+        assert path in found, path
+    for path in others:
+        assert path not in found, path
+
+
 def test_values_are_those_of_the_firmware() -> None:
     """The gains are logarithmic from firmware 2.73.1 on: 5 * 52^(raw / 255) - 5."""
     for firmware, raw, shown in (("2.73", 20, "20"), ("2.74.5", 104, "20.0513")):
@@ -114,6 +156,10 @@ def test_every_name_of_the_model_is_found(board: str) -> None:
             [f"axes.roll.{name}" for name in ("p", "i", "d", "power", "invert", "poles")],
         ),
         ("ReadParams3.gyro_trust", ["gyro_trust"]),
+        ("P_PITCH", ["axes.pitch.p"]),
+        ("pid_gain_YAW", ["pid_gain.yaw"]),
+        ("tilt.p", ["axes.pitch.p"]),
+        ("lpf_freq.pan", ["lpf_freq.yaw"]),
     ],
 )
 def test_names(board: str, name: str, paths: list[str]) -> None:

@@ -20,7 +20,9 @@ LIST = '{"format": "sbgc-ports", "version": 1, "ports": [%s]}'
 def test_ports_are_listed() -> None:
     text = run("ports")
     assert text.status == 0 and text.text
-    listed = json.loads(run("ports", "--format", "json").text)
+    text_of_list = run("ports", "--format", "json").text
+    assert '\n  "ports": [' in text_of_list
+    listed = json.loads(text_of_list)
     assert (listed["format"], listed["version"]) == ("sbgc-ports", 1)
     ports = listed["ports"]
     for port in ports:

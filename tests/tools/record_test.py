@@ -47,12 +47,41 @@ def test_streams_are_asked_for(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert 7 <= rate_of("RealtimeDataCustom", capture) <= 13
 
 
+def test_a_stream_without_a_name_is_asked_for_by_its_number(tmp_path: Path) -> None:
+    """200 is not known here; the board refuses it, but gets its configuration."""
+    capture = tmp_path / "capture"
+    with emulated_gimbal() as gimbal:
+        options = ("-p", gimbal.address, "--for", "1s", "--rate", "20")
+        result = run("record", *options, str(capture), "--stream", "23")
+        assert result.status == 0, result
+        assert 15 <= rate_of("RealtimeData3", capture) <= 25
+        refused = run("record", *options, str(capture), "--stream", "200:0e45")
+        assert refused.status == 1 and "refused" in refused.error
+    (request,) = (
+        line for line in decode(capture.read_bytes()) if line["fields"].get("cmd_id") == 200
+    )
+    assert request["fields"]["config"]["rest"].startswith("0e45")
+
+
 def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     for _ in range(2):
-        arguments = ("record", gimbal.address, str(capture), "--stream", "realtime_data_4")
+        arguments = (
+            "record",
+            gimbal.address,
+            str(capture),
+            "--stream",
+            "realtime_data_4",
+        )
         assert run(*arguments, "--for", "200ms").status == 0
     assert {line["session"] for line in decode(capture.read_bytes())} == {0, 1}
+
+
+@pytest.mark.parametrize("name", ["flight.csv", "FLIGHT.CSV", "a.json"])
+def test_a_capture_is_no_table(name: str, tmp_path: Path) -> None:
+    result = run("record", str(tmp_path / name), "--stream", "AhrsHelper", "-p", "capture:none")
+    assert result.status == 2 and not list(tmp_path.iterdir())
+    assert "`sbgc stream AhrsHelper --format csv`" in " ".join(result.error.split())
 
 
 def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:
@@ -65,7 +94,15 @@ def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     with emulated_gimbal() as gimbal:
         process = subprocess.Popen(
-            [PROGRAM, "record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4"],
+            [
+                PROGRAM,
+                "record",
+                "-p",
+                gimbal.address,
+                str(capture),
+                "--stream",
+                "RealtimeData4",
+            ],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -99,6 +136,9 @@ def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
          "one --rate"),
         (["tcp:127.0.0.1:9", "/tmp/capture", "--stream", "AhrsHelper"], 1, "refused"),
         (["tcp:127.0.0.1:9", "file", "--rate", "5"], 2, "--rate is for --stream"),
+        (["tcp:127.0.0.1:9", "file", "--stream", "200:0e4"], 2, "pairs of hex digits"),
+        (["tcp:127.0.0.1:9", "file", "--stream", "88"], 2, "has a name"),
+        (["tcp:127.0.0.1:9", "file", "--stream", "0"], 2, "no data stream of '0'"),
         (["-p", "tcp:127.0.0.1:9", "file", "--rate", "5"], 2, "--rate is for --stream"),
         (["tcp:127.0.0.1:9", "file", "--timeout", "5"], 2, "--timeout has no effect"),
         (["tcp:127.0.0.1:9", "file", "-v"], 2, "--verbose has no effect"),

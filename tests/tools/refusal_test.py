@@ -113,6 +113,7 @@ def test_a_profile_is_named_as_people_count(gimbal: EmulatedGimbal, message: str
         return " ".join(run(*command).error.split())
 
     assert "with profile_id = 1 (profile 2)" in asked("profile_id=1")
+    assert asked("profile_id=1").count("profile_id") == 1
     assert "with profile_id = 4 (profile 5)" in asked("PROFILE_ID=raw:4")
     assert "(profile 1)" in asked() or "(profile 5)" in asked(), "a default is named, too"
 

@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -16,10 +16,17 @@ from sbgc_command import PROGRAM
 class Terminal:
     """A shell in a terminal."""
 
-    def __init__(self, folder: Path, width: int, height: int, locale: str = "C.UTF-8") -> None:
+    def __init__(
+        self,
+        folder: Path,
+        width: int,
+        height: int,
+        locale: str = "C.UTF-8",
+        environment: Mapping[str, str] = os.environ,
+    ) -> None:
         self.socket = str(folder / "tmux")
         self.saved = 0
-        environment = {**os.environ, "LC_ALL": locale, "TERM": "screen", "PS1": "> "}
+        environment = {**environment, "LC_ALL": locale, "TERM": "screen", "PS1": "> "}
         size = ["-x", str(width), "-y", str(height)]
         subprocess.run(
             ["tmux", "-u", "-f", "/dev/null", "-S", self.socket, "new-session", "-d", *size]
@@ -89,9 +96,13 @@ class Terminal:
 
 @contextmanager
 def terminal(
-    folder: Path, width: int = 80, height: int = 24, locale: str = "C.UTF-8"
+    folder: Path,
+    width: int = 80,
+    height: int = 24,
+    locale: str = "C.UTF-8",
+    environment: Mapping[str, str] = os.environ,
 ) -> Iterator[Terminal]:
-    result = Terminal(folder, width, height, locale)
+    result = Terminal(folder, width, height, locale, environment)
     result.type(f"cd {folder}; PS1='$ '; clear")
     result.press("Enter")
     try:

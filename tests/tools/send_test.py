@@ -276,6 +276,32 @@ def test_json_of_a_dry_run_can_be_encoded() -> None:
     )
 
 
+def test_the_scale_is_that_of_the_board() -> None:
+    """P of roll is logarithmic from firmware 2.73.1 on: 5 * 52^(raw / 255) - 5."""
+    change = ("SetAdjVarsVal", "params[0].param_id=P_ROLL", "params[0].param_value=20")
+
+    def raw(*options: str) -> int:
+        (line,) = run("send", *change, "--dry-run", "--format", "jsonl", *options).objects
+        value: int = line["fields"]["params"][0]["param_value"]
+        return value
+
+    assert (raw(), raw("--firmware", "2.73"), raw("--firmware", "2.74.5")) == (20, 20, 104)
+    assert "20 (before firmware 2.73.1)" in run("send", *change, "--dry-run").text
+    assert "before" not in run("send", *change, "--dry-run", "--firmware", "2.73").text
+    assert run("send", *change, "--firmware", "2.73").status == 2, "only a dry run has no board"
+    for firmware, sent in (("2.73", 20), ("2.74.5", 104)):
+        with emulated_gimbal("--firmware", firmware) as gimbal:
+            board = ("--port", gimbal.address)
+            assert run("send", *change, *board, "--yes").status == 0
+            ask = ("GetAdjVarsVal", "param_id=P_ROLL")
+            (answer,) = run("send", *ask, *board, "--format", "jsonl").objects
+            assert answer["fields"]["params"] == [{"param_id": 0, "param_value": sent}]
+            assert "before" not in run("send", *ask, *board).text
+            # Only the later scale has fractions.
+            fraction = run("send", *change[:2], "params[0].param_value=20.5", *board, "--yes")
+            assert (fraction.status == 0) == (firmware == "2.74.5"), fraction
+
+
 def test_any_id_and_body_can_be_sent(board: str) -> None:
     """Also of a command that the model does not know: armed, because its effect is unknown."""
     assert 200 not in {message["id"] for message in MODEL["messages"]}

@@ -17,6 +17,7 @@
 #include "command/choices.hpp"
 #include "command/colors.hpp"
 #include "command/help_text.hpp"
+#include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 
@@ -29,6 +30,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 
 struct InfoOptions {
   std::string format = "text";
+  bool all = false;
 };
 
 /// The response times of a line.
@@ -110,10 +112,10 @@ std::string quality_text(const LineQuality& quality) {
                      100 * quality.damaged, 100 * quality.undetected);
 }
 
-Json names(const std::vector<Feature>& features, bool present) {
-  Json result = Json::array();
+std::vector<std::string> names_of(const std::vector<Feature>& features, bool present) {
+  std::vector<std::string> result;
   for (const Feature& feature : features) {
-    if (feature.is_present == present) result.push_back(feature.info->name);
+    if (feature.is_present == present) result.emplace_back(feature.info->name);
   }
   return result;
 }
@@ -139,10 +141,14 @@ Json to_json(const Info& info) {
           {"firmware", info.board.firmware_version()},
           {"serial_number", info.board.serial_number()},
           {"line", line},
-          {"state", names(info.states, true)},
-          {"features", names(info.features, true)},
-          {"missing_features", names(info.features, false)},
+          {"state", names_of(info.states, true)},
+          {"features", names_of(info.features, true)},
+          {"missing_features", names_of(info.features, false)},
           {"unsupported_commands", info.unsupported}};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
 /// Prints paragraphs with their names in the first column.
@@ -154,17 +160,28 @@ class Paragraphs {
                wrapped(printable(text), line_width(), column, column));
   }
 
+  /// Prints as many names as fit in the line, and how many more there are.
+  void print_some(const std::string& name, const std::vector<std::string>& words) const {
+    const std::size_t width = line_width() - column;
+    const auto cut_after = [&](std::size_t count) {
+      const std::size_t more = words.size() - count;
+      std::string text =
+          joined({words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count)});
+      if (count == 0) return std::to_string(more);
+      return more == 0 ? text : fmt::format("{} and {} more", text, more);
+    };
+    std::size_t shown = words.size();
+    while (shown != 0 && cut_after(shown).size() > width) --shown;
+    print(name, words.empty() ? "none" : cut_after(shown));
+  }
+
   static constexpr std::size_t column = 15;
 
  private:
   Colors bold_{stdout};
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
-}
-
-void print_text(const Info& info) {
+void print_text(const Info& info, bool all) {
   const Paragraphs out;
   const std::string serial = info.board.serial_number();
   out.print("board",
@@ -183,6 +200,13 @@ void print_text(const Info& info) {
                         info.test.times_ms.front(), info.test.times_ms.back());
   }
   out.print("", test);
+  if (!all) {
+    out.print_some("state", names_of(info.states, true));
+    out.print_some("features", names_of(info.features, true));
+    out.print_some("without", names_of(info.features, false));
+    out.print_some("not supported", info.unsupported);
+    return remark("(--all lists and explains everything)\n");
+  }
   std::string name = "state";
   for (const Feature& state : info.states) {
     if (!state.is_present) continue;
@@ -190,16 +214,12 @@ void print_text(const Info& info) {
     name = "";
   }
   name = "features";
-  std::vector<std::string> missing;
   for (const Feature& feature : info.features) {
-    if (!feature.is_present) {
-      missing.emplace_back(feature.info->name);
-      continue;
-    }
+    if (!feature.is_present) continue;
     out.print(name, fmt::format("{}: {}", feature.info->name, feature.info->summary));
     name = "";
   }
-  out.print("without", joined(missing));
+  out.print("without", joined(names_of(info.features, false)));
   out.print("not supported", joined(info.unsupported));
 }
 
@@ -208,7 +228,7 @@ int print_info(const InfoOptions& options, const CommandContext& context) {
   if (options.format == "json") {
     fmt::print("{}\n", detail::json_text(to_json(info), 2));
   } else {
-    print_text(info);
+    print_text(info, options.all);
   }
   return success;
 }
@@ -219,11 +239,20 @@ void add_info(CLI::App& app, CommandContext& context) {
   const Subcommand<InfoOptions> command(app, context, "info",
                                         "Show the board, its line and its features");
   auto& options = command.options();
+  command->add_flag("--all", options.all,
+                    "List all features and commands, and explain those that the board has");
   add_format(*command, options.format);
   command->footer(
       "'without' lists the features that the board reports it lacks, 'not supported' the commands "
       "that this board or its firmware does not have. The requests that test the line change "
-      "nothing. The exit status is 0 if a board answered, 1 if none did, 2 for wrong usage.");
+      "nothing. JSON has everything. The exit status is 0 if a board answered, 1 if none did, 2 "
+      "for "
+      "wrong usage.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc info\n"
+      "  sbgc info --all -p /dev/ttyUSB0\n"
+      "  sbgc info --format json");
   command.runs(print_info);
 }
 

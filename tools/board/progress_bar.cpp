@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "command/colors.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
@@ -13,7 +14,8 @@
 
 namespace sbgc::tools {
 
-ProgressBar::ProgressBar(std::string unit) : is_on_(is_terminal(stderr)), unit_(std::move(unit)) {}
+ProgressBar::ProgressBar(std::string unit)
+    : is_on_(is_terminal(stderr) && !is_dumb_terminal()), unit_(std::move(unit)) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
@@ -36,7 +38,7 @@ void ProgressBar::show(const Progress& progress) const {
 
 void ProgressBar::show(std::string_view text) const {
   if (!is_on_) return;
-  show_status(printable(text.substr(0, line_width() - 1)));
+  show_status(printable(text.substr(0, line_width(stderr) - 1)));
 }
 
 ProgressHandler ProgressBar::handler() const {

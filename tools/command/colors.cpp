@@ -6,11 +6,14 @@
 
 namespace sbgc::tools {
 
+bool is_dumb_terminal() {
+  const char* const term = std::getenv("TERM");
+  return term != nullptr && std::string_view(term) == "dumb";
+}
+
 Colors::Colors(std::FILE* file) {
   const char* const no_color = std::getenv("NO_COLOR");
-  const char* const term = std::getenv("TERM");
-  are_on_ = is_terminal(file) && (no_color == nullptr || *no_color == '\0') &&
-            (term == nullptr || std::string_view(term) != "dumb");
+  are_on_ = is_terminal(file) && (no_color == nullptr || *no_color == '\0') && !is_dumb_terminal();
 }
 
 std::string_view Colors::begin(Color color) const {

@@ -9,6 +9,9 @@ namespace sbgc::tools {
 
 enum class Color : unsigned char { bold, dim, red, green, yellow, blue, cyan };
 
+/// True if TERM is "dumb": the terminal obeys no escape sequences.
+bool is_dumb_terminal();
+
 /// Colors text for one file, if it is a terminal and the environment variable NO_COLOR is unset or
 /// empty.
 class Colors {

@@ -35,9 +35,9 @@ std::string_view take(std::string_view& text, char separator) {
 
 }  // namespace
 
-std::size_t line_width() {
+std::size_t line_width(std::FILE* file) {
   std::size_t width = width_from_environment();
-  if (width == 0) width = width_of_terminal();
+  if (width == 0) width = width_of_terminal(file);
   if (width == 0) width = usual_width;
   return std::max(width, least_width);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -9,9 +10,9 @@
 
 namespace sbgc::tools {
 
-/// Returns the width of a line of standard output in characters: the environment variable COLUMNS,
-/// else the width of the terminal, else 80; at least 40.
-std::size_t line_width();
+/// Returns the width of a line of standard output or standard error in characters: the environment
+/// variable COLUMNS, else the width of the terminal, else 80; at least 40.
+std::size_t line_width(std::FILE* file = stdout);
 
 /// Wraps `text` between words to lines of at most `width` characters. The first line begins at
 /// column `column`; the others are indented by `indent` spaces. Lines of `text` that begin with a

@@ -47,10 +47,14 @@ inline void remark_as_is(const std::string& text) {
   remark_writer.load()(erase_line + text + status);
 }
 
+/// Returns what a message of the command, "sbgc: ...", is on standard error: on a terminal, its
+/// lines are wrapped between words.
+std::string message_text(std::string text);
+
 /// Prints like fmt::print(stderr, ...) what printable() makes of it; otherwise as remark_as_is().
 template <class... Args>
 void remark(fmt::format_string<Args...> format, Args&&... args) {
-  remark_as_is(printable(fmt::format(format, std::forward<Args>(args)...)));
+  remark_as_is(message_text(printable(fmt::format(format, std::forward<Args>(args)...))));
 }
 
 }  // namespace sbgc::tools

@@ -18,7 +18,7 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into);
 /// True if `file` is a terminal.
 bool is_terminal(std::FILE* file);
 
-/// The width of the terminal of the standard output; 0 if it is none.
-std::size_t width_of_terminal();
+/// The width of the terminal of standard output or standard error; 0 if it is none.
+std::size_t width_of_terminal(std::FILE* file);
 
 }  // namespace sbgc::tools

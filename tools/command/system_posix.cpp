@@ -28,9 +28,9 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into) {
 
 bool is_terminal(std::FILE* file) { return ::isatty(::fileno(file)) == 1; }
 
-std::size_t width_of_terminal() {
+std::size_t width_of_terminal(std::FILE* file) {
   winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+  return ::ioctl(::fileno(file), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 }  // namespace sbgc::tools

@@ -18,9 +18,10 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into) {
 
 bool is_terminal(std::FILE* file) { return _isatty(_fileno(file)) != 0; }
 
-std::size_t width_of_terminal() {
+std::size_t width_of_terminal(std::FILE* file) {
   CONSOLE_SCREEN_BUFFER_INFO info{};
-  if (GetConsoleScreenBufferInfo(GetStdHandle(STD_OUTPUT_HANDLE), &info) == 0) return 0;
+  const DWORD handle = file == stderr ? STD_ERROR_HANDLE : STD_OUTPUT_HANDLE;
+  if (GetConsoleScreenBufferInfo(GetStdHandle(handle), &info) == 0) return 0;
   return static_cast<std::size_t>(info.srWindow.Right - info.srWindow.Left + 1);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/capture_frames.hpp"
+#include "frames/capture_packets.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_output.hpp"
 #include "frames/input_guess.hpp"
@@ -430,7 +432,47 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, const DecodeP
   return decoder.finish();
 }
 
+/// Throws CommandError for options that choose or describe frames: a file for Wireshark has all
+/// bytes.
+void reject_options_of_frames(const DecodeOptions& options) {
+  const std::pair<bool, const char*> given[] = {
+      {!options.messages.empty(), "--message"},
+      {!options.conditions.empty(), "--where"},
+      {options.real, "--real"},
+      {options.shows_passwords, "--show-passwords"},
+      {!options.firmware.empty(), "--firmware"},
+      {options.hex, "--hex"},
+      {options.raw, "--raw"},
+  };
+  for (const auto& [is_given, name] : given) {
+    if (!is_given) continue;
+    throw CommandError(
+        fmt::format("{} has no effect on --format pcapng, which keeps all bytes", name),
+        wrong_usage);
+  }
+}
+
+int write_packets(const DecodeOptions& options) {
+  reject_options_of_frames(options);
+  require_no_terminal("another --format");
+  DecodeOptions of_plan = options;
+  of_plan.format = "text";
+  const DecodePlan plan = plan_of(of_plan);
+  Input input(options.file);
+  StandardOutput out;
+  const std::vector<std::uint8_t> begin = read_begin(input);
+  if (!io::is_capture(begin)) {
+    throw InputError(
+        "--format pcapng needs a capture of `sbgc record`, which has times and senders");
+  }
+  const auto wants = [&plan](Direction direction, std::chrono::microseconds time) {
+    return (!plan.direction || *plan.direction == direction) && plan.times.has(time);
+  };
+  return decode_bytes(input, begin, CapturePackets(out, wants), out);
+}
+
 int decode_file(const DecodeOptions& options) {
+  if (options.format == "pcapng") return write_packets(options);
   const DecodePlan plan = plan_of(options);
   Input input(options.file);
   StandardOutput out;
@@ -484,8 +526,8 @@ void add_decode(CLI::App& app, CommandContext& context) {
                    "repeated")
       ->type_name("CONDITION")
       ->allow_extra_args(false);
-  add_format(*command, options.format, {"text", "jsonl", "csv"},
-             "Output format; csv for one kind of message");
+  add_format(*command, options.format, {"text", "jsonl", "csv", "pcapng"},
+             "Output format; csv for one kind of message, pcapng for Wireshark");
   command->add_flag("--real", options.real,
                     "Add the values in their units, and their names, to JSON lines");
   command->add_flag("--show-passwords", options.shows_passwords,
@@ -494,10 +536,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->add_option("--firmware", options.firmware,
                    "Firmware of the board, such as 2.59: name what it does not know")
       ->type_name("VERSION")
-      ->check([](const std::string& text) -> std::string {
-        if (parse_firmware(text)) return {};
-        return fmt::format("'{}' is not {}", text, firmware_example);
-      });
+      ->check(firmware_problem);
   auto* const hex = command->add_flag(
       "--hex", options.hex,
       "Read text, such as hex, a hex dump or a list of numbers, which is also recognized without "

@@ -69,6 +69,9 @@ class FrameDecoder {
   explicit FrameDecoder(Wanted wanted, std::optional<Availability> versions = std::nullopt)
       : wanted_(wanted), versions_(versions) {}
 
+  /// Later values mean what they do on a board with these versions.
+  void learn(const Availability& versions) { seen_ = versions; }
+
   /// `direction` is the direction of the frame; if it is missing, the frame size decides, unless
   /// the body can only be decoded in the other direction.
   DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);

@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/io/observer.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
@@ -50,6 +53,11 @@ struct RecordOptions {
   std::vector<double> rates;
   std::optional<std::chrono::milliseconds> time;
   std::optional<double> seconds;
+  bool pcapng = false;
+
+  io::CaptureFormat format() const {
+    return pcapng ? io::CaptureFormat::pcapng : io::CaptureFormat::sbgc;
+  }
 };
 
 /// Reads until the end of the stream or until it is stopped, and discards the bytes.
@@ -86,7 +94,7 @@ class Listener {
 
 int record_line(const RecordOptions& options) {
   asio::io_context context;
-  io::CaptureWriter writer;
+  io::CaptureWriter writer(options.format());
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
   // Standard output then carries only the capture.
@@ -134,28 +142,38 @@ int record_line(const RecordOptions& options) {
   return success;
 }
 
-/// A stream that is asked for, and its rate.
-struct WantedStream {
-  StreamType type;
-  std::chrono::milliseconds interval{};
-};
+/// Starts a stream that is asked for.
+using StreamStart = std::function<Result<Subscription>(ReconnectingClient& client)>;
 
-/// Reads "NAME" or "NAME:WITH", and the rates: one for each stream, or one for all.
-std::vector<WantedStream> wanted_streams(const RecordOptions& options) {
+/// Reads "NAME", "NAME:WITH", or for bytes "NUMBER" and "NUMBER:HEX".
+StreamStart start_of(std::string_view text, std::chrono::milliseconds interval) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string_view name = text.substr(0, colon);
+  const std::string_view with = text.substr(std::min(colon + 1, text.size()));
+  if (const auto id = detail::parse_number<std::uint8_t>(name); id && *id != 0) {
+    const roles::StreamRequest request = raw_stream_request(*id, with, interval);
+    return [request](ReconnectingClient& client) {
+      return client.stream_raw(request, [](const Frame&) {});
+    };
+  }
+  StreamType type = StreamType::find(name);
+  type.configure(with);
+  return [type = std::move(type), interval](ReconnectingClient& client) {
+    return type.start(client, interval, [](const Sample&) {});
+  };
+}
+
+/// Reads the streams, and the rates: one for each stream, or one for all.
+std::vector<StreamStart> wanted_streams(const RecordOptions& options) {
   constexpr double usual_rate = 50;
   const std::size_t rates = options.rates.size();
   if (rates > 1 && rates != options.streams.size()) {
     throw CommandError("use one --rate for each --stream, or one for all", wrong_usage);
   }
-  std::vector<WantedStream> result;
+  std::vector<StreamStart> result;
   for (std::size_t i = 0; i < options.streams.size(); ++i) {
-    const std::string& text = options.streams[i];
-    const std::size_t colon = std::min(text.find(':'), text.size());
-    WantedStream wanted{StreamType::find(text.substr(0, colon)), {}};
-    if (colon != text.size()) wanted.type.configure(text.substr(colon + 1));
     const double rate = rates == 0 ? usual_rate : options.rates[rates == 1 ? 0 : i];
-    wanted.interval = interval_of(rate);
-    result.push_back(std::move(wanted));
+    result.push_back(start_of(options.streams[i], interval_of(rate)));
   }
   return result;
 }
@@ -174,7 +192,7 @@ class ByteCounter final : public io::Observer {
 
 /// Records a conversation with the board. Each connection becomes a session of the capture.
 int record_board(const RecordOptions& options, const CommandContext& context) {
-  const std::vector<WantedStream> streams = wanted_streams(options);
+  const std::vector<StreamStart> streams = wanted_streams(options);
   const bool to_stdout = options.file == "-";
   std::signal(SIGPIPE, SIG_IGN);
   std::atomic<std::uint64_t> total = 0;
@@ -189,7 +207,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     return !problem.empty();
   };
   const auto record = [&](std::unique_ptr<io::Transport> transport) {
-    io::CaptureWriter writer;
+    io::CaptureWriter writer(options.format());
     const io::Error error =
         to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
     if (error) {
@@ -209,9 +227,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   const Subscription changes = report_changes(client);
   std::vector<Subscription> running;
   running.reserve(streams.size());
-  for (const WantedStream& one : streams) {
-    running.push_back(value_of(one.type.start(client, one.interval, [](const Sample&) {})));
-  }
+  for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
   if (!to_stdout) fmt::print("{}\n", printable(client.description()));
   std::fflush(stdout);
   const auto end = options.time ? std::chrono::steady_clock::now() + *options.time
@@ -248,12 +264,29 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
   }
 }
 
+/// A capture has the bytes of the line. Throws CommandError for a file that promises a table.
+void require_capture(const RecordOptions& options) {
+  const auto has_end = [&](const char* end) {
+    return detail::lower_case(options.file).ends_with(end);
+  };
+  if (std::ranges::none_of(std::array{".csv", ".tsv", ".json", ".jsonl", ".xlsx"}, has_end)) return;
+  const std::string stream = options.streams.empty() ? "RealtimeData4" : options.streams.front();
+  throw CommandError(
+      fmt::format("{} would be a capture, which has the bytes of the line: for a table, use `sbgc "
+                  "stream {} --format csv`, or record to another name and use `sbgc decode NAME -m "
+                  "{} --format csv`",
+                  clipped(options.file), clipped(stream.substr(0, stream.find(':'))),
+                  clipped(stream.substr(0, stream.find(':')))),
+      wrong_usage);
+}
+
 /// With --stream or a gimbal of its own, the board is asked; otherwise the line is listened to.
 int run_record(RecordOptions options, CommandContext& context) {
   if (options.seconds) {
     options.time = std::chrono::milliseconds(std::llround(*options.seconds * 1000));
   }
   options.file = options.places.back();
+  require_capture(options);
   if (options.file == "-") require_no_terminal("a file instead of -");
   const bool has_address = options.places.size() == 2;
   const bool has_gimbal = !context.gimbal.port.empty() || !context.gimbal.name.empty();
@@ -292,9 +325,11 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->expected(1, 2)
       ->type_name("[ADDRESS] FILE");
   command
-      ->add_option("--stream", options.streams,
-                   "Ask the board for this data stream, with the flags that choose its contents; "
-                   "may be repeated")
+      ->add_option(
+          "--stream", options.streams,
+          "Ask the board for this data stream, with the flags that choose its contents; of "
+          "one that is not known here, its number, with its configuration in hex; may be "
+          "repeated")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME[:WITH]");
@@ -304,6 +339,7 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->take_all()
       ->allow_extra_args(false)
       ->check(number_range(0.02, 1000.0));
+  command->add_flag("--pcapng", options.pcapng, "Write a file for Wireshark instead of a capture");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->add_option("--seconds", options.seconds, "The same, as a number of seconds")
       ->check(number_range(0.0, 1e9));
@@ -316,6 +352,8 @@ void add_record(CLI::App& app, CommandContext& context) {
       "\n"
       "Examples:\n"
       "  sbgc record --stream RealtimeData4 --rate 20 --for 5s capture\n"
+      "  sbgc record --stream 23 --for 2s capture\n"
+      "  sbgc record --stream RealtimeData4 --pcapng --for 5s capture.pcapng\n"
       "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 5s capture");
   command.runs(run_record);
 }

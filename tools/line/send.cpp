@@ -28,6 +28,7 @@
 #include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
+#include "values/firmware_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
 
@@ -42,9 +43,16 @@ struct SendOptions {
   std::vector<std::string> values{};
   std::string format = "text";
   bool dry_run = false;
+  std::string firmware{};  ///< of the board, for a dry run
   bool no_validate = false;
   bool no_way_back = false;
   Arming arming{};
+};
+
+/// A message that the user wants to send, and the values of its fields.
+struct Wanted {
+  const MessageType& type;
+  std::vector<Assignment> assignments{};
 };
 
 /// A message with its values.
@@ -105,7 +113,7 @@ void read_secrets(const MessageType& type, std::vector<Assignment>& assignments)
   }
 }
 
-Outgoing outgoing_of(const SendOptions& options) {
+Wanted wanted_by(const SendOptions& options) {
   const auto forms = messages_named(options.name, Direction::to_board);
   if (forms.empty()) {
     throw CommandError(fmt::format("unknown message '{}'{}", clipped(options.name),
@@ -127,19 +135,43 @@ Outgoing outgoing_of(const SendOptions& options) {
     names.reserve(assignments.size());
     for (const Assignment& one : assignments) names.push_back(one.name);
     const MessageType& type = form_with(forms, names);
-    AnyMessage message = new_message(type);
     read_secrets(type, assignments);
-    assign(message, assignments);
-    add_demanded(message);
-    std::string values = values_text(message, assignments);
-    const std::string problems = options.no_validate ? "" : violations_of(message, newest);
-    if (!problems.empty()) throw ValueError(problems);
-    static_cast<void>(encoded(message, basic_framing));
-    return {std::move(message), std::move(values)};
+    return {type, std::move(assignments)};
   } catch (const CommandError&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw CommandError(clipped(error.what()), wrong_usage);
+  }
+}
+
+/// Returns the message for a board with these versions.
+Outgoing message_for(const Availability& versions, const Wanted& wanted,
+                     const SendOptions& options) {
+  try {
+    AnyMessage message = new_message(wanted.type);
+    assign(message, wanted.assignments, versions);
+    add_demanded(message);
+    std::string values = values_text(message, wanted.assignments);
+    const std::string problems = options.no_validate ? "" : violations_of(message, newest);
+    if (!problems.empty()) throw ValueError(problems);
+    static_cast<void>(encoded(message, basic_framing));
+    return {std::move(message), std::move(values)};
+  } catch (const std::runtime_error& error) {
+    throw CommandError(clipped(error.what()), wrong_usage);
+  }
+}
+
+/// Returns the message for a board that is not known yet: with the usual meaning of its values, or
+/// if that does not allow them, the newest.
+Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
+  try {
+    return message_for({}, wanted, options);
+  } catch (const CommandError& problem) {
+    try {
+      return message_for(newest, wanted, options);
+    } catch (const CommandError&) {
+      throw problem;
+    }
   }
 }
 
@@ -166,7 +198,10 @@ Effects effects_of(const AnyMessage& message) {
 /// Prints frames as `sbgc decode` does.
 class FramePrinting {
  public:
-  explicit FramePrinting(bool is_json) : is_json_(is_json) {}
+  /// Values mean what they do on a board with these versions.
+  explicit FramePrinting(bool is_json, const Availability& versions = {}) : is_json_(is_json) {
+    decoder_.learn(versions);
+  }
 
   /// Learns what the decoding of later frames needs.
   void learn(const Frame& frame, Direction direction) { decoder_.decode(frame, direction); }
@@ -207,20 +242,23 @@ Frame frame_of(std::span<const std::uint8_t> bytes, std::uint8_t id) {
   return {.id = id, .body = bytes.subspan(header, bytes[2]), .framing = basic_framing};
 }
 
-int dry_run(const SendOptions& options, const Outgoing& out) {
+int dry_run(const SendOptions& options, const Wanted& wanted) {
+  Availability versions;
+  if (!options.firmware.empty()) versions.firmware = parse_firmware(options.firmware)->raw();
+  const Outgoing out = message_for(versions, wanted, options);
   const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
   const Frame frame = frame_of(bytes, out.message.type().info->id);
   const std::string hex = out.message.holds_secret() ? hidden_text : detail::to_hex(bytes);
   const Effects effects = effects_of(out.message);
   if (options.format == "jsonl") {
-    FramePrinting(true).print(
-        frame, Direction::to_board,
-        fmt::format(R"(,"frame":"{}","effect":"{}")", hex, effect_words(effects)));
+    FramePrinting(true, versions)
+        .print(frame, Direction::to_board,
+               fmt::format(R"(,"frame":"{}","effect":"{}")", hex, effect_words(effects)));
     return success;
   }
   fmt::print("{}\n", hex);
   std::fflush(stdout);
-  FramePrinting(false).print(frame, Direction::to_board);
+  FramePrinting(false, versions).print(frame, Direction::to_board);
   fmt::print("{}\n", wrapped(effect_text(effects), line_width()));
   return success;
 }
@@ -283,8 +321,9 @@ int send(const SendOptions& options, const CommandContext& context) {
     throw CommandError("give either a message or --id", wrong_usage);
   }
   if (options.id) return send_raw(options, context);
-  const Outgoing out = outgoing_of(options);
-  if (options.dry_run) return dry_run(options, out);
+  const Wanted wanted = wanted_by(options);
+  if (options.dry_run) return dry_run(options, wanted);
+  Outgoing out = message_for_any(wanted, options);
   const MessageInfo& info = *out.message.type().info;
   const Effects effects = effects_of(out.message);
   require_way_back(options, effects);
@@ -292,13 +331,15 @@ int send(const SendOptions& options, const CommandContext& context) {
     warn_of_password_in(context.gimbal.capture);
   }
   Client client = connect(context.gimbal);
+  const Availability versions = client.identity().versions();
+  out = message_for(versions, wanted, options);
   require_possible(client, out.message, !options.no_validate);
   if (needs_arming(info, effects)) {
     arm(options.arming,
         fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",
                     out.values, effect_text(effects)));
   }
-  FramePrinting printing(options.format == "jsonl");
+  FramePrinting printing(options.format == "jsonl", versions);
   const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
   printing.learn(frame_of(bytes, info.id), Direction::to_board);
   CallOptions call = call_options(context.gimbal);
@@ -345,8 +386,15 @@ void add_send(CLI::App& app, CommandContext& context) {
       ->type_name("HEX")
       ->needs(id);
   add_format(*command, options.format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
-  command->add_flag("--dry-run", options.dry_run,
-                    "Print the frame and what it does; send nothing and open no line");
+  auto* const dry_run =
+      command->add_flag("--dry-run", options.dry_run,
+                        "Print the frame and what it does; send nothing and open no line");
+  command
+      ->add_option("--firmware", options.firmware,
+                   "For --dry-run: firmware of the board, which changed the scale of some values")
+      ->type_name("VERSION")
+      ->check(firmware_problem)
+      ->needs(dry_run);
   command->add_flag("--no-way-back", options.no_way_back,
                     "Also send what makes the line useless, with no known way to end that");
   command->add_flag("--no-validate", options.no_validate,

@@ -1,7 +1,6 @@
 // sbgc stream: the values of a data stream, as a table, CSV or JSON.
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -10,14 +9,15 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <sbgc/json/hex.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/meta/realtime.hpp>
 
 #include "board/reconnecting.hpp"
 #include "command/choices.hpp"
@@ -28,7 +28,6 @@
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
-#include "frames/command_lookup.hpp"
 #include "frames/sample_writer.hpp"
 #include "line/field_patterns.hpp"
 #include "line/line_queue.hpp"
@@ -154,27 +153,6 @@ bool write_until(End end, LineQueue& lines, const IsOver& is_over) {
   return is_read;
 }
 
-roles::StreamRequest raw_request_of(const StreamOptions& options) {
-  auto request = value_of(detail::stream_request<roles::StreamRequest>(interval_of(options.rate)));
-  roles::stream_command(request) = static_cast<msg::CommandFromBoard>(*options.id);
-  const auto config = detail::from_hex(options.config);
-  auto& place = request.config.rest;
-  if (!config || !place.resize(config->size())) {
-    throw CommandError(
-        fmt::format("--config wants up to {} pairs of hex digits, such as 0e45", place.capacity()),
-        wrong_usage);
-  }
-  std::ranges::copy(*config, place.begin());
-  std::array<std::uint8_t, max_body_size> body{};
-  if (!encode(request, std::span(body))) {
-    throw CommandError(
-        fmt::format("the stream of {} has a name: `sbgc stream {}`", *options.id,
-                    command_name(static_cast<std::uint8_t>(*options.id), Direction::from_board)),
-        wrong_usage);
-  }
-  return request;
-}
-
 /// A frame as a line of a table, CSV or JSON.
 std::string raw_line(OutputFormat format, double time, const Frame& frame) {
   const std::string body = detail::to_hex(frame.body);
@@ -193,7 +171,8 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
     throw CommandError("--id is for bytes: it has neither a name, --fields nor --with",
                        wrong_usage);
   }
-  const roles::StreamRequest request = raw_request_of(options);
+  const roles::StreamRequest request =
+      raw_stream_request(*options.id, options.config, interval_of(options.rate));
   const OutputFormat format = format_named(options.format);
   std::signal(SIGPIPE, SIG_IGN);
   LineQueue lines;
@@ -222,9 +201,12 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
   return success;
 }
 
-int run_stream(const StreamOptions& options, const CommandContext& context) {
+int run_stream(StreamOptions options, const CommandContext& context) {
   if (options.id) return run_raw_stream(options, context);
-  if (options.name.empty()) throw CommandError("name a stream, or give --id", wrong_usage);
+  if (options.name.empty()) {
+    options.name = Meta<msg::RealtimeData3>::info.name;
+    if (options.fields.empty()) options.fields = "angle.*";
+  }
   const auto interval = interval_of(options.rate);
   const StreamType stream = chosen_stream(options);
   const bool is_watched = is_terminal(stdout);
@@ -243,7 +225,11 @@ int run_stream(const StreamOptions& options, const CommandContext& context) {
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
                                     : report_changes(client);
 
+  bool is_polling = false;  // only on the thread of the client
   const Subscription notices = client.on_notice([&](const Notice& notice) {
+    if (notice.kind == NoticeKind::polling && !std::exchange(is_polling, true)) {
+      remark("sbgc: {}\n", notice.message);
+    }
     if (notice.kind != NoticeKind::unreadable || notice.command != stream.info().id) return;
     remark("sbgc: {}\n", notice.message);
     has_unreadable = true;
@@ -290,7 +276,9 @@ void add_stream(CLI::App& app, CommandContext& context) {
   const Subcommand<StreamOptions> command(app, context, "stream",
                                           "Show the values of a data stream");
   auto& options = command.options();
-  command->add_option("name", options.name, "The message, such as RealtimeData4")
+  command
+      ->add_option("name", options.name,
+                   "The message, such as RealtimeData4; without it, the angles")
       ->type_name("STREAM");
   auto* const id = command->add_option("--id", options.id,
                                        "Show the bytes of the stream of this message, also of one "
@@ -317,11 +305,13 @@ void add_stream(CLI::App& app, CommandContext& context) {
   command->footer(
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
       "empty. The time is that of arrival. If the line is lost, the command connects again and "
-      "goes on. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
+      "goes on. Where the firmware has no data streams (before 2.59), it requests each message. "
+      "The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
       "there is no connection or no such stream on this board, or if messages could not be "
       "decoded, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
+      "  sbgc stream --for 2s\n"
       "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
       "  sbgc stream --id 23 --rate 10 --for 2s\n"
       "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");

@@ -9,6 +9,7 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/json/hex.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
@@ -17,6 +18,7 @@
 #include "board/connection.hpp"
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
+#include "frames/command_lookup.hpp"
 #include "line/field_patterns.hpp"
 #include "values/assignments.hpp"
 #include "values/message_names.hpp"
@@ -199,6 +201,30 @@ std::vector<std::string> StreamType::flags() const {
 bool StreamType::lacks_flags() const {
   const auto found = content_flags(request_);
   return found && found->value == 0;
+}
+
+roles::StreamRequest raw_stream_request(unsigned id, std::string_view config,
+                                        std::chrono::milliseconds interval) {
+  auto request = value_of(detail::stream_request<roles::StreamRequest>(interval));
+  const auto command = static_cast<std::uint8_t>(id);
+  roles::stream_command(request) = static_cast<msg::CommandFromBoard>(command);
+  const auto bytes = detail::from_hex(config);
+  auto& place = request.config.rest;
+  if (!bytes || !place.resize(bytes->size())) {
+    throw CommandError(
+        fmt::format("the configuration of stream {} is up to {} pairs of hex digits, such as 0e45",
+                    id, place.capacity()),
+        wrong_usage);
+  }
+  std::ranges::copy(*bytes, place.begin());
+  std::array<std::uint8_t, max_body_size> body{};
+  if (!encode(request, std::span(body))) {
+    throw CommandError(fmt::format("the stream of {} has a name, and flags that choose its "
+                                   "contents: {}",
+                                   id, command_name(command, Direction::from_board)),
+                       wrong_usage);
+  }
+  return request;
 }
 
 }  // namespace sbgc::tools

@@ -63,4 +63,9 @@ class StreamType {
                                  SampleHandler handler);
 };
 
+/// Returns the request for the bytes of a stream, also of one that is not known here; `config` is
+/// its configuration in hex. Throws CommandError.
+roles::StreamRequest raw_stream_request(unsigned id, std::string_view config,
+                                        std::chrono::milliseconds interval);
+
 }  // namespace sbgc::tools

@@ -38,6 +38,7 @@ LiveValues common_values(const M& message) {
       .target = degrees(message.rc_angle),
       .frame_angle = degrees(message.frame_imu_angle),
       .joint = {missing, missing, missing},
+      .balance = {missing, missing, missing},
       .power = shares(message.motor_power),
       .battery = message.bat_level.real(),
       .current = missing,
@@ -64,6 +65,8 @@ LiveValues values_of(const msg::RealtimeData3& message) { return common_values(m
 LiveValues values_of(const msg::RealtimeData4& message) {
   LiveValues values = common_values(message);
   values.joint = degrees(message.rotor_angle);
+  values.balance = {message.balance_error.roll.percent(), message.balance_error.pitch.percent(),
+                    message.balance_error.yaw.percent()};
   values.current = message.current.real();
   values.temperature = message.imu_temperature.real();
   if (message.calib_mode != msg::CalibMode{}) values.task = name_or_number(message.calib_mode);

@@ -40,6 +40,7 @@ struct LiveValues {
   PerAxis target{};       ///< in degrees
   PerAxis frame_angle{};  ///< in degrees
   PerAxis joint{};        ///< in degrees
+  PerAxis balance{};      ///< motor power lost to imbalance, in percent
   PerAxis power{};        ///< of the motors, 0 to 1
   double battery{};       ///< in volts
   double current{};       ///< in milliamperes

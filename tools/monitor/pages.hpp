@@ -29,6 +29,10 @@ struct View {
   bool is_paused = false;
   std::optional<PerAxis> zero{};  ///< angles are shown relative to these
   std::size_t scroll = 0;         ///< first line of a long page
+  bool shows_keys = false;
+  bool is_recording = false;
+  std::string message{};  ///< in place of the keys in the last row
+  std::chrono::steady_clock::time_point message_end{};
 };
 
 /// Draws the whole screen. Reduces `view.scroll` to what there is.

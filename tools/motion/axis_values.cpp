@@ -9,6 +9,7 @@
 #include <sbgc/detail/parse_number.hpp>
 
 #include "command/command_error.hpp"
+#include "values/search_words.hpp"
 
 namespace sbgc::tools {
 
@@ -22,6 +23,50 @@ constexpr Q highest{std::numeric_limits<typename Q::raw_type>::max()};
 std::string direction_text(const AxisDirection& direction) {
   if (*direction.positive == '\0') return "it is not known which way is positive";
   return fmt::format("positive is {}", direction.positive);
+}
+
+/// Reads "30down", "30 deg down" or 0, as people say it, into a number.
+CLI::Validator number_with_direction(const std::string& unit, const AxisDirection& ways) {
+  const auto take = [unit, ways](std::string& text) -> std::string {
+    std::string number = text;
+    const bool is_positive = number.ends_with(ways.positive);
+    const std::string_view way = is_positive                       ? ways.positive
+                                 : number.ends_with(ways.negative) ? ways.negative
+                                                                   : "";
+    number.resize(number.size() - way.size());
+    while (number.ends_with(' ')) number.pop_back();
+    if (number.ends_with(unit)) number.resize(number.size() - unit.size());
+    while (number.ends_with(' ')) number.pop_back();
+    const auto value = detail::parse_number<double>(number);
+    const bool is_sure = value && std::isfinite(*value) && !std::signbit(*value) &&
+                         (way.empty() ? *value == 0 : true);
+    if (!is_sure) {
+      return fmt::format("must say which way: 30{} or 30{}, not '{}'", ways.positive, ways.negative,
+                         text);
+    }
+    text = (is_positive || *value == 0 ? "" : "-") + number;
+    return "";
+  };
+  return {take, "", "number"};
+}
+
+/// Adds the other names of an axis, such as --tilt, whose numbers say which way they count.
+void add_named_directions(CLI::App& command, CLI::Option& signed_option, std::size_t axis,
+                          std::optional<double>& into, const std::string& unit) {
+  const AxisDirection& ways = axis_directions[axis];
+  if (*ways.positive == '\0') return;
+  for (const auto& group : synonyms) {
+    for (const char* const word : group) {
+      if (!means_same(word, axis_names[axis]) || word == std::string_view(axis_names[axis]))
+        continue;
+      command
+          .add_option(std::string("--") + word, into,
+                      fmt::format("The same in words: 30{} or 30{}", ways.positive, ways.negative))
+          ->transform(number_with_direction(unit, ways))
+          ->type_name(fmt::format("NUMBER{}|NUMBER{}", ways.positive, ways.negative))
+          ->excludes(&signed_option);
+    }
+  }
 }
 
 }  // namespace
@@ -45,13 +90,15 @@ CLI::Validator number_with_unit(const std::string& unit) {
 void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& what,
                       const std::string& unit) {
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    command
-        .add_option(std::string("--") + axis_names[i], into[i],
-                    fmt::format("{} of {}, in {}: {}", what, axis_names[i],
-                                unit == "deg" ? "degrees" : "degrees per second",
-                                direction_text(axis_directions[i])))
-        ->transform(number_with_unit(unit))
-        ->type_name("NUMBER");
+    CLI::Option* const option =
+        command
+            .add_option(std::string("--") + axis_names[i], into[i],
+                        fmt::format("{} of {}, in {}: {}", what, axis_names[i],
+                                    unit == "deg" ? "degrees" : "degrees per second",
+                                    direction_text(axis_directions[i])))
+            ->transform(number_with_unit(unit))
+            ->type_name("NUMBER");
+    add_named_directions(command, *option, i, into[i], unit);
   }
 }
 

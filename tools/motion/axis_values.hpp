@@ -22,7 +22,9 @@ using AxisNumbers = Axes<std::optional<double>>;
 CLI::Validator number_with_unit(const std::string& unit);
 
 /// Adds the three options; `what` is the noun of their descriptions, such as "Angle", and the unit
-/// "deg" or "deg/s". The descriptions say which way the numbers count.
+/// "deg" or "deg/s". The descriptions say which way the numbers count. Other names of an axis, such
+/// as
+/// --tilt, take the direction in words: "30down".
 void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& what,
                       const std::string& unit);
 

@@ -46,7 +46,7 @@ struct KeyTurn {
 };
 
 /// For example "up"; the sign is 0 if nothing turns the camera there.
-constexpr KeyTurn turn_to(std::string_view direction) {
+consteval KeyTurn turn_to(std::string_view direction) {
   for (std::size_t axis = 0; axis < axis_directions.size(); ++axis) {
     if (axis_directions[axis].positive == direction) return {axis, 1};
     if (axis_directions[axis].negative == direction) return {axis, -1};

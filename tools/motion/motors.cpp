@@ -25,7 +25,6 @@ struct MotorsCommand {
 int turn_motors(const MotorsCommand& command, const CommandContext& context) {
   const bool on = command.state == "on";
   Client client = connect(context.gimbal);
-  on ? require_possible(client, msg::MotorsOn{}) : require_possible(client, msg::MotorsOff{});
   arm(command.arming, on ? "The motors turn on, and the camera jumps to its target angle."
                          : "The motors lose power, and the camera drops to its heavy side.");
   CallOptions options = call_options(context.gimbal);

@@ -129,6 +129,7 @@ void add_move(CLI::App& app, CommandContext& context) {
       "\n"
       "Examples:\n"
       "  sbgc move --pitch 30 --wait\n"
+      "  sbgc move --tilt 30down --pan 45left\n"
       "  sbgc move --yaw 5 --relative --speed 2 --yes\n"
       "\n"
       "The exit status is 0 if the camera is at its target, or turns to it without --wait; 1 if "

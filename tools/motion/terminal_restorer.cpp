@@ -70,19 +70,18 @@ TerminalRestorer::TerminalRestorer(Screen screen) {
   const std::string leaving = screen == Screen::full ? leaving_sequence() : "";
   del_curterm(cur_term);
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  const io::detail::Descriptor input(ends[0]);
+  alive_ = io::detail::Descriptor(ends[1]);
   process_ = ::fork();
   if (process_ == 0) {
-    ::close(ends[1]);
-    wait_and_restore(ends[0], before, leaving);
+    alive_ = {};
+    wait_and_restore(input.get(), before, leaving);
   }
-  ::close(ends[0]);
-  alive_ = ends[1];
 }
 
 TerminalRestorer::~TerminalRestorer() {
-  if (alive_ == -1) return;
-  [[maybe_unused]] const auto size = ::write(alive_, &released, sizeof released);
-  ::close(alive_);
+  if (!alive_) return;
+  [[maybe_unused]] const auto size = ::write(alive_.get(), &released, sizeof released);
   if (process_ > 0) ::waitpid(process_, nullptr, 0);
 }
 

@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <sbgc/io/detail/descriptor.hpp>
+
 namespace sbgc::tools {
 
 /// While it exists, a second process waits for the end of this one, and if that comes first, sets
@@ -21,7 +23,7 @@ class TerminalRestorer {
 
  private:
   pid_t process_ = -1;
-  int alive_ = -1;  // closed by the end of this process
+  io::detail::Descriptor alive_{};  // closed by the end of this process
 };
 
 }  // namespace sbgc::tools

@@ -226,6 +226,7 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
   if (was_interrupted()) throw CommandError("interrupted; nothing was changed", interrupted);
   const ParameterSet all =
       read_defaults(client, before, static_cast<std::uint8_t>(spare), call_options(context.gimbal));
+  keep_defaults(before.board, all);
   if (was_interrupted()) {
     throw CommandError("interrupted; the parameters are back as they were before", interrupted);
   }
@@ -400,7 +401,9 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command->footer(
-      "The exit status is 0 if there are no differences, 1 if there are, 3 if they could not be "
+      "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. The "
+      "exit "
+      "status is 0 if there are no differences, 1 if there are, 3 if they could not be "
       "compared, 2 for wrong usage.");
   command.runs(compare_or_tell);
 }

@@ -1,5 +1,10 @@
 #include "parameters/defaults.hpp"
 
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <sbgc/client/profiles.hpp>
@@ -7,6 +12,7 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/remark.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/write_outcome.hpp"
 
@@ -31,7 +37,39 @@ std::uint8_t copies_of(const std::string& message) {
   return 1;
 }
 
+/// Returns the file for the defaults of a board; "" without a folder for it.
+std::filesystem::path defaults_file(const BoardIdentity& board) {
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  const char* const home = std::getenv("HOME");
+  std::filesystem::path folder = cache == nullptr ? "" : cache;
+  if (folder.empty() && home != nullptr) folder = std::filesystem::path(home) / ".cache";
+  if (folder.empty()) return {};
+  return folder / "sbgc" /
+         fmt::format("defaults-{}-{}-{}.json", board.board_version(), board.firmware_version(),
+                     board.serial_number());
+}
+
 }  // namespace
+
+void keep_defaults(const BoardIdentity& board, const ParameterSet& defaults) {
+  const std::filesystem::path file = defaults_file(board);
+  if (file.empty()) return;
+  std::error_code ignored;  // saving fails then, too
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  const Backup kept{.board = board, .parameters = defaults, .created = utc_now()};
+  const Result<void> saved = save_backup(kept, file, Existing::replace);
+  if (!saved) remark("sbgc: the defaults are not kept: {}\n", saved.error().message);
+}
+
+ParameterSet kept_defaults(const BoardIdentity& board) {
+  Result<Backup> kept = load_backup(defaults_file(board));
+  if (kept) return std::move(kept->parameters);
+  if (kept.error().code != ErrorCode::not_found) fail(kept.error());
+  throw CommandError(
+      fmt::format("the factory defaults of this board with firmware {} are not known here; `sbgc "
+                  "params diff --defaults` reads them and keeps them",
+                  board.firmware_version()));
+}
 
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options) {

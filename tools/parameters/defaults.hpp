@@ -17,4 +17,12 @@ namespace sbgc::tools {
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options);
 
+/// Keeps the factory defaults of a board on this machine, in ~/.cache/sbgc. Without such a folder,
+/// it does nothing.
+void keep_defaults(const BoardIdentity& board, const ParameterSet& defaults);
+
+/// Returns the defaults that were kept. Throws CommandError, which says how to read them, if there
+/// are none of this board with its firmware.
+ParameterSet kept_defaults(const BoardIdentity& board);
+
 }  // namespace sbgc::tools

@@ -123,7 +123,9 @@ std::vector<ShownParameter> shown_parameters(const Parameters& block,
                          .raw = raw_text(leaf),
                          .meaning = meaning_text(leaf),
                          .is_special = special_meaning(leaf) != nullptr,
-                         .is_general = leaf.field.role == FieldRole::general};
+                         .is_general = leaf.field.role == FieldRole::general,
+                         .summary = leaf.field.summary,
+                         .topics = topics_of(leaf.field)};
     const bool is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
     if (is_number && leaf.names == nullptr && leaf.packed == nullptr && !shown.is_special) {
       const double raw =
@@ -144,6 +146,11 @@ Json to_json(const ShownParameter& parameter) {
   result["unit"] = parameter.unit.empty() ? Json() : Json(parameter.unit);
   result["meaning"] = parameter.meaning.empty() ? Json() : Json(parameter.meaning);
   result["general"] = parameter.is_general;
+  result["topics"] = Json::array();
+  for (const TopicReference* const topic : parameter.topics) {
+    result["topics"].push_back(topic->name);
+  }
+  if (!parameter.other_default.empty()) result["default"] = parameter.other_default;
   return result;
 }
 

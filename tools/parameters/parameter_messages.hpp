@@ -12,6 +12,7 @@
 
 #include "values/field_lookup.hpp"
 #include "values/message_json.hpp"
+#include "values/search_words.hpp"
 
 namespace sbgc::tools {
 
@@ -61,6 +62,9 @@ struct ShownParameter {
   std::size_t bytes{};  ///< of bytes without a meaning as numbers; 0 for others
   bool is_special{};    ///< the raw value has a meaning of its own
   bool is_general{};
+  std::string summary{};
+  std::vector<const TopicReference*> topics{};  ///< its own first
+  std::string other_default{};  ///< the text of the factory default, if it is known and another
 
   /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
   std::string text() const;

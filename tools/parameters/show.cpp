@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +21,8 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "parameters/defaults.hpp"
+#include "parameters/pager.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/params_commands.hpp"
 #include "parameters/profile_choice.hpp"
@@ -31,7 +34,7 @@ namespace {
 
 struct ShowOptions {
   std::vector<std::string> names{};
-  std::string filter{};
+  bool changed = false;
   std::string format = "text";
   ProfileOption profile{};
 };
@@ -49,35 +52,62 @@ void print_json(const ChosenProfile& profile, const std::vector<ShownParameter>&
   fmt::print("{}\n", detail::json_text(document, 2));
 }
 
-bool fits(const ShownParameter& parameter, const std::string& filter) {
-  const std::string wanted = detail::lower_case(filter);
-  const std::string name = detail::lower_case(parameter.message + '.' + parameter.path);
-  return name.find(wanted) != std::string::npos ||
-         detail::lower_case(parameter.spec_name).find(wanted) != std::string::npos;
+bool fits(const ShownParameter& parameter, const Query& query) {
+  const std::string name = parameter.message + '.' + parameter.path + ' ' + parameter.spec_name;
+  return query.fits(name, parameter.summary, parameter.topics, true);
 }
 
-void print_table(const std::vector<ShownParameter>& parameters) {
+/// Leaves those that differ from the factory defaults, and says from what.
+void keep_changed(std::vector<ShownParameter>& parameters,
+                  const std::vector<ParametersChange>& changes) {
+  const auto is_default = [&](ShownParameter& parameter) {
+    for (const ParametersChange& block : changes) {
+      if (block.id.message != parameter.message) continue;
+      for (const FieldChange& field : block.fields) {
+        if (field.path != parameter.path) continue;
+        const std::string& text =
+            field.before_meaning.empty() ? field.before : field.before_meaning;
+        parameter.other_default = text.empty() ? "nothing" : text;
+        return false;
+      }
+    }
+    return true;
+  };
+  std::erase_if(parameters, is_default);
+}
+
+std::string table_of(const std::vector<ShownParameter>& parameters) {
+  std::string result;
   const Colors colors(stdout);
   std::size_t width = 0;
   for (const ShownParameter& parameter : parameters) {
     width = std::max(width, parameter.path.size());
   }
-  std::string message;
-  for (const ShownParameter& parameter : parameters) {
-    if (parameter.message != message) {
-      message = parameter.message;
-      const char* const summary = find_message(message)->info->summary;
-      fmt::print("{}\n", wrapped(fmt::format("{}: {}", colors(Color::bold, message), summary),
-                                 line_width()));
+  constexpr std::size_t least_room = 12;  // for a value beside its name
+  const bool is_below = width + 4 + least_room > line_width();
+  const std::size_t column = is_below ? 6 : width + 4;
+  for (const TopicReference& topic : topic_references) {
+    bool is_first = true;
+    for (const ShownParameter& parameter : parameters) {
+      if (parameter.topics.empty() || parameter.topics.front() != &topic) continue;
+      if (std::exchange(is_first, false)) {
+        result += wrapped(fmt::format("{}: {}", colors(Color::bold, topic.name), topic.summary),
+                          line_width());
+        result += '\n';
+      }
+      std::string text = parameter.short_text();
+      if (!parameter.other_default.empty()) text += " (default " + parameter.other_default + ")";
+      result +=
+          fmt::format("  {:<{}}{}{}\n", parameter.path, is_below ? 0 : width,
+                      is_below ? "\n      " : "  ", wrapped(text, line_width(), column, column));
     }
-    const std::size_t column = width + 4;
-    fmt::print("  {:<{}}  {}\n", parameter.path, width,
-               wrapped(parameter.short_text(), line_width(), column, column));
   }
+  return result;
 }
 
 int show(const ShowOptions& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
+  const ParameterSet defaults = options.changed ? kept_defaults(client.identity()) : ParameterSet();
   const ChosenProfile profile = choose_profile(client, options.profile);
   const ParameterSet set = read_parameters(client, [&](const ParametersId& id) {
     const auto& messages = parameter_messages();
@@ -87,19 +117,27 @@ int show(const ShowOptions& options, const CommandContext& context) {
     return of->copies == 1 || id.copy == profile.index;
   });
   std::vector<ShownParameter> parameters;
+  const std::string words = fmt::format("{}", fmt::join(options.names, " "));
+  const Query query(words);
   for (const Parameters& block : set.all()) {
     for (ShownParameter& parameter : shown_parameters(block, client.identity().versions())) {
-      if (fits(parameter, options.filter)) parameters.push_back(std::move(parameter));
+      if (fits(parameter, query)) parameters.push_back(std::move(parameter));
     }
   }
   if (parameters.empty()) {
-    throw CommandError(fmt::format("no parameter has '{}' in its name", clipped(options.filter)));
+    throw CommandError(fmt::format(
+        "no parameter has '{}' in its name, its description or its topics", clipped(words)));
+  }
+  if (options.changed) {
+    const Availability versions = client.identity().versions();
+    keep_changed(parameters, diff(defaults, set, versions, versions));
   }
   if (options.format == "json") {
     print_json(profile, parameters);
   } else {
-    fmt::print("{}\n", profile.text());
-    print_table(parameters);
+    const bool is_default = options.changed && parameters.empty();
+    print_paged(profile.text() + (is_default ? ": the factory defaults\n" : "\n") +
+                table_of(parameters));
   }
   return success;
 }
@@ -216,10 +254,21 @@ void add_params_show(CLI::App& params, CommandContext& context) {
   const Subcommand<ShowOptions> command(params, context, "show",
                                         "List the parameters of a profile");
   auto& options = command.options();
-  command->add_option("filter", options.filter, "Only the parameters with this text in their name")
-      ->type_name("TEXT");
+  command
+      ->add_option(
+          "words", options.names,
+          "Only the parameters with all these words: a topic (pid), part of a name, or words "
+          "of a description (tilt limit)")
+      ->type_name("WORDS");
+  command->add_flag("--changed", options.changed,
+                    "Only the parameters that differ from the factory defaults");
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
+  command->footer(
+      "On a terminal, $PAGER or less shows a page at a time. --changed compares with the defaults "
+      "that `sbgc params diff --defaults` has read from this board, for the parameters of "
+      "profiles: "
+      "the protocol has no request that only reads them.");
   command.runs(show);
 }
 
@@ -229,8 +278,8 @@ void add_params_get(CLI::App& params, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("names", options.names,
-                   "Paths (axes.pitch.p), ends of paths (pitch.p) or names of the "
-                   "specification; without an axis, all axes")
+                   "Paths (axes.pitch.p), ends of paths (pitch.p, tilt.p) or names of the "
+                   "specification (P_PITCH); without an axis, all axes")
       ->type_name("PARAMETER")
       ->required();
   add_profile_option(*command, options.profile);

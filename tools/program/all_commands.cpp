@@ -25,7 +25,7 @@ const std::vector<Heading> headings{
     {"Care", {add_calibrate, add_eeprom, add_files, add_script, add_reset}},
     {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
     {"Share", {add_bridge}},
-    {"Shell", {add_completion, add_manual}},
+    {"Shell", {add_shell, add_completion, add_manual}},
 };
 
 /// Options of a gimbal before the command are for commands that talk to one.

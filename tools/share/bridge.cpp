@@ -10,31 +10,25 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/post.hpp>
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
 
 #include "board/progress_bar.hpp"
-#include "board/reconnecting.hpp"
 #include "command/background_output.hpp"
 #include "command/duration.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "hosts/endpoint.hpp"
-#include "share/bridge_client.hpp"
-#include "share/bridge_ports.hpp"
-#include "share/line_gate.hpp"
 #include "share/places.hpp"
+#include "share/shared_line.hpp"
 #include "share/web_socket.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-/// A request that has waited longer is useless to its host.
-constexpr std::chrono::milliseconds longest_wait{2'000};
 constexpr std::chrono::milliseconds tick_time{100};
 constexpr int ticks_per_status = 10;
 constexpr const char* token_variable = "SBGC_TOKEN";
@@ -56,29 +50,23 @@ class BridgeService {
                 const BridgeOptions& options)
       : timer_(context),
         signals_(context),
-        gate_(
-            [this, executor = context.get_executor()](LineGate::Bytes bytes) {
-              asio::post(executor, [this, bytes = std::move(bytes)] { ports_.raw_arrived(bytes); });
-            },
-            [this, executor = context.get_executor()] {
-              asio::post(executor, [this] { ports_.raw_sent(); });
-            }),
-        line_(context.get_executor(), connect(command, options), gate_),
-        ports_(line_, io::now, log, options.allows_passwords) {
+        line_(context, command.gimbal,
+              {.allows_passwords = options.allows_passwords, .log = log, .on_change = changed}) {
+    log(line_.client().description());
     // Until here, a signal ends the program at once.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
     signals_.async_wait([&context](std::error_code error, int) {
       if (!error) context.stop();
     });
-    endpoints_ = open_places(context.get_executor(), ports_, options.places, "bridge", {log, log});
+    endpoints_ =
+        open_places(context.get_executor(), line_.ports(), options.places, "bridge", {log, log});
     for (const hosts::ListenAddress& at : options.web_sockets) {
       endpoints_.push_back(
-          listen_web_socket(context.get_executor(), ports_, at, options.access, {log, log}));
+          listen_web_socket(context.get_executor(), line_.ports(), at, options.access, {log, log}));
       const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
       background_stdout().write(
           printable(fmt::format("bridge: {}{}\n", endpoints_.back()->address(), shown)));
     }
-    line_.begin(ports_, [this](const LinkChange& change) { changed(change); });
     tick();
   }
   BridgeService(const BridgeService&) = delete;
@@ -89,37 +77,14 @@ class BridgeService {
   }
 
  private:
-  ReconnectingClient connect(const CommandContext& command, const BridgeOptions& bridge) {
-    ReconnectingClient client =
-        connect_for_long(command.gimbal, [this, &bridge](ConnectOptions& options) {
-          if (options.password && !bridge.allows_passwords) {
-            throw CommandError(
-                "the password opens the gimbal for every program that can connect to the bridge; "
-                "--allow-passwords agrees to that",
-                wrong_usage);
-          }
-          options.queue_timeout = longest_wait;
-          options.wrap = [this, wrap = options.wrap](std::unique_ptr<io::Transport> transport) {
-            return gate_.pass(wrap ? wrap(std::move(transport)) : std::move(transport));
-          };
-        });
-    log(client.description());
-    return client;
-  }
-
   static void log(const std::string& text) { remark("sbgc: {}\n", text); }
 
-  void changed(const LinkChange& change) {
-    const bool is_lost = change.state == LinkState::lost;
-    const bool is_news = !is_lost || ports_.line_lost();
-    if (is_news) {
-      log(change.state == LinkState::searching ? "connecting again ..." : change.message);
-    }
-    if (change.state == LinkState::connected) ports_.restart_streams();
+  static void changed(const LinkChange& change) {
+    log(change.state == LinkState::searching ? "connecting again ..." : change.message);
   }
 
   void tick() {
-    ports_.tick();
+    line_.tick();
     if (++ticks_ % ticks_per_status == 0) show_status();
     timer_.expires_after(tick_time);
     timer_.async_wait([this](std::error_code error) {
@@ -128,10 +93,10 @@ class BridgeService {
   }
 
   void show_status() {
-    const std::vector<BridgePorts::HostCounters> hosts = ports_.counters();
+    const std::vector<BridgePorts::HostCounters> hosts = line_.ports().counters();
     std::string text =
         fmt::format("{}, {}", name(line_.client().state()), counted(hosts.size(), "host"));
-    if (const auto host = ports_.exclusive_host()) {
+    if (const auto host = line_.ports().exclusive_host()) {
       text += fmt::format(" | host {} has the line for itself", *host);
     }
     for (const auto& host : hosts) {
@@ -143,9 +108,7 @@ class BridgeService {
 
   asio::steady_timer timer_;
   asio::signal_set signals_;
-  LineGate gate_;
-  BridgeClient line_;
-  BridgePorts ports_;
+  SharedLine line_;
   ProgressBar status_;
   int ticks_ = 0;
   std::vector<std::unique_ptr<hosts::Endpoint>> endpoints_{};

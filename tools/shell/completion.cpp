@@ -1,5 +1,7 @@
 // sbgc completion: completion for shells, from the same source as the help.
 
+#include "shell/completion.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -13,6 +15,7 @@
 
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/reference.hpp>
 #include <sbgc/roles.hpp>
 
 #include "board/configuration.hpp"
@@ -33,11 +36,6 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A word that can stand at the place of the cursor.
-struct Candidate {
-  std::string word{};
-  std::string description{};
-};
 using Candidates = std::vector<Candidate>;
 
 /// Returns the beginning of a description, which is enough in a list.
@@ -134,6 +132,14 @@ Candidates field_values(const std::string& message, const std::string& word) {
   return result;
 }
 
+Candidates topics() {
+  Candidates result;
+  for (const TopicReference& topic : topic_references) {
+    result.push_back({topic.name, topic.summary});
+  }
+  return result;
+}
+
 Candidates streams() {
   Candidates result;
   const auto add = [&]<class M>(Type<M>) {
@@ -225,6 +231,7 @@ Candidates values_of(const CLI::Option& option, const Place& place) {
          return place.arguments.empty() ? Candidates()
                                         : field_values(place.arguments[0], place.word);
        }},
+      {"WORDS", [](const Place&) { return topics(); }},
       {"WORD", [](const Place&) { return words(described_words()); }},
       {"NAME[:WITH]", [](const Place&) { return streams(); }},
       {"CALIBRATION", [](const Place&) { return calibration_names(); }},
@@ -247,27 +254,37 @@ void add_options(const CLI::App& command, Candidates& result) {
   }
 }
 
-/// Returns the candidates for the last of these words, which follow "sbgc".
-Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
-  const CLI::App* command = &app;
-  std::vector<std::string> arguments;
-  const CLI::Option* awaiting = nullptr;  // the option whose value comes next
+/// What the words before the last one choose.
+struct Chosen {
+  const CLI::App* command = nullptr;
+  std::vector<std::string> arguments{};
+  const CLI::Option* awaiting = nullptr;  ///< the option whose value comes next
+};
+
+Chosen chosen_by(const CLI::App& app, const std::vector<std::string>& line) {
+  Chosen result{.command = &app};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const std::string& word = line[i];
-    if (awaiting != nullptr) {
-      awaiting = nullptr;
+    if (result.awaiting != nullptr) {
+      result.awaiting = nullptr;
     } else if (word.starts_with('-') && word != "-") {
       const CLI::Option* const option =
-          command->get_option_no_throw(word.substr(0, word.find('=')));
+          result.command->get_option_no_throw(word.substr(0, word.find('=')));
       if (option != nullptr && takes_value(*option) && word.find('=') == std::string::npos) {
-        awaiting = option;
+        result.awaiting = option;
       }
-    } else if (const CLI::App* const nested = find_subcommand(*command, word)) {
-      command = nested;
+    } else if (const CLI::App* const nested = find_subcommand(*result.command, word)) {
+      result.command = nested;
     } else {
-      arguments.push_back(word);
+      result.arguments.push_back(word);
     }
   }
+  return result;
+}
+
+/// Returns all words that can stand at the place.
+Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
+  const auto [command, arguments, awaiting] = chosen_by(app, line);
   const Place place{app, arguments, line.empty() ? "" : line.back()};
   if (awaiting != nullptr) return values_of(*awaiting, place);
   Candidates result;
@@ -288,14 +305,10 @@ Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
   return result;
 }
 
-/// Prints the candidates that begin with the word, one per line, with descriptions after a tab.
+/// Prints the candidates, one per line, with descriptions after a tab.
 void print_candidates(const CLI::App& app, const std::vector<std::string>& line) {
-  const std::string word = line.empty() ? "" : line.back();
-  for (const Candidate& candidate : complete(app, line)) {
-    const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
-    // No shell shows or inserts other words as they are.
-    const bool is_plain = clipped(candidate.word) == candidate.word;
-    if (fits && is_plain) fmt::print("{}\t{}\n", candidate.word, brief(candidate.description));
+  for (const Candidate& candidate : candidates_for(app, line)) {
+    fmt::print("{}\t{}\n", candidate.word, candidate.description);
   }
 }
 
@@ -308,6 +321,24 @@ struct WordsToComplete {
 };
 
 }  // namespace
+
+Candidates candidates_for(const CLI::App& app, const std::vector<std::string>& line) {
+  const std::string word = line.empty() ? "" : line.back();
+  Candidates result;
+  for (const Candidate& candidate : complete(app, line)) {
+    const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
+    // No shell shows or inserts other words as they are.
+    const bool is_plain = clipped(candidate.word) == candidate.word;
+    if (fits && is_plain) result.push_back({candidate.word, brief(candidate.description)});
+  }
+  return result;
+}
+
+const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& line) {
+  std::vector<std::string> and_next = line;
+  and_next.emplace_back();
+  return *chosen_by(app, and_next).command;
+}
 
 void add_completion(CLI::App& app, CommandContext& context) {
   const Subcommand<CompletionOptions> command(app, context, "completion",

@@ -120,8 +120,9 @@ void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
   }
 }
 
-void assign(AnyMessage& message, const std::vector<Assignment>& assignments) {
-  set_values(message, find_values(message.type(), assignments));
+void assign(AnyMessage& message, const std::vector<Assignment>& assignments,
+            const Availability& versions) {
+  set_values(message, find_values(message.type(), assignments), versions);
 }
 
 void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& values) {

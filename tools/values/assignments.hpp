@@ -45,7 +45,8 @@ void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
                 const Availability& versions = {});
 
 /// find_values() and set_values() in one step.
-void assign(AnyMessage& message, const std::vector<Assignment>& assignments);
+void assign(AnyMessage& message, const std::vector<Assignment>& assignments,
+            const Availability& versions = {});
 
 /// Throws ValueError if one of the values is outside of its range, whatever the others are.
 void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& values);

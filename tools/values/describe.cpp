@@ -26,13 +26,14 @@
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
 #include "values/names.hpp"
+#include "values/search_words.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
 struct DescribeOptions {
-  std::string word{};
+  std::vector<std::string> words{};
 };
 
 /// Returns what the reference says about a message: for each direction, if it travels in both.
@@ -369,6 +370,54 @@ void print_variable(const Page& page, const VariableInfo& variable) {
   print_facts(page, field, "", 2);
 }
 
+/// Calls `use(path, field)` for each field, at the first place in a message where it occurs.
+template <class Use>
+void for_each_known_field(const Use& use) {
+  std::set<const FieldInfo*> known;
+  for (const MessageType* const message : message_types()) {
+    for_each_field(message->fields(), [&](const std::vector<WayStep>& way, const FieldType& type) {
+      const FieldInfo* const info = way.back().member != nullptr ? type.info : nullptr;
+      if (info == nullptr || info->reserved || !known.insert(info).second) return;
+      use(fmt::format("{}.{}", message->info->name, way_text(way)), *info);
+    });
+  }
+}
+
+void print_topic(const Page& page, const TopicReference& topic) {
+  page.heading(topic.name, "  topic of parameters");
+  page.paragraph(topic.summary, 2);
+  page.gap();
+  for_each_known_field([&](const std::string& path, const FieldInfo& field) {
+    if (std::ranges::count(topics_of(field), &topic) == 0) return;
+    page.entry(path, field.summary, 2, 40);
+  });
+}
+
+/// Prints what has the words in its name or its description. Returns false if nothing has.
+bool print_search(const Page& page, const std::string& words) {
+  const Query query(words);
+  std::vector<std::pair<std::string, const char*>> found;
+  const auto look_at = [&](const std::string& name, const char* summary, const auto& topics) {
+    if (query.fits(name, summary, topics, false)) found.emplace_back(name, summary);
+  };
+  const std::vector<const TopicReference*> none;
+  for (const CommandReference& command : command_references) {
+    look_at(command.name, command.summary, none);
+  }
+  for_each_known_field([&](const std::string& path, const FieldInfo& field) {
+    look_at(path, field.summary, topics_of(field));
+  });
+  for (const VariableInfo& variable : variables) look_at(variable.name, variable.summary, none);
+  if (found.empty()) return false;
+  page.heading(words, fmt::format("  occurs at {}", counted(found.size(), "place")));
+  constexpr std::size_t most = 40;
+  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+    page.entry(found[i].first, found[i].second, 2, 40);
+  }
+  if (found.size() > most) page.paragraph("and more; search for several words", 2);
+  return true;
+}
+
 /// Where a field occurs.
 struct Occurrence {
   const MessageType* message = nullptr;
@@ -486,7 +535,13 @@ bool print_word(const Page& page, const std::string& word) {
     separate();
     print_variable(page, variable);
   }
-  if (is_known) return true;
+  const bool is_entry = is_known;
+  for (const TopicReference& topic : topic_references) {
+    if (!is_named(topic, word)) continue;
+    separate();
+    print_topic(page, topic);
+  }
+  if (is_entry) return true;
   for (const NamedType& type : named_types()) {
     if (detail::is_same_word(word, type.name)) {
       separate();
@@ -516,6 +571,7 @@ std::vector<std::string> all_words() {
   for (const CommandReference& command : command_references) words.insert(command.name);
   for (const FamilyReference& family : family_references) words.insert(family.name);
   for (const VariableInfo& variable : variables) words.insert(variable.name);
+  for (const TopicReference& topic : topic_references) words.insert(topic.name);
   for (const NamedType& type : named_types()) {
     words.insert(std::string(type.name));
     if (type.names == nullptr) continue;
@@ -551,12 +607,12 @@ std::vector<std::string> similar_words(const std::string& word) {
 
 int describe(const DescribeOptions& options) {
   const Page page;
-  if (options.word.empty()) {
+  if (options.words.empty()) {
     print_all(page);
     return success;
   }
-  if (print_word(page, options.word)) return success;
-  const std::string& word = options.word;
+  const std::string word = fmt::format("{}", fmt::join(options.words, " "));
+  if (print_word(page, word) || print_search(page, word)) return success;
   std::vector<std::string> near = similar_words(word);
   if (near.empty()) near = similar_words(word.substr(word.rfind('.') + 1));
   constexpr std::size_t most = 8;
@@ -574,14 +630,16 @@ void add_describe(CLI::App& app, CommandContext& context) {
                                             "Explain a command, message, field, enum or variable");
   auto& options = command.options();
   command
-      ->add_option("name", options.word,
-                   "A command (CMD_CONTROL, control, 67, 0x43), a message (ControlExt), a field "
-                   "(control_mode, axes.pitch.angle, Control.axes), an enum or one of its values "
-                   "(MODE_ANGLE), "
-                   "an adjustable variable (LPF_FREQ_ROLL) or a family. Without it, all "
-                   "commands are listed")
+      ->add_option(
+          "name", options.words,
+          "A command (CMD_CONTROL, control, 67, 0x43), a message (ControlExt), a field "
+          "(control_mode, axes.pitch.angle, Control.axes), an enum or one of its values "
+          "(MODE_ANGLE), "
+          "an adjustable variable (LPF_FREQ_ROLL), a topic of parameters (pid) or a family. "
+          "Other words are searched in names and descriptions. Without any, all "
+          "commands are listed")
       ->type_name("WORD");
-  command->footer("The exit status is 0 if the name is known, 1 if not, 2 for wrong usage.");
+  command->footer("The exit status is 0 if something is found, 1 if not, 2 for wrong usage.");
   command.runs(describe);
 }
 

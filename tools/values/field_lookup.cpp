@@ -10,6 +10,8 @@
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
+#include "values/search_words.hpp"
+
 namespace sbgc::tools {
 
 namespace {
@@ -81,7 +83,7 @@ using Choice = std::vector<std::optional<std::size_t>>;
 
 std::optional<std::size_t> axis_of(const FieldType& axes, std::string_view word) {
   for (std::size_t i = 0; i < axes.axes.size(); ++i) {
-    if (detail::is_same_word(word, axes.axes[i])) return i;
+    if (means_same(word, axes.axes[i])) return i;
   }
   return std::nullopt;
 }
@@ -122,6 +124,21 @@ bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, b
   return !is_of_list && (way[step].member != nullptr || tokens.size() > 1);
 }
 
+/// Matches "P_PITCH" with the name P in the specification and an element of axes around or in it.
+bool matches_with_axis(std::string_view name, std::string_view spec_name, const Way& way,
+                       Choice& choice) {
+  const std::size_t gap = name.rfind('_');
+  if (gap == std::string_view::npos || !detail::is_same_word(name.substr(0, gap), spec_name)) {
+    return false;
+  }
+  for (std::size_t i = way.size(); i-- != 0;) {
+    if (way[i].member != nullptr || way[i].elements->shape != FieldShape::axes) continue;
+    choice[i] = axis_of(*way[i].elements, name.substr(gap + 1));
+    return choice[i].has_value();
+  }
+  return false;
+}
+
 /// Matches the name in the specification, where {AXIS} and {1..5} stand for the element.
 bool matches_specification(std::string_view name, const Way& way, Choice& choice) {
   const FieldType* member = nullptr;
@@ -137,7 +154,8 @@ bool matches_specification(std::string_view name, const Way& way, Choice& choice
   choice.assign(way.size(), std::nullopt);
   const std::size_t open = pattern.find('{');
   if (open == std::string_view::npos) {
-    return last + 1 == way.size() && detail::is_same_word(name, pattern);
+    if (last + 1 == way.size() && detail::is_same_word(name, pattern)) return true;
+    return matches_with_axis(name, pattern, way, choice);
   }
   const std::string_view head = pattern.substr(0, open);
   const std::string_view tail = pattern.substr(pattern.find('}') + 1);

@@ -49,9 +49,9 @@ std::string way_text(const std::vector<WayStep>& way);
 /// Returns the fields of one message that `name` means. Several, if it leaves the axis open.
 ///
 /// `name` is a path as in `sbgc decode`, or the end of one, such as "pitch.p" for "axes.pitch.p",
-/// or the name in the specification, such as "SPEED_PITCH". A path takes precedence. Returns
-/// nothing if there is no such field. Throws ValueError if the name fits different fields, or a
-/// list whose index it lacks.
+/// or the name in the specification, with an axis or without, such as "SPEED_PITCH". An axis may
+/// have another name, such as "tilt". A path takes precedence. Returns nothing if there is no such
+/// field. Throws ValueError if the name fits different fields, or a list whose index it lacks.
 std::vector<FoundField> find_fields(const std::vector<FieldType>& members, std::string_view name);
 
 /// The same in several groups, such as the messages with parameters.

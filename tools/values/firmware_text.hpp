@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <sbgc/detail/parse_number.hpp>
@@ -31,6 +32,11 @@ inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text)
   const bool fits = major && minor && last && version.set_major(*major) &&
                     version.set_minor(*minor) && version.set_beta(*last);
   return fits ? std::optional(version) : std::nullopt;
+}
+
+/// Returns why a text is not a firmware version; "" if it is one.
+inline std::string firmware_problem(const std::string& text) {
+  return parse_firmware(text) ? "" : '\'' + text + "' is not " + firmware_example;
 }
 
 }  // namespace sbgc::tools

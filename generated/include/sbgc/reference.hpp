@@ -4,7 +4,9 @@
 /// facts.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 
 #include <sbgc/codec.hpp>
 
@@ -44,6 +46,15 @@ struct MessageReference {
 struct TypeReference {
   const char* name = "";
   const char* summary = "";
+};
+
+/// What parameters are about. A parameter belongs to the first topic that has it, and is related to
+/// the others.
+struct TopicReference {
+  const char* name = "";
+  const char* summary = "";
+  std::span<const char* const> words{};   ///< other names of the topic
+  std::span<const char* const> fields{};  ///< FieldInfo::spec_name of its parameters
 };
 
 inline constexpr FamilyReference family_references[] = {
@@ -750,7 +761,7 @@ inline constexpr MessageReference message_references[] = {
      .direction = Direction::from_board,
      .summary = "The board is about to restart.",
      .family = "system",
-     .description = "Leaves time to close the serial port: the board restarts 1000 ms later, or after the DELAY_MS of the host that requested the restart."},
+     .description = "Leaves time to close the serial port: the board restarts 1000 ms later, or after the DELAY_MS of the host that requested the restart. It responds again about 5 s later."},
     {.name = "ResetRequest",
      .direction = Direction::to_board,
      .summary = "Restart immediately, without notification.",
@@ -2494,5 +2505,190 @@ inline constexpr TypeReference type_references[] = {
     {.name = "DebugPortLine", .summary = "Where a copied message was seen."},
     {.name = "DebugVarType", .summary = "Type, axis and properties of a debug variable."},
 };
+
+namespace detail {
+inline constexpr const char* pid_words[] = {"gain", "gains", "tuning", "tune", "controller"};
+inline constexpr const char* pid_fields[] = {"P", "I", "D", "EXT_FC_GAIN_ROLL", "EXT_FC_GAIN_PITCH", "USE_MODEL", "ADAPTIVE_PID_ENABLED", "ADAPTIVE_PID_THRESHOLD", "ADAPTIVE_PID_RATE", "ADAPTIVE_PID_RECOVERY_FACTOR", "OUTER_P", "OUTER_I", "PID_GAIN", "AUTO_PID_CFG", "AUTO_PID_GAIN", "MOMENTUM", "MOMENTUM_CALIB_STIMULUS", "MOMENTUM_ELLIPTICITY", "AUTO_PID_MOMENTUM", "GLOCK_MID_MOT_POS_CORR_RATE", "STAB_THRESHOLD_ANGLE", "SERVO_OUTER_P_MULT", "SERVO_OUTER_I"};
+inline constexpr const char* motors_words[] = {"motor", "drivers"};
+inline constexpr const char* motors_fields[] = {"POWER", "INVERT", "POLES", "USE_MODEL", "PWM_FREQ", "OUTPUT_{AXIS}", "BOOSTER_POWER_{AXIS}", "ORDER_OF_AXES", "MOTOR_HEATING_FACTOR", "MOTOR_COOLING_FACTOR", "MOTOR_MAG_LINK", "MOTOR_GEARING", "MOTOR_MAG_LINK_FINE", "STAB_AXIS", "OUTER_MOT_TILT_ANGLE", "OVERLOAD_TIME", "MOTOR_RES", "MIDDLE_MOT_TILT_ANGLE", "MOTOR_STARTUP_DELAY", "EXT_MOTOR_DRV_IDS"};
+inline constexpr const char* encoders_words[] = {"encoder"};
+inline constexpr const char* encoders_fields[] = {"ENCODER_OFFSET", "ENCODER_FLD_OFFSET", "ENCODER_MANUAL_SET_TIME", "ENCODER_LIMIT_MIN", "ENCODER_LIMIT_MAX", "ENCODER_GEAR_RATIO", "ENCODER_TYPE", "ENCODER_CFG", "ENCODER_CFG_EXT"};
+inline constexpr const char* rc_words[] = {"remote control", "stick", "channel", "receiver"};
+inline constexpr const char* rc_fields[] = {"EXT_FC_GAIN_ROLL", "EXT_FC_GAIN_PITCH", "RC_MIN_ANGLE", "RC_MAX_ANGLE", "RC_MODE", "RC_LPF", "RC_SPEED", "RC_FOLLOW", "RC_TRIM_{AXIS}", "RC_DEADBAND", "RC_EXPO_RATE", "RC_VIRT_MODE", "RC_MAP_{AXIS}", "RC_MAP_CMD", "RC_MAP_FC_ROLL", "RC_MAP_FC_PITCH", "RC_MIX_FC_ROLL", "RC_MIX_FC_PITCH", "RC_CMD_LOW", "RC_CMD_MID", "RC_CMD_HIGH", "RC_MEMORY_{AXIS}", "SPEKTRUM_MODE", "STEP_SIGNAL_SRC", "STEP_SIGNAL_CFG", "RC_CALIB_SRC", "RC_CALIB_OFFSET", "RC_CALIB_NEG_SCALE", "RC_CALIB_POS_SCALE", "RC_SERIAL_SPEED", "ADC_REPLACE_SRC", "RC_DEADBAND_PITCH", "RC_DEADBAND_YAW", "RC_EXPO_RATE_PITCH", "RC_EXPO_RATE_YAW"};
+inline constexpr const char* follow_words[] = {"following"};
+inline constexpr const char* follow_fields[] = {"RC_FOLLOW", "FOLLOW_MODE", "FOLLOW_DEADBAND", "FOLLOW_EXPO_RATE", "FOLLOW_OFFSET_{AXIS}", "FOLLOW_ROLL_MIX_START", "FOLLOW_ROLL_MIX_RANGE", "FOLLOW_SPEED_{AXIS}", "FOLLOW_LPF_{AXIS}", "FOLLOW_INSIDE_DEADBAND", "FOLLOW_RANGE", "FOLLOW_OFFSET_EXT"};
+inline constexpr const char* motion_words[] = {"speed", "acceleration", "automatic", "smooth"};
+inline constexpr const char* motion_fields[] = {"ACC_LIMITER_ALL", "RC_SPEED", "FOLLOW_SPEED_{AXIS}", "ACC_LIMITER3", "AUTO_SPEED", "AUTO_ACC_LIMITER", "TIMELAPSE_TIME", "TIMELAPSE_ACC_PART", "FORCE_POSITION_CFG", "JERK_SLOPE", "ENC_LIMIT_RETURN_SPEED", "TRIPOD_MODE_AUTO_THRESHOLD", "RETRACTED_ANGLE", "AUTO_MOTION_TIMEOUT"};
+inline constexpr const char* limits_words[] = {"limit", "limiter", "range", "end stop"};
+inline constexpr const char* limits_fields[] = {"ACC_LIMITER_ALL", "RC_MIN_ANGLE", "RC_MAX_ANGLE", "ENCODER_LIMIT_MIN", "ENCODER_LIMIT_MAX", "ACC_LIMITER3", "FRAME_CAM_ANGLE_MIN", "FRAME_CAM_ANGLE_MAX", "AUTO_ACC_LIMITER", "FOLLOW_RANGE", "PARKING_POS_CFG", "CURRENT_LIMIT", "SOFT_LIMIT_WIDTH", "POWER_ON_LIMITER", "ENC_LIMIT_RETURN_SPEED"};
+inline constexpr const char* imu_words[] = {"sensor", "sensors", "gyroscope", "accelerometer", "magnetometer", "horizon", "drift"};
+inline constexpr const char* imu_fields[] = {"GYRO_TRUST", "AXIS_TOP", "AXIS_RIGHT", "FRAME_AXIS_TOP", "FRAME_AXIS_RIGHT", "FRAME_IMU_POS", "GYRO_DEADBAND", "GYRO_SENS", "I2C_INTERNAL_PULLUPS", "SKIP_GYRO_CALIB", "FRAME_ANGLE_FROM_MOTORS", "EULER_ORDER", "MAG_AXIS_TOP", "MAG_AXIS_RIGHT", "MAG_TRUST", "MAG_DECLINATION", "ACC_LPF_FREQ", "FRAME_IMU_LPF_FREQ", "IMU_ORIENTATION_CORR", "EXT_IMU_TYPE", "EXT_IMU_PORT", "EXT_IMU_POSITION", "EXT_IMU_ORIENTATION", "EXT_IMU_FLAGS", "EXT_IMU_ALIGN_CORRECTION", "EXT_IMU_STARTUP_DELAY", "EXT_IMU_GYRO_CORR_RATE", "CAN_IMU_EXT_SENS_TYPE", "IMU_MODEL_MAIN", "IMU_MODEL_FRAME", "EXT_SENS_PARAMS", "IMU_ANGLE_CORR_R", "IMU_ANGLE_CORR_P"};
+inline constexpr const char* filters_words[] = {"filter", "low-pass", "lpf", "vibration", "vibrations", "resonance"};
+inline constexpr const char* filters_fields[] = {"RC_LPF", "FOLLOW_LPF_{AXIS}", "NOTCH_FREQ", "NOTCH_WIDTH", "LPF_FREQ", "FILTERS_EN", "NOTCH1_GAIN", "NOTCH2_GAIN", "NOTCH3_GAIN", "ACC_LPF_FREQ", "D_TERM_LPF_FREQ", "FRAME_IMU_LPF_FREQ", "LPF_Q_INV"};
+inline constexpr const char* power_words[] = {"battery", "voltage", "current", "switch"};
+inline constexpr const char* power_fields[] = {"POWER", "BAT_THRESHOLD_ALARM", "BAT_THRESHOLD_MOTORS", "BAT_COMP_REF", "EMERGENCY_STOP_RESTART_DELAY", "OVERLOAD_TIME", "CURRENT_LIMIT", "OVERCURRENT_PROTECTION", "POWER_ON_DELAY", "POWER_OFF_DELAY", "POWER_ON_LIMITER", "EXT_PWR_SW_SHUNT_R"};
+inline constexpr const char* actions_words[] = {"action", "menu", "button", "buttons", "startup", "start-up"};
+inline constexpr const char* actions_fields[] = {"RC_CMD_LOW", "RC_CMD_MID", "RC_CMD_HIGH", "MENU_CMD_{1..5}", "MENU_CMD_LONG", "STARTUP_ACTION", "STARTUP_ACTION_SRC", "STARTUP_ACTION_THRESHOLD", "EXTRA_BTN_CFG", "DEFAULT_PROFILE"};
+inline constexpr const char* servos_words[] = {"servo", "pwm"};
+inline constexpr const char* servos_fields[] = {"SERVO{1..4}_OUT", "SERVO_RATE", "CAN_IMU_SERVO_OUT", "CAN_IMU_SERVO_RATE"};
+inline constexpr const char* shake_words[] = {"shaking", "handheld"};
+inline constexpr const char* shake_fields[] = {"AMPLITUDE", "BASE_FREQ", "FREQ_RANGE", "PAUSE_PERIOD", "PAUSE_BALANCE", "PAUSE_ATTENUATION", "PAUSE_RANDOMNESS", "PAUSE_PHASE_VAR", "RESONANCE_GAIN", "RESONANCE_FREQ", "FREQ_SHIFT"};
+inline constexpr const char* signals_words[] = {"sound", "beeper", "beep", "buzzer", "led", "light"};
+inline constexpr const char* signals_fields[] = {"BEEPER_MODES", "BEEPER_VOLUME", "EXT_LED_PIN_ID", "INTERRUPT_CFG", "EXT_BUZZER_PIN"};
+inline constexpr const char* ports_words[] = {"port", "serial", "uart", "mavlink", "baud"};
+inline constexpr const char* ports_fields[] = {"SERIAL_SPEED", "MAV_SRC", "MAV_SYS_ID", "MAV_COMP_ID", "MAV_CFG_FLAGS", "MAV_CTRL_MODE", "RC_SERIAL_SPEED", "UART2_SPEED", "EXT_IMU_PORT"};
+inline constexpr const char* options_words[] = {"option", "flags"};
+inline constexpr const char* options_fields[] = {"GENERAL_FLAGS1", "PROFILE_FLAGS1", "GENERAL_FLAGS2", "PROFILE_FLAGS2", "GENERAL_FLAGS3", "PROFILE_FLAGS3", "GENERAL_FLAGS4"};
+inline constexpr const char* profiles_words[] = {"profile"};
+inline constexpr const char* profiles_fields[] = {"PROFILE{1..5}_NAME", "DEFAULT_PROFILE"};
+inline constexpr const char* variables_words[] = {"adjustable", "variable"};
+inline constexpr const char* variables_fields[] = {"SRC_CH", "ACTION{1..5}", "PARAM_ID", "MIN_VAL", "MAX_VAL"};
+inline constexpr const char* data_words[] = {"external"};
+inline constexpr const char* data_fields[] = {"data"};
+inline constexpr const char* synonyms_1[] = {"accelerometer", "acceleration", "acc"};
+inline constexpr const char* synonyms_2[] = {"attitude", "orientation", "ahrs"};
+inline constexpr const char* synonyms_3[] = {"battery", "bat"};
+inline constexpr const char* synonyms_4[] = {"baud", "baudrate", "bitrate"};
+inline constexpr const char* synonyms_5[] = {"calibration", "calibrate", "calib"};
+inline constexpr const char* synonyms_6[] = {"checksum", "crc"};
+inline constexpr const char* synonyms_7[] = {"confirmation", "confirm", "acknowledge", "ack"};
+inline constexpr const char* synonyms_8[] = {"current", "ampere"};
+inline constexpr const char* synonyms_9[] = {"deg", "degrees", "°"};
+inline constexpr const char* synonyms_10[] = {"dps", "deg/s", "°/s", "degrees per second"};
+inline constexpr const char* synonyms_11[] = {"defaults", "factory", "factory reset"};
+inline constexpr const char* synonyms_12[] = {"danger", "hazard", "safety"};
+inline constexpr const char* synonyms_13[] = {"emulated", "emulator", "emulate", "simulator", "simulation"};
+inline constexpr const char* synonyms_14[] = {"eeprom", "memory"};
+inline constexpr const char* synonyms_15[] = {"error", "fault", "failure"};
+inline constexpr const char* synonyms_16[] = {"firmware", "version"};
+inline constexpr const char* synonyms_17[] = {"gyroscope", "gyro"};
+inline constexpr const char* synonyms_18[] = {"joystick", "rc"};
+inline constexpr const char* synonyms_19[] = {"limit", "min", "max"};
+inline constexpr const char* synonyms_20[] = {"magnetometer", "compass", "mag"};
+inline constexpr const char* synonyms_21[] = {"pan", "yaw"};
+inline constexpr const char* synonyms_22[] = {"reset", "restart", "reboot"};
+inline constexpr const char* synonyms_23[] = {"save", "store", "write"};
+inline constexpr const char* synonyms_24[] = {"settings", "parameters", "params", "configuration", "config"};
+inline constexpr const char* synonyms_25[] = {"speed", "velocity", "rate"};
+inline constexpr const char* synonyms_26[] = {"stabilise", "stabilize", "stabilisation", "stabilization"};
+inline constexpr const char* synonyms_27[] = {"stop", "halt", "emergency"};
+inline constexpr const char* synonyms_28[] = {"temperature", "temp"};
+inline constexpr const char* synonyms_29[] = {"tune", "tuning"};
+inline constexpr const char* synonyms_30[] = {"vibration", "it shake", "it shakes", "vibrate", "oscillation", "oscillate"};
+inline constexpr const char* synonyms_31[] = {"tilt", "pitch"};
+}  // namespace detail
+
+/// In the order in which they are shown.
+inline constexpr std::array<TopicReference, 19> topic_references{ {    {.name = "pid",
+     .summary = "Gains of the controller.",
+     .words = detail::pid_words,
+     .fields = detail::pid_fields},
+    {.name = "motors",
+     .summary = "Motors and their order.",
+     .words = detail::motors_words,
+     .fields = detail::motors_fields},
+    {.name = "encoders",
+     .summary = "Encoders of the motors.",
+     .words = detail::encoders_words,
+     .fields = detail::encoders_fields},
+    {.name = "rc",
+     .summary = "Remote control.",
+     .words = detail::rc_words,
+     .fields = detail::rc_fields},
+    {.name = "follow",
+     .summary = "Follow mode.",
+     .words = detail::follow_words,
+     .fields = detail::follow_fields},
+    {.name = "motion",
+     .summary = "How the camera moves by itself, and how quickly.",
+     .words = detail::motion_words,
+     .fields = detail::motion_fields},
+    {.name = "limits",
+     .summary = "Limits of the angles.",
+     .words = detail::limits_words,
+     .fields = detail::limits_fields},
+    {.name = "imu",
+     .summary = "Sensors and their orientation.",
+     .words = detail::imu_words,
+     .fields = detail::imu_fields},
+    {.name = "filters",
+     .summary = "Filters against vibrations.",
+     .words = detail::filters_words,
+     .fields = detail::filters_fields},
+    {.name = "power",
+     .summary = "Battery and currents.",
+     .words = detail::power_words,
+     .fields = detail::power_fields},
+    {.name = "actions",
+     .summary = "Actions of buttons, of signals and at start-up.",
+     .words = detail::actions_words,
+     .fields = detail::actions_fields},
+    {.name = "servos",
+     .summary = "Servo outputs.",
+     .words = detail::servos_words,
+     .fields = detail::servos_fields},
+    {.name = "shake",
+     .summary = "Generator of camera shake.",
+     .words = detail::shake_words,
+     .fields = detail::shake_fields},
+    {.name = "signals",
+     .summary = "Sounds, lights and signals to other devices.",
+     .words = detail::signals_words,
+     .fields = detail::signals_fields},
+    {.name = "ports",
+     .summary = "Serial ports and MAVLink.",
+     .words = detail::ports_words,
+     .fields = detail::ports_fields},
+    {.name = "options",
+     .summary = "Options of the board and of the profile.",
+     .words = detail::options_words,
+     .fields = detail::options_fields},
+    {.name = "profiles",
+     .summary = "Names of the profiles.",
+     .words = detail::profiles_words,
+     .fields = detail::profiles_fields},
+    {.name = "variables",
+     .summary = "Control of the adjustable variables by RC signals.",
+     .words = detail::variables_words,
+     .fields = detail::variables_fields},
+    {.name = "data",
+     .summary = "Data of the user.",
+     .words = detail::data_words,
+     .fields = detail::data_fields},
+}};
+
+/// Groups of words that mean the same.
+inline constexpr std::array<std::span<const char* const>, 31> synonyms{ {    detail::synonyms_1,
+    detail::synonyms_2,
+    detail::synonyms_3,
+    detail::synonyms_4,
+    detail::synonyms_5,
+    detail::synonyms_6,
+    detail::synonyms_7,
+    detail::synonyms_8,
+    detail::synonyms_9,
+    detail::synonyms_10,
+    detail::synonyms_11,
+    detail::synonyms_12,
+    detail::synonyms_13,
+    detail::synonyms_14,
+    detail::synonyms_15,
+    detail::synonyms_16,
+    detail::synonyms_17,
+    detail::synonyms_18,
+    detail::synonyms_19,
+    detail::synonyms_20,
+    detail::synonyms_21,
+    detail::synonyms_22,
+    detail::synonyms_23,
+    detail::synonyms_24,
+    detail::synonyms_25,
+    detail::synonyms_26,
+    detail::synonyms_27,
+    detail::synonyms_28,
+    detail::synonyms_29,
+    detail::synonyms_30,
+    detail::synonyms_31,
+}};
 
 }  // namespace sbgc

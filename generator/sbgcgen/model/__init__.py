@@ -73,5 +73,5 @@ from sbgcgen.model.messages import (
 )
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing
-from sbgcgen.model.protocol import Erratum, Layout, Line
+from sbgcgen.model.protocol import Erratum, Layout, Line, Topic
 from sbgcgen.model.revisions import Addition, Revision

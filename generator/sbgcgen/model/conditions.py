@@ -193,9 +193,24 @@ def _candidates(when: Condition) -> list[int]:
         found = [number for number in when.numbers if when.accepts(number)]
     else:
         limits = [n for n in (when.at_least, when.at_most) if n is not None]
-        around = range(limits[0] - 256, limits[0] + 257) if limits else range(256)
-        found = [n for n in limits if when.accepts(n)] or [n for n in around if when.accepts(n)][:1]
+        step = 1
+        if when.part and not when.part.is_digits:  # a mask in place has multiples of its lowest bit
+            step = (bits := when.part.mask >> when.part.shift) & -bits
+        first = (limits[0] // step - 256) * step if limits else 0
+        around = range(first, first + 513 * step, step)
+        found = [n for n in limits if _is_met(when, n)]
+        found = found or [n for n in around if _is_met(when, n)][:1]
+    return [_whole(when, n) for n in found]
+
+
+def _whole(when: Condition, number: int) -> int:
+    """The value of the source whose part is this number."""
     part = when.part
     if part is None:
-        return found
-    return [n * part.divide if part.is_digits else part.bits_of(n) for n in found]
+        return number
+    return number * part.divide if part.is_digits else part.bits_of(number)
+
+
+def _is_met(when: Condition, number: int) -> bool:
+    """True if the condition holds for the number, and its part can be that."""
+    return when.accepts(number) and when.holds(_whole(when, number))

@@ -112,6 +112,11 @@ class Message:
         )
 
     @property
+    def room(self) -> int:
+        """The size of the largest body of the protocol."""
+        return self.min_size + self.tail_capacity
+
+    @property
     def has_fixed_size(self) -> bool:
         return self.body.size is not None
 

@@ -50,12 +50,23 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Topic:
+    """What parameters are about; `fields` are their names, `words` other names of the topic."""
+
+    name: str
+    summary: str
+    words: tuple[str, ...]
+    fields: tuple[str, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Layout:
     """The whole protocol.
 
     All framings are known; the first one is understood by every board. `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
     state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
-    `synonyms` are groups of words for the same thing; `identifiers` are all words that become names
+    `synonyms` are groups of words for the same thing; a field belongs to the first of its `topics`; `identifiers` are all words that become names
     in code, including those of fields that could not be resolved; `effects` are all that requests may
     have; `main_file` is the name of the file that describes the protocol. Messages report the features
     of a board in fields of the types `feature_sets`.
@@ -79,6 +90,7 @@ class Layout:
     directions: tuple[AxisDirection, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
+    topics: tuple[Topic, ...] = ()
     feature_sets: tuple[Enum, ...] = ()
     identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)
     effects: tuple[EffectKind, ...] = USUAL_EFFECTS
@@ -108,6 +120,11 @@ class Layout:
             found += [Feature(v.name, v.value << shift) for v in flags.values]
             shift += 8 * flags.scalar.size
         return tuple(found)
+
+    def topics_of(self, field_: Field) -> list[Topic]:
+        """The topics of a field: its own first, then others to which it is related."""
+        known = [] if field_.reserved else self.topics
+        return [topic for topic in known if field_.spec_name in topic.fields]
 
     def feature_mask(self, name: str) -> int:
         """The bit of a feature."""

@@ -94,7 +94,9 @@ def _decode(message: Message, body: bytes, context: Fields) -> Fields:
     if has_tail:
         if reader.left() > message.tail_capacity:
             everything = len(fixed) == len(message.fields)
-            raise CodecError("too_long", *(("", 255) if everything else ("tail", reader.at)))
+            raise CodecError(
+                "too_long", *(("", message.room) if everything else ("tail", reader.at))
+            )
         if reader.left():
             values["tail"] = reader.take(reader.left(), "tail").hex()
     elif reader.left():

@@ -38,13 +38,13 @@ class _Writer:
         self.put(data, field)
 
 
-def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
-    """Encode fields to a body of at most `limit` bytes.
+def encode(message: Message, fields: Fields) -> bytes:
+    """Encode fields to a body.
 
     Also rejects values of the wrong kind or size, which the types of members prevent in generated
     code.
     """
-    writer = _Writer(limit)
+    writer = _Writer(message.room)
     given = dict(fields)
     may_have_tail = message.keeps_tail or message.takes_surplus
     tail = str(given.pop("tail", "")) if may_have_tail else ""

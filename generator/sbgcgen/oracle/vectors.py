@@ -197,7 +197,7 @@ class _Maker:
                 lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
                 empty = self.choice(short=True, lengths={path: 0}, **{**case, "fits": False})
-                rest = 255 - len(first_that_fits(self.message, empty))
+                rest = self.message.room - len(first_that_fits(self.message, empty))
                 assert isinstance(member.type, Blob)
                 lengths = {0, 1, min(rest, member.type.size or rest)}
                 if member.fits:  # what follows it is a mistake
@@ -223,7 +223,7 @@ class _Maker:
             return
         context, body = self.whole(short=self.message.keeps_tail)
         least = max(1, self.message.max_size + 1 - len(body)) if self.message.takes_surplus else 1
-        for size in sorted({1, least, 255 - len(body)}):
+        for size in sorted({1, least, self.message.room - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
             self.add_body(body + tail, context, f"a tail of {size} bytes")
 
@@ -279,7 +279,14 @@ class _Maker:
                     return context, encode(self.message, compose(self.message, choice))
                 except CodecError:
                     continue
-        raise AssertionError(f"no body of {self.message.name} fits")
+        # A number that counts a list is large in all of these.
+        empty = {
+            path[: len(path) - len(member.name)] + member.counter: 0
+            for path, member, _ in variable_parts(self.message.fields)
+            if member.counter and not member.has_hidden_counter
+        }
+        choice = self.choice(short=True, forced=empty)
+        return {}, encode(self.message, compose(self.message, choice))
 
     def value_of_no_condition(self, source: str, others: Fields) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""

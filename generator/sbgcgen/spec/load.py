@@ -217,12 +217,15 @@ def _advice(text: str, mark: Any, context: Any) -> str:
     """How to repair a text with a syntax error: the character that usually causes such an error."""
     if mark is not None:
         first = context.line if context is not None else mark.line
-        for line in text.split("\n")[max(first, mark.line - 1) : mark.line + 1]:
+        lines = text.split("\n")
+        for number in range(max(0, mark.line - 1), min(mark.line + 1, len(lines))):
+            line = lines[number]
             plain = _QUOTED.sub("", line)
             before, hash_, _ = plain.partition(" #")
             if hash_ and before.count("{") > before.count("}"):
                 return "'#' after a blank starts a comment: put quotes around the text"
-            if re.search(r":\s+[^\s,{}][^,{}]*[{]|:\s+[{]\w*[}]\s*[^\s,}]", plain):
+            is_text = re.search(r":\s+[^\s,{}][^,{}]*[{]|:\s+[{][^{}:,]*[}]\s*[^\s,}]", plain)
+            if is_text and number >= first:
                 return "put quotes around a text or name that contains braces"
     return "check indentation and quotes"
 

@@ -25,7 +25,10 @@ const FieldType* type_at(const std::vector<FieldType>& fields, std::string_view 
       path.remove_prefix(close + 1);
       at = &at->members.front();
     } else {
-      if (at != nullptr && path.front() == '.') path.remove_prefix(1);
+      if (at != nullptr) {
+        if (path.front() != '.') return nullptr;
+        path.remove_prefix(1);
+      }
       const auto name = path.substr(0, std::min(path.find_first_of(".["), path.size()));
       path.remove_prefix(name.size());
       if (at != nullptr && at->shape == FieldShape::axes) {

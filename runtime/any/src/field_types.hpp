@@ -49,8 +49,8 @@ class FieldTypes {
       type.lowest = static_cast<std::int64_t>(Limits::min());
       type.highest = static_cast<std::int64_t>(Limits::max());
       if constexpr (is_integer24<T>) {
-        type.lowest = T::lowest;
-        type.highest = T::highest;
+        type.lowest = Integer24<Raw>::lowest;
+        type.highest = Integer24<Raw>::highest;
       }
       type.initial = static_cast<std::int64_t>(raw_of(value));
       type.is_wide = std::is_same_v<Raw, std::uint64_t>;

@@ -122,7 +122,7 @@ std::uint64_t bits_of(const FieldType& type) {
 
 /// Gives the bits of an integer of the wire their sign.
 std::int64_t with_sign(const FieldType& type, std::uint64_t bits) {
-  if (type.lowest < 0 && bits > static_cast<std::uint64_t>(type.highest)) bits |= ~bits_of(type);
+  if (bits > static_cast<std::uint64_t>(type.highest)) bits |= ~bits_of(type);
   return static_cast<std::int64_t>(bits);
 }
 
@@ -173,24 +173,30 @@ class ValueParser {
     if (text.empty()) return fail("a value is needed"), 0;
     if (text.starts_with("raw:")) {
       const std::string_view number = trimmed(text.substr(4));
-      return fitting(number, integer_of(number));
-    }
-    if (type_.is_wide && (unit_ == nullptr || unit_->is_plain())) {
-      const auto number = parse_number<std::uint64_t>(text);
-      if (number) return static_cast<std::int64_t>(*number);
+      return fitting(number, on_wire(number));
     }
     if (type_.names != nullptr || type_.packed != nullptr) {
       if (const auto number = integer_of(text)) return fitting(text, number);
       return names(text);
     }
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
-    const auto number = integer_of(text);
+    const auto number = on_wire(text);
     const auto measure = number ? std::nullopt : measure_of(text);
     if (measure && !measure->rest.empty()) {
       const auto size = text.size() - measure->rest.size();
-      fail("it has no unit: write " + std::string(text.substr(0, size)));
+      fail("it has no unit: write " + std::string(trimmed(text.substr(0, size))));
     }
     return fitting(text, number);
+  }
+
+  /// Reads an integer of the wire; of an unsigned one of 64 bits, the bits.
+  std::optional<std::int64_t> on_wire(std::string_view text) const {
+    if (type_.is_wide) {
+      if (const auto number = parse_number<std::uint64_t>(text)) {
+        return static_cast<std::int64_t>(*number);
+      }
+    }
+    return integer_of(text);
   }
 
   /// Fails if the wire cannot carry the integer.
@@ -230,13 +236,17 @@ class ValueParser {
       fail(shown(text) + " is between two values, which are " + unit_text(step, unit) + " apart");
     }
     const auto lowest = static_cast<double>(type_.lowest);
-    const auto highest = static_cast<double>(type_.highest);
-    if (raw < lowest || raw > highest) {
+    const auto highest = type_.is_wide
+                             ? static_cast<double>(std::numeric_limits<std::uint64_t>::max())
+                             : static_cast<double>(type_.highest);
+    // As a double, the highest integer of 64 bits is one above it.
+    if (raw < lowest || raw > highest || (type_.size == 8 && raw == highest)) {
       fail(shown(text) + " does not fit: " + in_unit(lowest, &unit) + " to " +
            in_unit(highest, &unit));
       return 0;
     }
-    const auto result = static_cast<std::int64_t>(raw);
+    const auto result = type_.is_wide ? static_cast<std::int64_t>(static_cast<std::uint64_t>(raw))
+                                      : static_cast<std::int64_t>(raw);
     for (const Special& special : specials()) {
       if (special.value != result || unit.real(raw) == measure->number) continue;
       const std::string number = std::to_string(result);
@@ -352,21 +362,18 @@ class ValueParser {
   /// Replaces one part of a packed value.
   std::uint64_t with_part(const PartInfo& part, std::uint64_t raw, std::int64_t value,
                           std::string_view text) {
-    std::uint64_t number = 0;
+    auto number = static_cast<std::uint64_t>(value);
     bool fits = true;
     if (part.sign != 0) {
-      number = static_cast<std::uint64_t>(value < 0 ? -value : value);
-      raw = value < 0 ? raw | part.sign : raw & ~part.sign;
+      const bool is_negative = value < 0;
+      raw = is_negative ? raw | part.sign : raw & ~part.sign;
+      if (is_negative) number = -number;
     } else if (part.divide != 1 || part.modulo != 0) {
-      const std::int64_t present = part_value(part, raw);
+      // Decimal digits of the whole number.
       fits = value >= 0 && (part.modulo == 0 || value < part.modulo);
-      if (fits) {
-        number = ((raw & part.mask) >> part.shift) +
-                 static_cast<std::uint64_t>(value - present) * part.divide;
-      }
+      number = raw + static_cast<std::uint64_t>(value - part_value(part, raw)) * part.divide;
     } else {
       fits = value >= 0 || part.is_signed;
-      number = static_cast<std::uint64_t>(value);
       if (part.is_signed) number &= part.mask >> part.shift;
     }
     fits = fits && (number & ~(part.mask >> part.shift)) == 0;
@@ -384,7 +391,7 @@ class ValueParser {
     const auto measure = measure_of(is_raw ? trimmed(text.substr(4)) : text);
     const bool has_unit = unit_ != nullptr && *unit_->name != '\0';
     if (!measure || !std::isfinite(measure->number)) {
-      return fail(quoted(text) + " is not a number"), 0;
+      return fail(quoted(text) + " is not a number"), double{};
     }
     if (!measure->rest.empty() && (is_raw || !has_unit || !is_unit(measure->rest, unit_->name))) {
       fail(has_unit ? quoted(measure->rest) + " is not its unit, which is " + unit_->name

@@ -2,6 +2,7 @@
 #include <thread>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
 
@@ -60,36 +61,68 @@ class SpeedControl::Worker {
 };
 
 SpeedControl::SpeedControl(Client& client, const SpeedControlOptions& options)
-    : io_thread_(std::make_unique<Worker>(client, options)) {}
+    : options_(options), worker_(std::make_shared<Worker>(client, options)) {}
+
+SpeedControl::SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options)
+    : options_(options), reconnecting_(&client) {}
 
 SpeedControl::~SpeedControl() = default;
 
+std::shared_ptr<SpeedControl::Worker> SpeedControl::worker() const {
+  const std::scoped_lock lock(mutex_);
+  return worker_;
+}
+
+Result<void> SpeedControl::renew() {
+  if (reconnecting_ == nullptr) return {};
+  auto client = reconnecting_->current({.timeout = std::chrono::milliseconds(0)});
+  if (!client) return std::move(client).error();
+  const std::scoped_lock one_at_a_time(renewing_);
+  if (client_ == *client) return {};
+  auto renewed = std::make_shared<Worker>(**client, options_);
+  const std::scoped_lock lock(mutex_);
+  client_ = *std::move(client);
+  worker_.swap(renewed);
+  return {};
+}
+
 Result<void> SpeedControl::set(const Axes<msg::ControlSpeed>& speed) {
-  return io_thread_->with([&](DeadMansSwitch& rules) -> Result<void> {
-    rules.set(speed, io_thread_->now());
+  if (auto renewed = renew(); !renewed) return renewed;
+  const auto current = worker();
+  return current->with([&](DeadMansSwitch& rules) -> Result<void> {
+    rules.set(speed, current->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::refresh() {
-  return io_thread_->with([&](DeadMansSwitch& rules) -> Result<void> {
-    if (rules.state() != State::turning) {
-      return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
-    }
-    rules.refresh(io_thread_->now());
+  const ClientError stopped{ErrorCode::cancelled, "the camera has been stopped"};
+  const auto current = worker();
+  if (!current) return stopped;
+  return current->with([&](DeadMansSwitch& rules) -> Result<void> {
+    if (rules.state() != State::turning) return stopped;
+    rules.refresh(current->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::stop() {
-  return io_thread_->with([](DeadMansSwitch& rules) -> Result<void> {
+  const auto current = worker();
+  if (!current) return {};
+  return current->with([](DeadMansSwitch& rules) -> Result<void> {
     rules.stop();
     return {};
   });
 }
 
-Result<void> SpeedControl::wait() { return io_thread_->wait(); }
+Result<void> SpeedControl::wait() {
+  const auto current = worker();
+  return current ? current->wait() : Result<void>();
+}
 
-SpeedControl::State SpeedControl::state() const { return io_thread_->state(); }
+SpeedControl::State SpeedControl::state() const {
+  const auto current = worker();
+  return current ? current->state() : State::idle;
+}
 
 }  // namespace sbgc

@@ -12,6 +12,7 @@
 
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/pcapng.hpp>
 #include <sbgc/wire.hpp>
 
 #include "capture_format.hpp"
@@ -49,7 +50,10 @@ CaptureWriter& CaptureWriter::operator=(CaptureWriter&& other) noexcept {
   std::swap(fd_, other.fd_);
   std::swap(may_wait_, other.may_wait_);
   std::swap(path_, other.path_);
+  std::swap(format_, other.format_);
   std::swap(start_, other.start_);
+  std::swap(wall_start_, other.wall_start_);
+  std::swap(comments_, other.comments_);
   std::swap(buffer_, other.buffer_);
   std::swap(error_, other.error_);
   return *this;
@@ -60,7 +64,7 @@ CaptureWriter::~CaptureWriter() {
 }
 
 Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
-  *this = CaptureWriter();
+  *this = CaptureWriter(format_);
   path_ = path;
   start_ = now;
   // Non-blocking, so that a pipe without a reader does not block the program.
@@ -75,12 +79,13 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   const ssize_t size = status.st_size == 0 ? 0 : pread(fd_, begin.data(), begin.size(), 0);
   const std::span<const std::uint8_t> present(begin.data(),
                                               static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
-  if (size < 0 || !(is_capture(present) || may_become_capture(present))) {
+  if (size < 0 || !(is_own(present) || may_become_own(present))) {
+    const char* const kind = format_ == CaptureFormat::sbgc ? "a capture" : "a pcapng file";
     return error_ = {Errc::not_a_capture,
-                     path + " exists and is not a capture; it was not changed."};
+                     path + " exists and is not " + kind + "; it was not changed."};
   }
   // A full disk can leave a part of the first header, without which nothing would be a capture.
-  if (size > 0 && may_become_capture(present) && ftruncate(fd_, 0) != 0) {
+  if (size > 0 && may_become_own(present) && ftruncate(fd_, 0) != 0) {
     return fail(errno);
   }
   begin_session();
@@ -88,7 +93,7 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
 }
 
 Error CaptureWriter::open(int descriptor, const std::string& name, Clock::time_point now) {
-  *this = CaptureWriter();
+  *this = CaptureWriter(format_);
   path_ = name;
   start_ = now;
   may_wait_ = true;
@@ -99,14 +104,30 @@ Error CaptureWriter::open(int descriptor, const std::string& name, Clock::time_p
 }
 
 void CaptureWriter::begin_session() {
-  buffer_.assign(magic.begin(), magic.end());
-  buffer_.resize(header_size - checksum_size);
-  wire::store(buffer_.data() + 8, version);
-  const auto wall = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
-  store64(buffer_.data() + start_offset,
-          static_cast<std::uint64_t>(wall.time_since_epoch().count()));
-  append_checksum(buffer_);
+  wall_start_ = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
+  if (format_ == CaptureFormat::pcapng) {
+    buffer_.clear();
+    pcapng::append_section(buffer_);
+    pcapng::append_packet(buffer_, wall_start_, CaptureKind::note, {});
+  } else {
+    buffer_.assign(magic.begin(), magic.end());
+    buffer_.resize(header_size - checksum_size);
+    wire::store(buffer_.data() + 8, version);
+    store64(buffer_.data() + start_offset,
+            static_cast<std::uint64_t>(wall_start_.time_since_epoch().count()));
+    append_checksum(buffer_);
+  }
   put(buffer_);
+}
+
+bool CaptureWriter::is_own(std::span<const std::uint8_t> begin) const noexcept {
+  if (format_ == CaptureFormat::sbgc) return is_capture(begin);
+  return begin.size() >= pcapng::magic.size() &&
+         std::ranges::equal(pcapng::magic, begin.first(pcapng::magic.size()));
+}
+
+bool CaptureWriter::may_become_own(std::span<const std::uint8_t> begin) const noexcept {
+  return format_ == CaptureFormat::sbgc ? may_become_capture(begin) : begin.empty();
 }
 
 const Error& CaptureWriter::write(CaptureKind kind, std::span<const std::uint8_t> bytes,
@@ -115,15 +136,35 @@ const Error& CaptureWriter::write(CaptureKind kind, std::span<const std::uint8_t
   do {
     const auto part = bytes.first(std::min(bytes.size(), max_bytes));
     bytes = bytes.subspan(part.size());
-    buffer_.resize(record_head_size);
-    buffer_[0] = record_mark;
-    buffer_[1] = static_cast<std::uint8_t>(kind);
-    wire::store(buffer_.data() + 2, static_cast<std::uint16_t>(part.size()));
-    store64(buffer_.data() + time_offset, static_cast<std::uint64_t>(time.count()));
-    buffer_.insert(buffer_.end(), part.begin(), part.end());
-    append_checksum(buffer_);
+    buffer_.clear();
+    if (format_ == CaptureFormat::pcapng) {
+      append_packet(kind, part, time);
+    } else {
+      append_record(kind, part, time);
+    }
   } while (put(buffer_) && !bytes.empty());
   return error_;
+}
+
+void CaptureWriter::append_record(CaptureKind kind, std::span<const std::uint8_t> bytes,
+                                  CaptureTime time) {
+  buffer_.resize(record_head_size);
+  buffer_[0] = record_mark;
+  buffer_[1] = static_cast<std::uint8_t>(kind);
+  wire::store(buffer_.data() + 2, static_cast<std::uint16_t>(bytes.size()));
+  store64(buffer_.data() + time_offset, static_cast<std::uint64_t>(time.count()));
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  append_checksum(buffer_);
+}
+
+void CaptureWriter::append_packet(CaptureKind kind, std::span<const std::uint8_t> bytes,
+                                  CaptureTime time) {
+  if (kind == CaptureKind::note) {
+    comments_.emplace_back(bytes.begin(), bytes.end());
+    return;
+  }
+  pcapng::append_packet(buffer_, wall_start_ + time, kind, bytes, comments_);
+  comments_.clear();
 }
 
 const Error& CaptureWriter::write_note(std::string_view text, Clock::time_point now) {

@@ -199,6 +199,17 @@ def test_list_counted_by_an_earlier_field(tmp_path: Path) -> None:
     assert (made.min_size, made.max_size) == (2, 2 + 4 * 3)
 
 
+def test_list_whose_elements_vary_in_size(tmp_path: Path) -> None:
+    """A session takes an answer of the largest size: 20 texts of 6 bytes with their lengths."""
+    made = message(
+        tmp_path,
+        "{name: N, type: u8, range: 0..20, summary: S.}",
+        '{name: "ITEMS[N]", struct: Item, summary: S., fields: '
+        '[{name: TEXT, type: "string[6]", summary: S.}]}',
+    )
+    assert (made.min_size, made.max_size) == (1, 1 + 20 * 7)
+
+
 def test_rest_of_the_body(tmp_path: Path) -> None:
     made = message(
         tmp_path,

@@ -26,6 +26,7 @@ enum class Reaction : std::uint8_t {
   locked          ///< ignored, because the port wants the password first
 };
 
+/// What a board has received and sent.
 struct BoardCounters {
   std::uint64_t requests{};  ///< frames from hosts
   std::uint64_t refused{};

@@ -11,6 +11,7 @@
 
 namespace sbgc::emulator {
 
+/// What the emulated board is: its model, firmware, and the state in which it starts.
 struct BoardOptions {
   msg::BoardVersion board{30};
   msg::FirmwareVersion firmware{2590};

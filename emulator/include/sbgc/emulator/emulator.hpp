@@ -14,6 +14,7 @@
 
 namespace sbgc::emulator {
 
+/// A board with its line.
 struct EmulatorOptions {
   BoardOptions board{};
   LineOptions line{};  ///< of each port; each connection derives its own seed

@@ -35,6 +35,7 @@ enum class AxisMode : std::uint8_t {
   relative_angle,  ///< move to `angle`, relative to the frame, over all turns; speed as for `angle`
 };
 
+/// What an axis is told to do.
 struct AxisCommand {
   AxisMode mode{};
   double speed{};
@@ -61,6 +62,7 @@ struct AxisTuning {
   double start_angle = 0;                    ///< the target of the axis when the board starts
 };
 
+/// Parameters of the board that the motion depends on.
 struct Tuning {
   Axes<AxisTuning> axes{};
   std::array<std::uint8_t, 3> rotation_order{1, 0,

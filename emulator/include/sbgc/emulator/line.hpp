@@ -33,6 +33,7 @@ struct Faults {
   std::vector<Silence> silences{};
 };
 
+/// The serial line between host and board, with its faults.
 struct LineOptions {
   /// The rate and parity of the board. With rate 0, bytes take no time and the host's settings have
   /// no effect, as over USB.

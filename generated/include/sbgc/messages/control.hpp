@@ -777,9 +777,9 @@ struct SyncMotors {
 
   /// The motor.
   SyncMotorAxis axis{};
-  /// Power of the winding.
+  /// Power of the windings.
   std::uint8_t power{};
-  /// Duration. Unit: ms.
+  /// How long the windings have power. Unit: ms.
   Milliseconds time_ms{};
   /// Angle to turn.
   std::uint16_t angle{};

@@ -498,11 +498,13 @@ struct RealtimeDataCustom {
   Optional<SystemStatus> system_state{};
   /// Attitude of the main IMU. Present if flags has IMU_QUAT.
   Optional<PackedQuaternion> imu_quat{};
-  /// Target attitude. Present if flags has TARGET_QUAT.
+  /// Target attitude; only of Extended boards that CMD_CONTROL_QUAT controls. Present if flags has
+  /// TARGET_QUAT.
   Optional<PackedQuaternion> target_quat{};
   /// Rotation from the main IMU to the frame. Present if flags has IMU_TO_FRAME_QUAT.
   Optional<PackedQuaternion> imu_to_frame_quat{};
-  /// Raw values of the analog inputs. Range: 0 to 4096. Present if flags has ADC_CH_RAW.
+  /// Raw values of the analog inputs, averaged over 8 ms. Range: 0 to 4096. Present if flags has
+  /// ADC_CH_RAW.
   Optional<std::array<std::uint16_t, 4>> adc_ch_raw{};
   /// Distances of each axis to its software limits. Present if flags has SW_LIMITS_DIST.
   Optional<Axes<SoftLimitDistances>> sw_limits_dist{};

@@ -1011,9 +1011,9 @@ class SyncMotors(Message):
     axis: Field[SyncMotorAxis, SyncMotorAxis] = Field(ValueOf(SyncMotorAxis))
     """The motor."""
     power: Field[int, int] = Field(RAW)
-    """Power of the winding."""
+    """Power of the windings."""
     time_ms: Field[float, float] = Field(REAL)
-    """Duration. Unit: ms."""
+    """How long the windings have power. Unit: ms."""
     time_ms_raw: Field[int, int] = Field(RAW, of="time_ms")
     """The number on the wire for time_ms."""
     angle: Field[int, int] = Field(RAW)

@@ -1008,7 +1008,9 @@ class RealtimeDataCustom(Message):
         ValueOf(PackedQuaternion),
         optional=True,
     )
-    """Target attitude. Present if flags has TARGET_QUAT."""
+    """Target attitude; only of Extended boards that CMD_CONTROL_QUAT controls. Present if flags has
+    TARGET_QUAT.
+    """
     imu_to_frame_quat: Field[Optional[PackedQuaternion], Optional[int]] = Field(
         ValueOf(PackedQuaternion),
         optional=True,
@@ -1018,7 +1020,9 @@ class RealtimeDataCustom(Message):
         ListOf(RAW),
         optional=True,
     )
-    """Raw values of the analog inputs. Range: 0 to 4096. Present if flags has ADC_CH_RAW."""
+    """Raw values of the analog inputs, averaged over 8 ms. Range: 0 to 4096. Present if flags has
+    ADC_CH_RAW.
+    """
     sw_limits_dist: Field[Optional[Axes[SoftLimitDistances]], Optional[Axes[SoftLimitDistances]]] = Field(
         AxesOf(GroupOf(SoftLimitDistances)),
         optional=True,

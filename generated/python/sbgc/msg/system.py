@@ -405,7 +405,7 @@ class Reset(Message):
     """The board is about to restart.
 
     Leaves time to close the serial port: the board restarts 1000 ms later, or after the
-    DELAY_MS of the host that requested the restart.
+    DELAY_MS of the host that requested the restart. It responds again about 5 s later.
 
     CMD_RESET (114), from the board; 0 bytes, and later firmware may append more. Source:
     Incoming commands L537-L539.

@@ -63,6 +63,11 @@ def _model(layout: Layout) -> dict[str, Any]:
             }
             for direction in layout.directions
         ],
+        "synonyms": [list(group) for group in layout.synonyms],
+        "topics": [
+            {"name": topic.name, "summary": topic.summary, "words": list(topic.words)}
+            for topic in layout.topics
+        ],
         "families": [
             {"name": family.name, "summary": family.summary} for family in layout.families
         ],
@@ -72,7 +77,7 @@ def _model(layout: Layout) -> dict[str, Any]:
         ],
         "timeouts": {"errata": list(layout.timeout_errata)},
         "commands": [_command(command) for command in layout.commands],
-        "messages": [message_json(message) for message in layout.messages],
+        "messages": [message_json(message, layout) for message in layout.messages],
         "enums": [enum_json(enum) for enum in layout.enums],
         "packed": [packed_json(packed) for packed in layout.packed],
         "quantities": [quantity_json(quantity) for quantity in layout.quantities],

@@ -11,8 +11,8 @@ import json
 from typing import Any
 
 # Sections and keys that explain the protocol without defining it. Of special values, only the texts do.
-_PROSE_SECTIONS = {"errata", "revisions", "timeouts"}
-_PROSE = {"description", "document", "errata", "preparation", "source", "summary"}
+_PROSE_SECTIONS = {"errata", "revisions", "synonyms", "timeouts", "topics"}
+_PROSE = {"description", "document", "errata", "preparation", "source", "summary", "topics"}
 _EXPLAINED = {"special"}
 
 

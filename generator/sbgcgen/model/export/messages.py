@@ -17,6 +17,7 @@ from sbgcgen.model import (
     Effect,
     Enum,
     Field,
+    Layout,
     Leaf,
     Message,
     Packed,
@@ -295,8 +296,8 @@ def _form(name: str | None) -> str | None:
     return name if name in (None, *_FORMS) else "extended"
 
 
-def message_json(message: Message) -> dict[str, Any]:
-    """A message as plain data."""
+def message_json(message: Message, layout: Layout) -> dict[str, Any]:
+    """A message of the layout as plain data."""
     groups = list(_groups(message.fields))
     result = {
         "name": message.name,
@@ -323,7 +324,11 @@ def message_json(message: Message) -> dict[str, Any]:
         "role": _role(message.role),
         "context": [_context(context, message) for context in message.contexts],
         "response": _answer(message.answer),
-        "layout": [_leaf_in(leaf, groups) for leaf in message.leaves],
+        "layout": [
+            _leaf_in(leaf, groups)
+            | given(topics=[topic.name for topic in layout.topics_of(leaf.field)] or None)
+            for leaf in message.leaves
+        ],
     }
     sizes = [{"since": version(since), "size": size} for since, size in message.lengths]
     return result | given(

@@ -351,6 +351,9 @@ class MessageResolver:
         if "size" in draft.node:
             self._check_size(draft, fields)
             return fields
+        for field in fields:
+            if field.dim in ("counted", "rest") and isinstance(field.type, Struct):
+                self._check_elements(field, field.type, field.since.later(since))
         first = len(fields)
         while first and fields[first - 1].since.is_after(since) and not fields[first - 1].when:
             first -= 1
@@ -369,6 +372,16 @@ class MessageResolver:
                 text = f"older firmware of {draft.name} has no bytes for '{field.name}'"
                 hint = "move it to the end, or give the message a 'size' if they were reserved"
                 self.found.add(field.at, "SBGC071", text, hint)
+
+    def _check_elements(self, of: Field, struct: Struct, since: Availability) -> None:
+        """Report members of a list's elements that came later: a decoder knows one size only."""
+        for field in struct.fields:
+            if field.since.is_after(since) and not field.when:
+                text = f"older elements of '{of.name}' may have no bytes for '{field.name}'"
+                hint = "all elements have one size: make longer ones another form, or leave 'since' out"
+                self.found.add(field.at, "SBGC071", text, hint)
+            if isinstance(field.type, Struct):
+                self._check_elements(of, field.type, since)
 
     def _check_earlier(self, nodes: list[Any], owner: str, since: Availability) -> None:
         """Report fields that are said to be older than their message."""

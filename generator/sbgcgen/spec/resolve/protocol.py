@@ -24,6 +24,7 @@ from sbgcgen.spec.resolve.framing import framings_of
 from sbgcgen.spec.resolve.line import line_of
 from sbgcgen.spec.resolve.messages import MessageResolver
 from sbgcgen.spec.resolve.revisions import RevisionResolver
+from sbgcgen.spec.resolve.topics import topics_of
 from sbgcgen.spec.resolve.types import TypeResolver
 from sbgcgen.spec.resolve.variables import VariableResolver
 
@@ -76,6 +77,7 @@ class _Resolver:
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
             synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
+            topics=tuple(topics_of(self.spec.main.get("topics", Map()), messages, self.found)),
             directions=self.fields.directions.directions,
             timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
             identifiers=tuple(self.types.identifiers),

@@ -37,7 +37,7 @@ WORDS = frozenset(
 TYPES = frozenset(
     """Availability Axes BoundedArray BoundedBytes BoundedText Bytes Confirmed Direction Flags
     Form Members Number NumberType NumberTypes Optional Physical ResponsePolicy StreamChange
-    Text U24 Xyz""".split()
+    Text I24 U24 Xyz""".split()
 )
 # Members that every generated message, struct, packed integer and quantity has of its own.
 _MEMBERS = ("varying_members", "tagged_unions")
@@ -48,7 +48,9 @@ _MESSAGE = frozenset(
 _INNER_TYPES = frozenset(("Context", "Response"))
 _STRUCT = frozenset(("wire_size", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
-_QUANTITY = frozenset(("raw", "real", "unit", "from_real", "growth"))
+_QUANTITY = frozenset(
+    ("raw", "real", "unit", "from_real", "growth", "raw_type", "unit_type", "number_type")
+)
 
 
 def can_be_a_name(word: str) -> bool:

@@ -7,9 +7,12 @@ from typing import Optional
 
 from sbgcgen.model import Layout
 from sbgcgen.oracle.example import Example
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.load import Spec
 from sbgcgen.targets import Code, Reference, Target, View
 from sbgcgen.targets.python import words
 from sbgcgen.targets.python.example import decoding, encoding
+from sbgcgen.targets.python.lint import check_names
 from sbgcgen.targets.python.reference import reference_of
 
 
@@ -29,3 +32,6 @@ class Python(Target):
 
     def reference(self, project: Path) -> Optional[Reference]:
         return reference_of(project)
+
+    def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
+        check_names(layout, found)

@@ -6,11 +6,13 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import unescape
+from itertools import chain
 from typing import Any, Protocol
 
 from sbgcgen.model import Command, Layout, Message, Quantity
 from sbgcgen.targets import Reference
 from sbgcgen.targets.site.documentation import anchors_of
+from sbgcgen.targets.site.headers import Header
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.firmware import History
 from sbgcgen.views.rows import Row, rows_of
@@ -103,14 +105,22 @@ class Entry:
 
 
 def search_index(
-    layout: Layout, guides: Sequence[Page], history: History, references: Sequence[Reference] = ()
+    layout: Layout,
+    guides: Sequence[Page],
+    history: History,
+    references: Sequence[Reference] = (),
+    headers: Sequence[Header] = (),
 ) -> dict[str, Any]:
     """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
         "entries": [
             entry.data
-            for entries in (_entries(layout, guides, history), _references(references))
+            for entries in (
+                _entries(layout, guides, history),
+                _references(references),
+                _names_of_headers(headers),
+            )
             for entry in entries
         ],
     }
@@ -177,6 +187,14 @@ def _pages(layout: Layout, history: History) -> Iterator[Entry]:
         yield Entry("page", name, f"Of {revision.date}.", f"availability.html#{anchor}", words)
 
 
+def _names_of_headers(headers: Sequence[Header]) -> Iterator[Entry]:
+    for header in headers:
+        yield Entry("name", header.include, header.sentence, header.page)
+        for item in header.items:
+            words = " ".join(member.name for member in item.members)
+            yield Entry("name", item.name, item.sentence, f"{header.page}#{item.anchor}", words)
+
+
 def _joined(*words: str) -> str:
     return " ".join(word for word in words if word)
 
@@ -235,7 +253,8 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
             continue
         anchor = row.leaves[0].path if row.leaves else row.path
         page = f"{page_of_message(message)}#field-{anchor}"
-        words = " ".join([*_words_of(row), *twins])
+        topics = chain.from_iterable((t.name, *t.words) for t in layout.topics_of(row.field))
+        words = " ".join([*_words_of(row), *topics, *twins])
         yield Entry("field", f"{message.name}.{row.path}", row.field.summary, page, words)
 
 

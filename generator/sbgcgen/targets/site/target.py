@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from sbgcgen.model import Layout
@@ -20,3 +21,9 @@ class Site(Target):
         from sbgcgen.targets.site.view import view_of
 
         return view_of(self, layout, project)
+
+    def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
+        """Those of the templates, and the pictures of guides and README."""
+        yield from super().files(layout, project)
+        for path in sorted((project / "docs/pictures").glob("*.[sp][vn]g")):
+            yield f"pictures/{path.name}", path.read_bytes()

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote
 
-import markdown
 from markupsafe import Markup, escape
 
 from sbgcgen import library
@@ -30,24 +28,13 @@ from sbgcgen.targets import (
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.documentation import Documentation
+from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
+from sbgcgen.targets.site.headers import Header, headers_of, linked
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
 from sbgcgen.views.history import Revisions
 from sbgcgen.views.rows import Row, rows_of as rows_of_message
-
-
-@dataclass(frozen=True)
-class Guide:
-    """A handwritten page: docs/<name>.md."""
-
-    name: str
-    title: str
-    html: Markup
-
-    @property
-    def page(self) -> str:
-        return f"guides/{self.name}.html"
 
 
 @dataclass(frozen=True)
@@ -61,68 +48,9 @@ class Capture:
 def captures_in(folder: Path) -> list[Capture]:
     """The captures, sorted by file name; the title is the name in words."""
     return [
-        Capture(_guide_name(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
+        Capture(name_of(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
         for path in sorted(folder.glob("*.hex"))
     ]
-
-
-def guides_in(folder: Path, pages: Mapping[str, str] = MappingProxyType({})) -> list[Guide]:
-    """The guides, sorted by the numbers at the start of their file names.
-
-    `pages` are the pages about folders of the project.
-    """
-    return [_guide(path, pages) for path in sorted(folder.glob("*.md"), key=_guide_order)]
-
-
-def _guide_order(path: Path) -> tuple[int, str]:
-    number = re.match(r"[0-9]*", path.stem)
-    return (int(number[0] or 0) if number else 0, path.stem)
-
-
-def _guide(path: Path, pages: Mapping[str, str]) -> Guide:
-    text = path.read_text(encoding="utf-8")
-    title = re.search(r"^# (.+)$", text, re.MULTILINE)
-    html = markdown.markdown(
-        text, extensions=["tables", "fenced_code", "toc"], output_format="html"
-    )
-    # Guides link to each other as files, so that they can also be read in the repository.
-    html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
-    html = re.sub(
-        r'href="\.\./((?:spec|generated/fields)\b[^"]*)',
-        lambda m: f'href="../{_page_about(m[1])}',
-        html,
-    )
-    for about, page in pages.items():
-        html = html.replace(f'href="../{about}"', f'href="../{page}"')
-    html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
-    html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
-    name = _guide_name(path.stem)
-    return Guide(name, title[1].strip() if title else name, Markup(html))
-
-
-# The pages about files of the repository; the other files are those of families.
-_PAGES = {
-    "spec": "messages.html",
-    "spec/adjustable_variables.yaml": "variables.html",
-    "spec/errata.yaml": "errata.html",
-    "spec/simplebgc.yaml#directions": "units.html#directions",
-    "spec/simplebgc.yaml#framings": "framing.html",
-    "spec/simplebgc.yaml#revisions": "availability.html",
-    "spec/units.yaml": "units.html",
-    "generated/fields": "messages.html",
-}
-
-
-def _page_about(link: str) -> str:
-    """The page with the contents of a file, or a section of it, that a guide links."""
-    path, _, section = link.partition("#")
-    if path == "spec/errata.yaml" and section:
-        return f"errata.html#{section}"
-    return _PAGES.get(link, f"families/{Path(path).stem}.html")
-
-
-def _guide_name(stem: str) -> str:
-    return re.sub(r"^[0-9]+[-_]", "", stem)
 
 
 def view_of(site: Target, layout: Layout, project: Path) -> View:
@@ -132,11 +60,15 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     """
     docs = project / "docs"
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
+    headers = headers_of(project, layout)
     references = references_of(project)
-    guides = guides_in(docs, {reference.source: reference.page for reference in references})
+    handwritten = Pages(headers, {reference.source: reference.page for reference in references})
+    guides = guides_in(docs, handwritten)
     history = History(layout)
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
+        "header": [(header.word, header) for header in headers],
+        "headers": [("headers", headers)] if headers else [],
         "reference": [(reference.word, reference) for reference in references],
         "release": [(release.text, release) for release in history.releases],
     }
@@ -148,7 +80,9 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "pages": frozenset(pages),
         "version": version,
         "fingerprint": export(layout)["fingerprint"],
+        "front": front_of(project, handwritten),
         "guides": guides,
+        "headers": headers,
         "references": references,
         "captures": captures_in(docs / "captures"),
         "uses": uses.references(layout),
@@ -156,18 +90,22 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "history": history,
         "revisions": Revisions(layout),
         "guide_pages": {
-            about: f"guides/{_guide_name(Path(path).stem)}.html"
+            about: f"guides/{name_of(Path(path).stem)}.html"
             for about, path in layout.guides.items()
-            if f"guides/{_guide_name(Path(path).stem)}.html" in pages
+            if f"guides/{name_of(Path(path).stem)}.html" in pages
         },
         "deprecated_always": deprecated_always(layout),
         "confirmation": confirmation(layout),
-        "search_index": search_index(layout, guides, history, references),
+        "search_index": search_index(layout, guides, history, references, headers),
     }
-    return View(names=names, filters=_filters(layout), each=each)
+    tests: dict[str, Callable[..., bool]] = {
+        "mentions": lambda guide, word: str(word) in guide.html,
+        "an_enum_or_flags": lambda type_: isinstance(type_, Enum),
+    }
+    return View(names=names, filters=_filters(layout, headers), tests=tests, each=each)
 
 
-def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
+def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., Any]]:
     """The filters of the site's templates."""
     prose = _Prose(layout)
     undocumented = {command.name for command in layout.commands if command.undocumented}
@@ -212,6 +150,8 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,
         "label": label,
+        "linked": lambda code: linked(code, headers, layout),
+        "rooted": lambda html, root: Markup(str(html).replace('href="ROOT/', f'href="{root}')),
         "size_words": size_words,
         "offset_words": offset_words,
     }
@@ -247,13 +187,16 @@ def fragment(link: str) -> str:
 
 
 class _Prose:
-    """Adds links to the commands and errata that a text names."""
+    """Adds links to the commands, messages and errata that a text names; what is in backticks is code."""
 
     def __init__(self, layout: Layout) -> None:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
         pages.update({e.number: f"errata.html#{e.number}" for e in layout.errata})
+        pages.update({m.name: page_of(m) for m in layout.definitions})
         self.pages = pages
-        self.known = re.compile(rf"\b({layout.command_prefix}[A-Z0-9_]+|E[0-9]{{3}})\b")
+        self.known = re.compile(
+            rf"\b({layout.command_prefix}[A-Z0-9_]+|E[0-9]{{3}}|(?:[A-Z][a-z0-9]+){{2,}})\b"
+        )
 
     def __call__(self, text: str, root: str) -> Markup:
         parts = self.known.split(text)
@@ -263,7 +206,7 @@ class _Prose:
             result += (
                 Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
             )
-        return result
+        return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(result)))
 
 
 # Words

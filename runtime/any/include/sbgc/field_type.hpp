@@ -9,6 +9,7 @@
 
 namespace sbgc {
 
+/// The kinds of members of a message.
 enum class FieldShape : std::uint8_t {
   group,      ///< a struct: `members`
   axes,       ///< one element for each axis: `axes` names them, `members` has the type of one

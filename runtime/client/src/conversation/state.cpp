@@ -150,6 +150,10 @@ Instant Conversation::State::start_stream(CallId id, StreamRequests requests, Me
                                           MessageHandler handler, const CallOptions& options,
                                           StreamHandler done) {
   Result<Request>& start = requests.start;
+  if (start && requests.polling) {
+    return start_polling(id, std::move(requests), key, std::move(handler), options,
+                         std::move(done));
+  }
   if (start && start->policy.stream.command == 0) {
     start = ClientError{ErrorCode::invalid,
                         std::string(start->command) + " does not start a data stream"};
@@ -178,6 +182,46 @@ Instant Conversation::State::start_stream(CallId id, StreamRequests requests, Me
       });
 }
 
+/// Keeps a request repeated as long as it lives.
+class Conversation::State::PollHold : public Subscription::Registration {
+ public:
+  PollHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state, std::uint8_t id)
+      : membership_(std::move(membership)), state_(std::move(state)), id_(id) {}
+  PollHold(const PollHold&) = delete;
+  PollHold& operator=(const PollHold&) = delete;
+  ~PollHold() override {
+    membership_.reset();
+    if (const auto state = state_.lock()) state->polls_->leave(id_);
+  }
+
+ private:
+  std::unique_ptr<Registration> membership_;
+  std::weak_ptr<State> state_;
+  std::uint8_t id_;
+};
+
+Instant Conversation::State::start_polling(CallId id, StreamRequests requests, MessageKey key,
+                                           MessageHandler handler, const CallOptions& options,
+                                           StreamHandler done) {
+  Request request = *std::move(requests.start);
+  // A stream's interval of 0 would end it; a poll needs the time of an answer.
+  const Duration interval = std::max(Duration{requests.polling->interval.count()}, milliseconds(1));
+  polls_->join(request, options, interval, io::now());
+  auto hold = std::make_unique<PollHold>(delivery_.subscribe(key, std::move(handler)),
+                                         weak_from_this(), request.id);
+  post([this, text = std::string(request.command) +
+                     " is repeated instead of a data stream: " + requests.polling->reason] {
+    delivery_.notify({NoticeKind::polling, text});
+  });
+  return this->start(id, std::move(request), options,
+                     [hold = std::make_shared<std::unique_ptr<PollHold>>(std::move(hold)),
+                      done = std::move(done)](Result<Reply> reply) {
+                       if (reply) return done(Subscription(std::move(*hold)));
+                       hold->reset();
+                       done(std::move(reply).error());
+                     });
+}
+
 void Conversation::State::leave_stream(const StreamListeners::Key& key) {
   std::optional<Request> end = streams_->leave(key);
   if (!end) return;
@@ -191,9 +235,20 @@ void Conversation::State::leave_stream(const StreamListeners::Key& key) {
 
 // On the strand.
 
+/// Sends the requests that are due once more.
+void Conversation::State::poll() {
+  for (const Polls::Poll& due : polls_->take_due(io::now())) {
+    start(next_call_id(), due.request, due.options, [this, id = due.request.id](const auto&) {
+      polls_->end_pending(id);
+      wake();
+    });
+  }
+}
+
 void Conversation::State::advance() {
   if (!channel_.is_open()) return;
   if (is_searching_) return search();
+  poll();
   const Busy busy(*this);
   const Output output = dialogue_.advance(io::now(), channel_.can_write());
   if (!output.bytes.empty()) channel_.write(output.bytes);
@@ -202,7 +257,7 @@ void Conversation::State::advance() {
     statistics_.session = dialogue_.statistics();
     statistics_.streams = dialogue_.stream_usage();
   }
-  channel_.wake_at(output.deadline);
+  channel_.wake_at(std::min(output.deadline, polls_->next()));
 }
 
 void Conversation::State::received(std::span<const std::uint8_t> bytes) {

@@ -18,6 +18,7 @@
 #include <sbgc/detector.hpp>
 #include <sbgc/io/transport.hpp>
 
+#include "calls/polls.hpp"
 #include "calls/stream_listeners.hpp"
 #include "channel.hpp"
 #include "delivery.hpp"
@@ -79,6 +80,7 @@ class Conversation::State : public Channel::User,
 
  private:
   class StreamHold;
+  class PollHold;
   enum class Phase : std::uint8_t { open, lost, closed };
 
   /// Marks the strand as busy as long as it lives.
@@ -90,6 +92,8 @@ class Conversation::State : public Channel::User,
   void wake();
   void post(std::function<void()> function);
   void leave_stream(const StreamListeners::Key& key);
+  Instant start_polling(CallId id, StreamRequests requests, MessageKey key, MessageHandler handler,
+                        const CallOptions& options, StreamHandler done);
   bool is_open() const;
 
   // On the strand.
@@ -98,6 +102,7 @@ class Conversation::State : public Channel::User,
   void woken() override { advance(); }
   void line_failed(const std::error_code& reason) override;
   void advance();
+  void poll();
   void search();
   void end_search(bool is_found);
   /// Reports the end of the search, once. On any thread.
@@ -108,6 +113,7 @@ class Conversation::State : public Channel::User,
   BoardIdentity board_;
   SharedCalls calls_;
   Guarded<StreamListeners> streams_;
+  Guarded<Polls> polls_;
   const std::vector<std::uint8_t> question_;  // of the detector
   Guarded<Detector> detector_;
   bool is_searching_ = false;  // only on the strand

@@ -43,6 +43,7 @@ class Flags {
   raw_type raw_{};
 };
 
+/// Returns the set of two flags.
 template <class Flag>
   requires is_flag<Flag>
 constexpr Flags<Flag> operator|(Flag a, Flag b) noexcept { return Flags<Flag>(a) | Flags<Flag>(b); }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/detail/kind.hpp>
@@ -29,7 +30,7 @@ class PlainNumber : public Quantity<PlainNumber<Raw>, Raw, NoUnit, 1, 1> {
 
 template <class T>
 struct WithUnit {
-  using type = PlainNumber<RawOf<T>>;
+  using type = PlainNumber<std::conditional_t<is_integer24<T>, T, RawOf<T>>>;
 };
 template <class T>
   requires requires(T value) { value.real(); }
@@ -62,10 +63,8 @@ constexpr bool set_in_firmware(T& field, double value, const Availability& versi
   with_type_in<T, Laters...>(versions, [&]<class Q>(Type<Q>) {
     const auto quantity = Q::from_real(value);
     if (!quantity) return;
-    const auto raw = (*quantity).raw();
-    const auto wanted = static_cast<T>(raw);
-    fits = raw_of(wanted) == raw;  // 24 bits are fewer than those in memory
-    if (fits) field = wanted;
+    fits = true;
+    field = static_cast<T>((*quantity).raw());
   });
   return fits;
 }

@@ -170,6 +170,7 @@ enum class FieldRole : std::uint8_t {
 /// Whether text and JSON show secrets, such as passwords, or `hidden_text` in place of them.
 enum class Secrets : std::uint8_t { hidden, shown };
 
+/// What stands in place of a secret.
 inline constexpr const char* hidden_text = "(hidden)";
 
 /// One member of a message or struct.
@@ -195,6 +196,7 @@ struct FieldInfo {
   std::span<const LaterMeaning> later{};  ///< the first one first
 };
 
+/// What a message may do to a board and its camera.
 using Effects = Flags<Effect>;
 
 /// One body layout of a command.

@@ -9,6 +9,7 @@
 
 namespace sbgc {
 
+/// Writes the text of a value.
 template <class T>
 requires is_printable<T> std::ostream& operator<<(std::ostream& stream, const T& value) {
   return stream << to_string(value);

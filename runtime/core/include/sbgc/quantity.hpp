@@ -5,9 +5,11 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/exponential.hpp>
+#include <sbgc/types.hpp>
 
 namespace sbgc {
 namespace detail {
@@ -65,19 +67,47 @@ concept Exponential = requires {
   Self::growth;
 };
 
+/// A number of the wire as a program has it.
+template <class Number>
+struct NumberInfo {
+  using Raw = Number;
+  static constexpr Raw lowest = std::numeric_limits<Raw>::lowest();
+  static constexpr Raw highest = std::numeric_limits<Raw>::max();
+};
+template <class Integer>
+struct NumberInfo<Integer24<Integer>> {
+  using Raw = Integer;
+  static constexpr Raw lowest = Integer24<Raw>::lowest;
+  static constexpr Raw highest = Integer24<Raw>::highest;
+};
+
+/// Returns the integer nearest to a number that it can hold.
+template <class Integer>
+constexpr Integer nearest_integer(double number) noexcept {
+  // The remainder is exact; number + 0.5 would not be.
+  const auto whole = static_cast<Integer>(number);
+  const double rest = number - static_cast<double>(whole);
+  if (rest >= 0.5) return static_cast<Integer>(whole + 1);
+  return rest <= -0.5 ? static_cast<Integer>(whole - 1) : whole;
+}
+
 /// The base of all quantities: real value = raw * numerator / denominator + offset, in `Unit`. If
-/// Self has a `growth`, growth^raw takes the place of raw.
-template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_t denominator,
+/// Self has a `growth`, growth^raw takes the place of raw. `Number` is that of the wire.
+template <class Self, class Number, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
-  requires std::integral<Raw> || std::floating_point<Raw>
 class Quantity {
+  using Raw = typename NumberInfo<Number>::Raw;
+  static_assert(std::integral<Raw> || std::floating_point<Raw>);
+
  public:
+  using number_type = Number;
   using raw_type = Raw;
   using unit_type = Unit;
   static constexpr const char* unit = Unit::text;
 
   constexpr Quantity() = default;
-  constexpr explicit Quantity(Raw raw) noexcept : raw_(raw) {}
+  /// Traps if the wire cannot carry the number, which may have fewer bits there than in memory.
+  constexpr explicit Quantity(Raw raw) noexcept : number_(raw) {}
   /// Never compiles; the error explains what to write instead.
   template <std::floating_point Real>
     requires std::integral<Raw>
@@ -88,14 +118,20 @@ class Quantity {
         "literal, such as 45_deg, or with a function such as Angle14::from_degrees(x)");
   }
   /// Returns the number on the wire.
-  constexpr Raw raw() const noexcept { return raw_; }
+  constexpr Raw raw() const noexcept {
+    if constexpr (std::same_as<Raw, Number>) {
+      return number_;
+    } else {
+      return number_.raw();
+    }
+  }
   /// Returns the physical value in the quantity's unit.
   constexpr double real() const noexcept {
     const auto steps = [&] {
       if constexpr (Exponential<Self>) {
-        return power(Self::growth, raw_);
+        return power(Self::growth, raw());
       } else {
-        return static_cast<double>(raw_);
+        return static_cast<double>(raw());
       }
     }();
     return steps * static_cast<double>(numerator) / static_cast<double>(denominator) +
@@ -108,19 +144,17 @@ class Quantity {
     if constexpr (Exponential<Self>) {
       exact = static_cast<double>(nearest_exponent(Self::growth, exact));
     }
-    constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
-    constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
+    constexpr auto lowest = static_cast<double>(NumberInfo<Number>::lowest);
+    constexpr auto highest = static_cast<double>(NumberInfo<Number>::highest);
     // Written so that NaN also fails.
     if constexpr (std::floating_point<Raw>) {
       if (!(exact >= lowest && exact <= highest)) return {};
       return Conversion<Self>(Self(static_cast<Raw>(exact)));
     } else {
-      if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
-      // The remainder is exact; exact + 0.5 would not be.
-      const auto whole = static_cast<std::int64_t>(exact);
-      const double rest = exact - static_cast<double>(whole);
-      const std::int64_t step = rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0;
-      return Conversion<Self>(Self(static_cast<Raw>(whole + step)));
+      // Of 64 bits, `highest` is one above the highest, and `lowest - 0.5` is `lowest`.
+      if (!((exact >= lowest || exact > lowest - 0.5) && exact < highest + 0.5)) return {};
+      using Wide = std::conditional_t<sizeof(Raw) == 8, Raw, std::int64_t>;
+      return Conversion<Self>(Self(static_cast<Raw>(nearest_integer<Wide>(exact))));
     }
   }
 
@@ -129,7 +163,7 @@ class Quantity {
   friend constexpr auto operator<=>(const Quantity&, const Quantity&) = default;
 
  private:
-  Raw raw_{};
+  Number number_{};
 };
 
 }  // namespace detail

@@ -85,6 +85,8 @@ inline constexpr bool is_printable<FieldPath> = true;
 template <>
 inline constexpr bool is_printable<Violation> = true;
 
+/// Returns the name of a value, the names of flags, the parts of a packed value, or a number with
+/// its unit; what has no name as a number.
 template <detail::NamedEnum E>
 std::string to_string(E value) {
   const auto raw = static_cast<std::underlying_type_t<E>>(value);
@@ -118,6 +120,7 @@ std::string to_string(const T& message) {
   return list.text + (list.is_empty ? "{}" : "}");
 }
 
+/// Returns the name of the rule.
 inline std::string to_string(Rule rule) { return name(rule); }
 
 namespace detail {
@@ -173,6 +176,7 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
       return out.put(feature_names(static_cast<std::uint64_t>(violation.limit)));
   }
 }
+/// Returns what put_violation() writes.
 inline std::string violation_text(const Violation& violation) {
   return detail::text_of([&](TextOutput& out) { put_violation(out, violation); });
 }

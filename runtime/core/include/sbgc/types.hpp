@@ -75,7 +75,9 @@ class Integer24 {
  private:
   Raw raw_{};
 };
+/// An unsigned integer of 24 bits.
 using U24 = Integer24<std::uint32_t>;
+/// A signed integer of 24 bits.
 using I24 = Integer24<std::int32_t>;
 
 /// A fixed number of opaque bytes.

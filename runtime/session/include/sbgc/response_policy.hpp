@@ -45,7 +45,9 @@ struct CorrelationField {
   }
 };
 
+/// The most fields by which a response is told from those of other requests.
 inline constexpr std::size_t max_correlation_fields = 2;
+/// The most messages that may answer one request.
 inline constexpr std::size_t max_response_forms = 2;
 
 /// A message that answers a request.
@@ -156,6 +158,7 @@ struct ConfirmationResult {
   }
 };
 
+/// The most bytes of a request that tell a data stream from others of its command.
 inline constexpr std::size_t max_stream_config = 8;
 
 /// The start, change or end of a data stream by a request. `command` and `config` identify the

@@ -51,8 +51,11 @@ struct Duration {
   }
 };
 
+/// Returns `n` microseconds.
 constexpr Duration microseconds(std::int64_t n) noexcept { return {n}; }
+/// Returns `n` milliseconds.
 constexpr Duration milliseconds(std::int64_t n) noexcept { return {n * 1000}; }
+/// Returns `n` seconds.
 constexpr Duration seconds(std::int64_t n) noexcept { return {n * 1'000'000}; }
 
 /// A point in time: microseconds since an arbitrary epoch, the same for all calls of one object.
@@ -78,7 +81,9 @@ struct Instant {
 
 inline constexpr Instant Instant::never{std::numeric_limits<std::int64_t>::max()};
 
+/// Returns the earlier of two instants.
 constexpr Instant earlier(Instant a, Instant b) noexcept { return b < a ? b : a; }
+/// Returns the later of two instants.
 constexpr Instant later(Instant a, Instant b) noexcept { return a < b ? b : a; }
 
 }  // namespace sbgc

@@ -129,14 +129,14 @@ class AsyncClient {
   template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
-    return register_stream<M>(detail::stream_request<Request>(interval), std::move(handler),
-                              options, token);
+    return register_typed<M>(detail::stream_request<Request>(interval), std::move(handler), options,
+                             token);
   }
   template <Message M, class Token, Message Request = roles::StreamRequest>
   auto async_stream(Request request, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
-    return register_stream<M>(Result<Request>(std::move(request)), std::move(handler), options,
-                              token);
+    return register_typed<M>(Result<Request>(std::move(request)), std::move(handler), options,
+                             token);
   }
   template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
@@ -147,6 +147,24 @@ class AsyncClient {
   auto async_stream(Request request, std::function<void(const M&)> handler, Token&& token) {
     return async_stream<M>(std::move(request), std::move(handler), CallOptions(),
                            std::forward<Token>(token));
+  }
+
+  /// Like Client::stream_raw(). Handler: void(Result<Subscription>).
+  template <class Token, class Request = roles::StreamRequest>
+  auto async_stream_raw(std::type_identity_t<Request> request,
+                        std::function<void(const Frame&)> handler, const CallOptions& options,
+                        Token&& token) {
+    const auto requests = [request, options](const detail::Conversation& conversation) {
+      return detail::stream_requests(conversation, request, options);
+    };
+    return register_stream(requests, detail::raw_key(request),
+                           detail::typed_handler<Frame>(std::move(handler)), options, token);
+  }
+  template <class Token, class Request = roles::StreamRequest>
+  auto async_stream_raw(std::type_identity_t<Request> request,
+                        std::function<void(const Frame&)> handler, Token&& token) {
+    return async_stream_raw<Token, Request>(std::move(request), std::move(handler), CallOptions(),
+                                            std::forward<Token>(token));
   }
 
   /// Like Client::run(): drives any of sbgc::tasks, or a task of your own, for example
@@ -187,20 +205,31 @@ class AsyncClient {
   /// Cancels an operation; may be empty.
   using Stop = std::function<void()>;
 
-  /// Registers a stream, or completes with the error of `request`.
+  /// Registers the stream of M, or completes with the error of `request`.
   template <Message M, class Request, class Token>
-  auto register_stream(Result<Request> request, std::function<void(const M&)> handler,
-                       const CallOptions& options, Token& token) {
+  auto register_typed(Result<Request> request, std::function<void(const M&)> handler,
+                      const CallOptions& options, Token& token) {
+    const auto requests = [request = std::move(request),
+                           options](const detail::Conversation& conversation) {
+      if (!request) return detail::Conversation::StreamRequests{request.error(), request.error()};
+      return detail::stream_requests<M>(conversation, *request, options);
+    };
+    return register_stream(requests, detail::key_of<M>,
+                           detail::typed_handler<M>(std::move(handler)), options, token);
+  }
+  /// Registers the stream that `requests_of(conversation)` start and end.
+  template <class Requests, class Token>
+  auto register_stream(const Requests& requests_of, detail::MessageKey key,
+                       detail::Conversation::MessageHandler handler, const CallOptions& options,
+                       Token& token) {
     return initiate<Result<Subscription>>(
         token,
-        [&impl = *impl_, request = std::move(request), options, handler = std::move(handler)](
+        [&impl = *impl_, requests_of, key, options, handler = std::move(handler)](
             const Completion<Result<Subscription>>& done) mutable -> Stop {
-          if (!request) return done(request.error()), Stop{};
           const auto conversation = conversation_of(impl);
           if (!conversation) return done(conversation.error()), Stop{};
-          const CallId id = conversation->start_stream(
-              detail::stream_requests<M>(*conversation, *std::move(request), options),
-              detail::key_of<M>, detail::typed_handler<M>(std::move(handler)), options, done);
+          const CallId id = conversation->start_stream(requests_of(*conversation), key,
+                                                       std::move(handler), options, done);
           return [conversation = *conversation, id] { conversation.cancel(id); };
         });
   }

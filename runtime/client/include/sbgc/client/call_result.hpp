@@ -48,6 +48,12 @@ struct Delivered<Maybe<Response>> {
 
 template <class M>
 struct ResponseTo : Delivered<typename M::Response> {};
+/// A mistake, which Conversation::prepare() reports.
+template <Message M>
+  requires(M::direction == Direction::from_board)
+struct ResponseTo<M> {
+  using type = void;
+};
 template <>
 struct ResponseTo<AnyMessage> {
   using type = std::optional<AnyMessage>;

@@ -112,6 +112,8 @@ class Client : public TaskCalls<Client> {
   /// Makes the board send M every `interval` as long as the subscription lives. The shortest
   /// interval is 1 ms. Fails with ErrorCode::invalid if the interval is 0 or longer than a request
   /// can express (about a minute), and with ErrorCode::overload if the line cannot carry the data.
+  /// Firmware without data streams is asked for M each time, if a request without content does it,
+  /// at most as often as it answers; NoticeKind::polling reports that.
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
@@ -139,10 +141,9 @@ class Client : public TaskCalls<Client> {
   Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
-    return conversation_.stream(
-        detail::stream_requests(conversation_, request, options),
-        {static_cast<std::uint8_t>(roles::stream_command(request)), {}, true},
-        detail::typed_handler<Frame>(std::move(handler)), options);
+    return conversation_.stream(detail::stream_requests(conversation_, request, options),
+                                detail::raw_key(request),
+                                detail::typed_handler<Frame>(std::move(handler)), options);
   }
 
   /// Drives a task to completion. The task waits on `clock` between its calls.

@@ -1,6 +1,7 @@
 /// The untyped core of Client and AsyncClient.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -53,7 +54,10 @@ class Conversation {
   /// Prepares the request for this board.
   template <Message M>
   Result<Request> prepare(const M& message, const CallOptions& options) const {
-    static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    static_assert(
+        M::direction != Direction::from_board,
+        "only the board sends this message: a call takes the request that it answers, such as "
+        "GetAnglesRequest");
     return detail::prepare(message, versions(), options.validate);
   }
 
@@ -82,10 +86,16 @@ class Conversation {
   Subscription on_notice(std::function<void(const Notice&)> handler) const;
   Subscription on_frame(std::function<void(const BoardFrame&)> handler) const;
 
+  /// Instead of a stream: the first request is repeated.
+  struct Polling {
+    std::chrono::microseconds interval{};
+    std::string reason{};  ///< a clause
+  };
   /// The requests that start and end a data stream.
   struct StreamRequests {
     Result<Request> start;
     Result<Request> end;
+    std::optional<Polling> polling{};
   };
   using StreamHandler = std::function<void(Result<Subscription>)>;
   /// Registers a data stream and subscribes to its messages.

@@ -60,6 +60,7 @@ struct ClientError {
   bool operator==(const ClientError&) const = default;
 };
 
+/// Returns the name of the code.
 inline std::string to_string(ErrorCode code) { return name(code); }
 /// Returns the message.
 inline std::string to_string(const ClientError& error) { return error.message; }

@@ -26,10 +26,12 @@ struct TransferOptions {
   ProgressHandler progress{};
 };
 
+/// The size of the memory that a board has for programs of users, in bytes.
 inline constexpr std::size_t user_data_size = decltype(msg::ReadExternalData::data){}.size();
 
 namespace tasks {
 
+/// Contents of the EEPROM or of a file.
 using Bytes = std::vector<std::uint8_t>;
 
 /// Reads `size` bytes of the EEPROM from `address`; neither needs to be a multiple of the page

@@ -11,6 +11,7 @@
 
 namespace sbgc {
 
+/// The number of profiles of a board.
 inline constexpr std::size_t profile_count = decltype(msg::ReadProfileNames::profile_name){}.size();
 /// The largest size of a name, in bytes of UTF-8.
 inline constexpr std::size_t profile_name_size =

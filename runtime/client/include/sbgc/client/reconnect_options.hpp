@@ -25,6 +25,7 @@ enum class OutagePolicy : std::uint8_t {
   wait,  ///< it waits for a connection, up to its timeout or ConnectOptions::queue_timeout
 };
 
+/// Options of ReconnectingClient::connect().
 struct ReconnectOptions {
   /// For each connection. The timeout is that of each attempt; a capture gets a new session for
   /// each connection.
@@ -46,6 +47,7 @@ struct ReconnectOptions {
   Clock* clock = &Clock::system();
 };
 
+/// The state of a connection that is made again when it breaks.
 enum class LinkState : std::uint8_t {
   connected,
   lost,         ///< the line broke, or the board is silent or restarting

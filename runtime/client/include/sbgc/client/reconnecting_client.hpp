@@ -159,6 +159,7 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
  private:
   class Impl;
   friend struct detail::ReconnectingOver;
+  friend class SpeedControl;
   using MessageHandler = detail::Conversation::MessageHandler;
   /// Registers a handler, which takes a pointer to its message, with a new connection.
   using Begin =

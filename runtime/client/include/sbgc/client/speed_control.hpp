@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <memory>
+#include <mutex>
 
 #include <sbgc/client/clock.hpp>
 #include <sbgc/client/result.hpp>
@@ -13,6 +13,7 @@
 namespace sbgc {
 
 class Client;
+class ReconnectingClient;
 
 /// What ends the motion if the line is lost, so that no command can reach the board.
 enum class MotionBound : std::uint8_t {
@@ -59,6 +60,10 @@ struct SpeedControlOptions {
 /// or this object is destroyed, which tries once more. Every function may be called from any thread
 /// and returns at once: a separate thread does the sending. Its errors are returned by the next
 /// call.
+///
+/// Over a ReconnectingClient, the loss of the line ends the motion, too: nothing turns again by
+/// itself when the line is back. Then set() works again; until then it fails with
+/// ErrorCode::not_connected.
 class SpeedControl {
  public:
   enum class State : std::uint8_t {
@@ -70,6 +75,7 @@ class SpeedControl {
 
   /// `client` must outlive this object.
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});
+  explicit SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options = {});
   SpeedControl(const SpeedControl&) = delete;
   SpeedControl& operator=(const SpeedControl&) = delete;
   SpeedControl(SpeedControl&&) = delete;
@@ -91,7 +97,17 @@ class SpeedControl {
  private:
   class Worker;
 
-  std::unique_ptr<Worker> io_thread_;
+  /// The thread of the last connection for which set() was called; null before.
+  std::shared_ptr<Worker> worker() const;
+  /// Replaces the thread of a connection that was lost.
+  Result<void> renew();
+
+  const SpeedControlOptions options_;
+  ReconnectingClient* const reconnecting_ = nullptr;
+  std::mutex renewing_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<Client> client_;  // that of the thread, if it reconnects
+  std::shared_ptr<Worker> worker_;
 };
 
 }  // namespace sbgc

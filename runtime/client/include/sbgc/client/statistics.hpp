@@ -15,8 +15,10 @@ struct LineQuality {
   double undetected{};
 };
 
+/// Returns what the counters of a session say about the line.
 LineQuality line_quality(const SessionStatistics& statistics) noexcept;
 
+/// Counters of a client since it was made.
 struct ClientStatistics {
   std::uint64_t calls{};        ///< started
   std::uint64_t failures{};     ///< ended with an error

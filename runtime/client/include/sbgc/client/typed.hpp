@@ -13,6 +13,7 @@
 
 #include <sbgc/client/call_result.hpp>
 #include <sbgc/client/conversation.hpp>
+#include <sbgc/client/polls.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
@@ -98,6 +99,12 @@ void choose_stream(Request& request) noexcept {
   }
 }
 
+/// Returns the key of the frames of the data stream that `request` selects.
+template <Message Request>
+MessageKey raw_key(Request request) noexcept {
+  return {.id = static_cast<std::uint8_t>(roles::stream_command(request)), .is_raw = true};
+}
+
 /// Returns the requests that start and end the data stream that `request` selects.
 template <Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation,
@@ -108,13 +115,24 @@ Conversation::StreamRequests stream_requests(const Conversation& conversation,
   return {conversation.prepare(request, options), conversation.prepare(end, options)};
 }
 
-/// Returns the requests that start and end the data stream of M; `request` starts it.
+/// Returns the requests that start and end the data stream of M; `request` starts it. Where the
+/// firmware has no streams, M is polled if a request without content asks for it.
 template <Message M, Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
                                              const CallOptions& options) {
   choose_stream<M>(request);
   if (const auto error = conversation.stream_refusal<M>()) return {*error, *error};
-  return stream_requests(conversation, request, options);
+  Conversation::StreamRequests requests = stream_requests(conversation, request, options);
+  using Poll = typename roles::Poll<M>::type;
+  if constexpr (!std::is_void_v<Poll>) {
+    if (!requests.start && requests.start.error().code == ErrorCode::unsupported) {
+      const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
+                                                      roles::stream_interval(request).raw());
+      requests.polling = {interval, requests.start.error().message};
+      requests.start = conversation.prepare(Poll{}, options);
+    }
+  }
+  return requests;
 }
 
 /// Wraps a typed handler for Conversation.

@@ -69,11 +69,14 @@ inline constexpr Kind kind_of<Counter> = Kind::counter;
 template <>
 inline constexpr Kind kind_of<Number> = Kind::number;
 
-/// True for the integers that are wider in memory than on the wire.
+/// True for the integers that are wider in memory than on the wire, and for quantities over them.
 template <class T>
 inline constexpr bool is_integer24 = false;
 template <class Raw>
 inline constexpr bool is_integer24<Integer24<Raw>> = true;
+template <class T>
+  requires requires { typename T::number_type; }
+inline constexpr bool is_integer24<T> = is_integer24<typename T::number_type>;
 
 /// True if the number of bytes or elements varies.
 template <class T>

@@ -59,7 +59,7 @@ class JsonReader {
     if constexpr (std::is_floating_point_v<Raw>) {
       real(raw, place.path);
     } else if constexpr (is_integer24<T>) {
-      raw = static_cast<Raw>(integer(T::lowest, T::highest, place.path));
+      raw = static_cast<Raw>(integer(Integer24<Raw>::lowest, Integer24<Raw>::highest, place.path));
     } else if constexpr (sizeof(Raw) == 8) {
       decimal(raw, place.path);
     } else {

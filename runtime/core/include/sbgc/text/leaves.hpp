@@ -18,6 +18,7 @@
 
 namespace sbgc {
 
+/// How the raw value of a leaf is stored.
 enum class LeafKind : std::uint8_t { integer, real, bytes, text, counter };
 
 /// One value of a message. All views are valid only during the call.
@@ -41,6 +42,13 @@ struct Leaf {
   std::size_t offset{};
   std::size_t size{};
   Secrets secrets{};  ///< whether the texts below show the value if it is secret
+
+  /// Returns the number on the wire, of which a double may not hold all digits.
+  constexpr double number() const noexcept {
+    if (kind == LeafKind::real) return real;
+    return is_u64 ? static_cast<double>(static_cast<std::uint64_t>(integer))
+                  : static_cast<double>(integer);
+  }
 };
 
 /// Returns true if the value is secret and not empty.
@@ -86,6 +94,7 @@ inline void put_raw(TextOutput& out, const Leaf& leaf) {
   if (leaf.is_u64) return out.put(static_cast<std::uint64_t>(leaf.integer));
   out.put(leaf.integer);
 }
+/// Returns what put_raw() writes.
 inline std::string raw_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_raw(out, leaf); });
 }
@@ -104,8 +113,7 @@ namespace detail {
 inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
   if (leaf.unit != nullptr) {
     if (leaf.unit->is_plain()) return;
-    const double raw = leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
-    detail::put_in_unit(out, leaf.unit->real(raw), *leaf.unit);
+    detail::put_in_unit(out, leaf.unit->real(leaf.number()), *leaf.unit);
   } else if (leaf.names != nullptr) {
     if (!leaf.names->is_flags) return out.put(detail::value_name(*leaf.names, leaf.integer));
     detail::put_flags(out, *leaf.names, static_cast<std::uint32_t>(leaf.integer));
@@ -155,6 +163,7 @@ inline void put_meaning(TextOutput& out, const Leaf& leaf) {
   out.put(assumption_text(leaf));
   out.put(')');
 }
+/// Returns what put_meaning() writes.
 inline std::string meaning_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_meaning(out, leaf); });
 }
@@ -173,6 +182,7 @@ inline void put_path(TextOutput& out, const FieldPath& path) {
   char buffer[128];
   out.put(std::string_view(buffer, path.write(buffer, sizeof buffer)));
 }
+/// Returns the path as text: "axes.pitch.angle".
 inline std::string to_string(const FieldPath& path) {
   return detail::text_of([&](TextOutput& out) { put_path(out, path); });
 }

@@ -13,6 +13,7 @@ inline constexpr bool is_printable<Code> = true;
 template <>
 inline constexpr bool is_printable<Status> = true;
 
+/// Returns the name of the code.
 inline std::string to_string(Code code) { return name(code); }
 
 /// Formats a status without a final period: "note_length: The value does not fit into the field".

@@ -43,6 +43,7 @@
 
 namespace sbgc::io {
 
+/// What a record of a capture has.
 enum class CaptureKind : std::uint8_t { from_board = 1, to_board = 2, note = 3 };
 
 /// Time since the start of the session.
@@ -56,6 +57,7 @@ struct CaptureSession {
   bool operator==(const CaptureSession&) const = default;
 };
 
+/// Bytes of one direction, or a note, with its time.
 struct CaptureRecord {
   CaptureKind kind{};  ///< may have unnamed values
   CaptureTime time{};
@@ -82,8 +84,10 @@ struct CaptureDamage {
 /// Returns a sentence: "7 bytes from offset 24 are damaged."
 std::string to_string(const CaptureDamage& damage);
 
+/// What CaptureParser finds.
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
+/// How many bytes tell a capture from another file.
 inline constexpr std::size_t capture_magic_size = 8;
 
 /// Returns true if a file that begins with these bytes is a capture. Needs at least
@@ -135,12 +139,19 @@ class CaptureParser {
   detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
 };
 
+/// What CaptureWriter writes.
+enum class CaptureFormat : std::uint8_t {
+  sbgc,    ///< see above
+  pcapng,  ///< for Wireshark (see pcapng.hpp); a note is a comment of the next packet
+};
+
 /// Writes a capture.
 class CaptureWriter {
  public:
   using Clock = std::chrono::steady_clock;
 
   CaptureWriter() = default;
+  explicit CaptureWriter(CaptureFormat format) : format_(format) {}
   CaptureWriter(CaptureWriter&& other) noexcept;
   CaptureWriter& operator=(CaptureWriter&& other) noexcept;
   CaptureWriter(const CaptureWriter&) = delete;
@@ -167,6 +178,10 @@ class CaptureWriter {
 
  private:
   void begin_session();
+  bool is_own(std::span<const std::uint8_t> begin) const noexcept;
+  bool may_become_own(std::span<const std::uint8_t> begin) const noexcept;
+  void append_record(CaptureKind kind, std::span<const std::uint8_t> bytes, CaptureTime time);
+  void append_packet(CaptureKind kind, std::span<const std::uint8_t> bytes, CaptureTime time);
   bool put(std::span<const std::uint8_t> bytes);
   bool wait_for_reader();
   Error fail(int reason);
@@ -174,7 +189,10 @@ class CaptureWriter {
   int fd_ = -1;
   bool may_wait_ = false;  // for a reader
   std::string path_;
+  CaptureFormat format_ = CaptureFormat::sbgc;
   Clock::time_point start_{};
+  std::chrono::sys_time<std::chrono::microseconds> wall_start_{};
+  std::vector<std::string> comments_;  // of the next packet
   std::vector<std::uint8_t> buffer_;
   Error error_;
 };

@@ -7,8 +7,10 @@
 
 namespace sbgc::io {
 
+/// The clock of all deadlines.
 using Clock = std::chrono::steady_clock;
 
+/// Returns the same time in the types of a session, rounded down.
 constexpr Duration from_chrono(Clock::duration duration) noexcept {
   return {std::chrono::floor<std::chrono::microseconds>(duration).count()};
 }
@@ -32,6 +34,7 @@ constexpr Clock::time_point to_chrono(Instant time) noexcept {
   return Clock::time_point(to_chrono(Duration{time.us}));
 }
 
+/// Returns the time of the clock.
 inline Instant now() noexcept { return from_chrono(Clock::now()); }
 
 }  // namespace sbgc::io

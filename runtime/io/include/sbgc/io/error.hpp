@@ -31,6 +31,7 @@ enum class Errc : std::uint8_t {
 /// The category of Errc; message() is a sentence for the user.
 const std::error_category& error_category() noexcept;
 
+/// Makes an std::error_code of an Errc.
 inline std::error_code make_error_code(Errc code) noexcept {
   return {static_cast<int>(code), error_category()};
 }

@@ -20,6 +20,7 @@ namespace sbgc::io {
 using LineMismatch = std::function<std::vector<std::uint8_t>(
     std::span<const std::uint8_t> bytes, const LineSettings& sender, const LineSettings& receiver)>;
 
+/// Options of a pair of transports in memory.
 struct MemoryOptions {
   /// The number of bytes that may be buffered in each direction; a write completes when all its
   /// bytes are buffered. At least 1.

@@ -63,6 +63,7 @@ struct CaptureAddress {
   bool operator==(const CaptureAddress&) const = default;
 };
 
+/// An address of any kind.
 using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, PtyAddress, CaptureAddress>;
 
 /// All kinds.
@@ -70,6 +71,7 @@ inline constexpr auto address_kinds = []<class... Ts>(const std::variant<Ts...>*
   return std::array{Ts::kind...};
 }(static_cast<const Address*>(nullptr));
 
+/// An address, or the error in its text.
 struct AddressResult {
   Address address{};
   Error error{};
@@ -81,6 +83,7 @@ struct AddressResult {
 /// and the correct syntax.
 AddressResult parse_address(std::string_view text);
 
+/// Options of open().
 struct OpenOptions {
   /// For name lookups and connecting.
   std::chrono::milliseconds timeout = std::chrono::seconds(5);

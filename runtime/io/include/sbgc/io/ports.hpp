@@ -19,17 +19,20 @@ struct UsbInfo {
   std::string serial_number;
 };
 
+/// A serial port of the machine.
 struct PortInfo {
   std::string name;            ///< for open_serial(): "/dev/ttyUSB0"
   std::string description;     ///< for the user, may be empty
   std::optional<UsbInfo> usb;  ///< only of USB ports
 };
 
+/// The serial ports of the machine, or why they cannot be listed.
 struct PortList {
   std::vector<PortInfo> ports;  ///< sorted by name, numbers by value
   Error error;                  ///< if the system cannot list its ports
 };
 
+/// Lists the serial ports of the machine.
 PortList list_ports();
 
 }  // namespace sbgc::io

@@ -23,12 +23,14 @@ class PseudoTerminal : public Transport {
   virtual std::optional<LineSettings> other_line() const = 0;
 };
 
+/// Options of open_pseudo_terminal().
 struct PseudoTerminalOptions {
   /// false: when the other side closes, reads and writes fail with Errc::device_lost. true:
   /// programs may open and close it, and bytes that no program reads are lost, as on a real line.
   bool stays_open = false;
 };
 
+/// A pseudo-terminal, or the error that prevented it.
 struct PseudoTerminalResult {
   std::unique_ptr<PseudoTerminal> transport{};
   Error error{};

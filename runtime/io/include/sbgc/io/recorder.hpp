@@ -10,6 +10,7 @@
 
 namespace sbgc::io {
 
+/// Options of a recorder.
 struct RecorderOptions {
   /// Called once if writing the file fails. The transport continues without recording.
   std::function<void(const Error&)> on_error{};

@@ -10,6 +10,7 @@
 
 namespace sbgc::io {
 
+/// When the bytes of a capture come.
 enum class ReplayTiming : std::uint8_t {
   original,  ///< at the recorded time after the first read; no pause between sessions
   fast,      ///< as fast as it is read

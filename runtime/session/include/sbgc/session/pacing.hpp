@@ -58,7 +58,7 @@ class Settings {
                     Ticks response_time) const noexcept {
     if (longest_pause_ == 0) return 0;
     const auto both = static_cast<std::uint32_t>(request_size + response_size);
-    const Ticks pause = shortest_pause_ + (both > small ? pause_per_byte_ * (both - small) : 0);
+    const Ticks pause = shortest_pause_ + pause_per_byte_ * (longer(both, small) - small);
     return longer(shorter(pause, longest_pause_), response_time);
   }
 

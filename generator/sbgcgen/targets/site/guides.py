@@ -1,0 +1,123 @@
+"""The handwritten pages of the site: the guides, and the beginning of README."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from posixpath import normpath
+
+import markdown
+from markupsafe import Markup
+
+from sbgcgen.targets.site.headers import Header
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A handwritten page: docs/<name>.md."""
+
+    name: str
+    title: str
+    html: Markup
+
+    @property
+    def page(self) -> str:
+        return f"guides/{self.name}.html"
+
+
+@dataclass(frozen=True)
+class Pages:
+    """Where the site has what files of the project say: its guides, headers and other pages.
+
+    `others` are the pages about folders of the project.
+    """
+
+    headers: Sequence[Header] = ()
+    others: Mapping[str, str] = field(default_factory=dict)
+
+    def page_of(self, path: str, section: str) -> str:
+        """The page about a file of the project, or a section of it; "" if there is none."""
+        if guide := re.fullmatch(r"docs/([\w-]+)\.md", path):
+            page = f"guides/{name_of(guide[1])}.html"
+        elif path.startswith("docs/pictures/"):
+            page = path.removeprefix("docs/")
+        elif path in self.others:
+            page = self.others[path]
+        elif path.startswith(("spec", "generated/fields")):
+            return _page_about(f"{path}#{section}" if section else path)
+        else:
+            return ""
+        return f"{page}#{section}" if section else page
+
+    def html(self, text: str, folder: str, root: str) -> Markup:
+        """A text in a folder of the project as HTML, for a page from which `root` leads to the first one."""
+        html = markdown.markdown(
+            text, extensions=["tables", "fenced_code", "toc"], output_format="html"
+        )
+
+        def linked(match: re.Match[str]) -> str:
+            path, _, section = match[2].partition("#")
+            page = self.page_of(normpath(f"{folder}/{path}"), section) if path else ""
+            return f'{match[1]}="{root}{page}"' if page else match[0]
+
+        html = re.sub(r'\b(href|src)="([^":]*)"', linked, html)
+        for header in self.headers:
+            name = f"<code>{header.include}</code>"
+            html = html.replace(name, f'<a href="{root}{header.page}">{name}</a>')
+        html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
+        html = html.replace("<th>", '<th scope="col">')
+        html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
+        return Markup(html)
+
+
+def guides_in(folder: Path, pages: Pages = Pages()) -> list[Guide]:
+    """The guides, sorted by the numbers at the start of their file names."""
+    return [_guide(path, pages) for path in sorted(folder.glob("*.md"), key=_order)]
+
+
+def front_of(project: Path, pages: Pages) -> Markup:
+    """What README says before its first section, without its title."""
+    path = project / "README.md"
+    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    found = re.match(r"# [^\n]+\n(.*?)(?=^## )", text, re.MULTILINE | re.DOTALL)
+    return pages.html(found[1] if found else "", ".", "")
+
+
+def _order(path: Path) -> tuple[int, str]:
+    number = re.match(r"[0-9]*", path.stem)
+    return (int(number[0] or 0) if number else 0, path.stem)
+
+
+def name_of(stem: str) -> str:
+    """The name of a guide in links, without its number."""
+    return re.sub(r"^[0-9]+[-_]", "", stem)
+
+
+def _guide(path: Path, pages: Pages) -> Guide:
+    text = path.read_text(encoding="utf-8")
+    title = re.search(r"^# (.+)$", text, re.MULTILINE)
+    name = name_of(path.stem)
+    return Guide(name, title[1].strip() if title else name, pages.html(text, "docs", "../"))
+
+
+# The pages about files of the repository; the other files are those of families.
+_PAGES = {
+    "spec": "messages.html",
+    "spec/adjustable_variables.yaml": "variables.html",
+    "spec/errata.yaml": "errata.html",
+    "spec/simplebgc.yaml#directions": "units.html#directions",
+    "spec/simplebgc.yaml#framings": "framing.html",
+    "spec/simplebgc.yaml#revisions": "availability.html",
+    "spec/units.yaml": "units.html",
+    "generated/fields": "messages.html",
+}
+
+
+def _page_about(link: str) -> str:
+    """The page with the contents of a file, or a section of it, that a guide links."""
+    path, _, section = link.partition("#")
+    if path == "spec/errata.yaml" and section:
+        return f"errata.html#{section}"
+    return _PAGES.get(link, f"families/{Path(path).stem}.html")

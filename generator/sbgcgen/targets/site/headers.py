@@ -1,0 +1,369 @@
+"""The public C++ headers of the project, as Doxygen reads them, for the pages of the C++ reference."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from xml.etree.ElementTree import Element, parse
+
+from markupsafe import Markup, escape
+
+from sbgcgen.model import Enum, Layout, Packed, Quantity
+from sbgcgen.targets.site import uses
+
+SETTINGS = Path("docs/Doxyfile")
+# A declaration that is longer has a line for each parameter.
+_WIDTH = 90
+
+
+@dataclass(frozen=True)
+class Item:
+    """A public name: a class with its members, a function, a constant, an alias, an enum with its values."""
+
+    kind: str
+    name: str
+    anchor: str
+    code: Markup
+    text: Markup
+    members: tuple[Item, ...] = ()
+
+    @property
+    def sentence(self) -> str:
+        return _first_sentence(self.text.striptags())
+
+
+@dataclass(frozen=True)
+class Header:
+    """A header: `include` is "sbgc/client/motion.hpp", `component` the library that it belongs to."""
+
+    include: str
+    component: str
+    text: Markup
+    items: tuple[Item, ...]
+    includes: tuple[str, ...]
+
+    @property
+    def order(self) -> int:
+        return _ORDER.index(self.component)
+
+    @property
+    def word(self) -> str:
+        return self.include.removeprefix("sbgc/").removesuffix(".hpp")
+
+    @property
+    def page(self) -> str:
+        return f"headers/{self.word}.html"
+
+    @property
+    def sentence(self) -> str:
+        return _first_sentence(self.text.striptags())
+
+
+def headers_of(project: Path, layout: Layout) -> list[Header]:
+    """The headers of a project, sorted by component and name; none if it has no settings for Doxygen."""
+    if not (project / SETTINGS).is_file():
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        settings = f"@INCLUDE = {SETTINGS}\nOUTPUT_DIRECTORY = {folder}\nSTRIP_FROM_PATH = .\n"
+        subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=project, check=True)
+        compounds = [
+            found
+            for path in sorted(Path(folder, "xml").glob("*.xml"))
+            for found in parse(path).getroot().iter("compounddef")
+        ]
+    return _Reader(project, layout, compounds).headers()
+
+
+def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
+    """Code that uses the library, with links from headers, names and messages to their pages."""
+    pages = {f"sbgc::msg::{name}": page for name, page in _types(layout).items()}
+    for family in layout.families:
+        pages[f"sbgc/messages/{family.name}.hpp"] = f"families/{family.name}.html"
+    for header in headers:
+        pages[header.include] = header.page
+        for item in header.items:
+            pages.setdefault(f"sbgc::{item.name}", f"{header.page}#{item.anchor}")
+    result, end = Markup(), 0
+    for match in re.finditer(r"sbgc/[\w/]+\.hpp|sbgc::(?:msg::)?\w+", code) if headers else ():
+        if page := pages.get(match[0]):
+            result += escape(code[end : match.start()]) + _link(page, match[0])
+            end = match.end()
+    return result + escape(code[end:])
+
+
+def _types(layout: Layout) -> dict[str, str]:
+    """The pages of messages and types by their names."""
+    types: list[Enum | Packed | Quantity] = [*layout.enums, *layout.packed, *layout.quantities]
+    found = {message.name: uses.page_of_message(message) for message in layout.definitions}
+    return found | {type_.name: uses.page_of_type(type_) for type_ in types}
+
+
+def _link(page: str, text: str) -> Markup:
+    # The template knows the way to the root.
+    return Markup('<a href="{}">{}</a>').format("ROOT/" + page, text)
+
+
+def _first_sentence(text: str) -> str:
+    return re.split(r"(?<=\.)\s", " ".join(text.split()), maxsplit=1)[0]
+
+
+def _text_of(element: Element, tag: str) -> str:
+    return " ".join((element.findtext(tag) or "").split())
+
+
+def _location(element: Element) -> tuple[str, int]:
+    found = element.find("location")
+    assert found is not None
+    return found.get("declfile", found.get("file", "")), int(found.get("line", "0"))
+
+
+class _Reader:
+    """Makes headers of Doxygen's XML; the links of its elements lead to each other and to messages."""
+
+    def __init__(self, project: Path, layout: Layout, compounds: list[Element]) -> None:
+        self.project = project
+        self.files = {_location(c)[0]: c for c in compounds if c.get("kind") == "file"}
+        self.declared: dict[str, list[Element]] = {path: [] for path in self.files}
+        for element in sorted(self._public(compounds), key=_location):
+            self.declared[_location(element)[0]].append(element)
+        self.pages: dict[str, str] = {}  # by the id of Doxygen
+        self.types = _types(layout)
+
+    @staticmethod
+    def _public(compounds: list[Element]) -> Iterator[Element]:
+        """Macros, and what namespaces have; no specializations."""
+        kinds = ("class", "struct", "concept")
+        classes = {c.findtext("compoundname"): c for c in compounds if c.get("kind") in kinds}
+        for name, compound in classes.items():
+            if name and "<" not in name and name.rpartition("::")[0] not in classes:
+                yield compound
+        for compound in compounds:
+            if compound.get("kind") in ("namespace", "file"):
+                for member in compound.iter("memberdef"):
+                    is_macro = member.get("kind") == "define"
+                    has_comment = member.find("briefdescription/para") is not None
+                    name = member.findtext("name") or ""
+                    if has_comment if is_macro else not re.search(r"(?<!operator)<.*>$", name):
+                        yield member
+
+    def headers(self) -> list[Header]:
+        """Those with public names, and those that only include others."""
+        paths = [
+            path
+            for path, elements in self.declared.items()
+            if elements or "namespace detail" not in (self.project / path).read_text("utf-8")
+        ]
+        for path in paths:
+            self._number(path)
+        return sorted(map(self._header, paths), key=lambda header: (header.order, header.include))
+
+    def _number(self, path: str) -> None:
+        """Gives each name of a header, and each member, its anchor."""
+        taken: set[str] = set()
+        page = f"headers/{path.partition('/include/sbgc/')[2].removesuffix('.hpp')}.html"
+
+        def give(element: Element, name: str) -> None:
+            name = name.replace(" ", "-")  # of conversions: operator bool
+            anchor, count = name, 1
+            while anchor in taken and self._description(element):
+                count += 1
+                anchor = f"{name}-{count}"
+            taken.add(anchor)
+            self.pages[element.get("id", "")] = f"{page}#{anchor}"
+            for member in self._members(element):
+                give(member, f"{name}.{_text_of(member, 'name')}")
+
+        for element in self.declared[path]:
+            give(element, self._name(element))
+
+    def _header(self, path: str) -> Header:
+        component, _, include = path.partition("/include/")
+        lines = (self.project / path).read_text(encoding="utf-8").splitlines()
+        about = []
+        for line in lines:
+            if not line.startswith("///"):
+                break
+            about.append(line.removeprefix("///").strip())
+        others = tuple(name.text or "" for name in self.files[path].findall("includes"))
+        words = str(self._words(" ".join(about)))
+        text = Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", words))
+        items = tuple(self._items(self.declared[path]))
+        return Header(include, Path(component).name, text, items, others)
+
+    def _name(self, element: Element) -> str:
+        name = element.findtext("name") or element.findtext("compoundname") or ""
+        return name.rpartition("::")[2] if element.tag == "compounddef" else name
+
+    def _items(self, elements: list[Element]) -> list[Item]:
+        """The items of elements; an overload without a description belongs to the first one."""
+        found: dict[str, Item] = {}
+        for item in map(self._item, elements):
+            if first := found.get(item.anchor):
+                item = replace(first, code=first.code + "\n" + item.code)
+            found[item.anchor] = item
+        return list(found.values())
+
+    def _item(self, element: Element) -> Item:
+        members = tuple(self._items(self._members(element)))
+        anchor = self.pages[element.get("id", "")].partition("#")[2]
+        code, text = self._code(element), self._description(element)
+        kind = element.get("kind", "")
+        kind = {"typedef": "alias", "variable": "constant", "define": "macro"}.get(kind, kind)
+        return Item(kind, self._name(element), anchor, code, text, members)
+
+    def _members(self, element: Element) -> list[Element]:
+        """The public members in the order of the source: not what the compiler makes."""
+        if element.get("kind") == "enum":
+            return element.findall("enumvalue")
+        found = []
+        for member in element.iter("memberdef") if element.tag == "compounddef" else ():
+            ending = _text_of(member, "argsstring")
+            is_special = (
+                ending.endswith(("=default", "=delete")) or _text_of(member, "name")[0] == "~"
+            )
+            is_friend = member.get("kind") == "friend"
+            if member.get("prot") == "public" and not is_friend:
+                if not is_special or self._description(member):
+                    found.append(member)
+        return sorted(found, key=_location)
+
+    # Declarations
+
+    def _code(self, element: Element) -> Markup:
+        template = self._template(element)
+        kind, name = element.get("kind"), self._name(element)
+        if element.tag == "enumvalue":
+            return Markup(escape(f"{name} {_text_of(element, 'initializer')}".rstrip()))
+        if kind in ("class", "struct"):
+            bases = [self._linked(base) for base in element.findall("basecompoundref")]
+            derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
+            return template + Markup(f"{kind} {name}") + derived
+        if kind == "concept":
+            return Markup(escape(_text_of(element, "initializer").replace(f"sbgc::{name}", name)))
+        type_ = self._linked(element.find("type"))
+        if kind == "typedef":
+            return template + Markup("using {} = {}").format(name, type_)
+        if kind == "define":
+            return escape(f"#define {name}")
+        if kind == "enum":
+            return Markup("enum class {}").format(name) + (Markup(" : ") + type_ if type_ else "")
+        start = template + (Markup("{} {}").format(type_, name) if type_ else escape(name))
+        if element.get("static") == "yes":
+            start = Markup("static ") + start
+        if kind == "variable":
+            value = _text_of(element, "initializer")
+            if value in ("", "{}") or value[:2] == "{{" or len(value) > 50:
+                return start
+            return start + escape(value if value[0] == "{" else f" {value}")
+        return start + self._arguments(element, len(start.striptags()))
+
+    def _template(self, element: Element) -> Markup:
+        found = element.find("templateparamlist")
+        if found is None or element.get("kind") == "concept":
+            return Markup()
+        line = escape("template <") + Markup(", ").join(self._parameters(found)) + ">"
+        return line + "\n"
+
+    def _parameters(self, element: Element) -> list[Markup]:
+        result = []
+        for parameter in element.findall("param"):
+            text = self._linked(parameter.find("type"))
+            if name := _text_of(parameter, "declname"):
+                text += f" {name}"
+            if (value := parameter.find("defval")) is not None:
+                text += Markup(" = ") + self._linked(value)
+            result.append(text)
+        return result
+
+    def _arguments(self, element: Element, before: int) -> Markup:
+        parameters = self._parameters(element)
+        ending = _text_of(element, "argsstring").rpartition(")")[2]
+        ending = re.sub(r"=(0|default|delete)$", r" = \1", ending)
+        clause = element.find("requiresclause")
+        after = escape(ending) + (
+            Markup("\n    requires ") + self._linked(clause) if clause is not None else ""
+        )
+        length = before + sum(len(p.striptags()) + 2 for p in parameters) + len(ending)
+        between = ",\n    " if length > _WIDTH and len(parameters) > 1 else ", "
+        first = between[1:] if "\n" in between else ""
+        return Markup("(") + first + Markup(between).join(parameters) + ")" + after
+
+    def _linked(self, element: Element | None) -> Markup:
+        """The text of a type or value, with links."""
+        if element is None:
+            return Markup()
+        result = self._words(element.text or "")
+        for part in element:
+            result += self._reference(part) + self._words(part.tail or "")
+        plain = re.sub(r"&lt; | (?=&gt;|&amp;|\*)", lambda m: m[0].strip(), str(result))
+        return Markup(plain.strip())
+
+    def _words(self, text: str) -> Markup:
+        """Text with links to messages and types of the protocol, and to guides."""
+
+        def link(match: re.Match[str]) -> Markup:
+            page = f"guides/{match[2]}.html" if match[2] else self.types.get(match[1])
+            return _link(page, match[0]) if page else escape(match[0])
+
+        parts, end = Markup(), 0
+        text = re.sub(r"\s+", " ", text)
+        for match in re.finditer(r"\bmsg::(\w+)|docs/[0-9]+-([\w-]+)\.md", text):
+            parts += escape(text[end : match.start()]) + link(match)
+            end = match.end()
+        return parts + escape(text[end:])
+
+    def _reference(self, element: Element) -> Markup:
+        """A <ref> of Doxygen."""
+        text = "".join(element.itertext())
+        page = self.pages.get(element.get("refid", ""))
+        return _link(page, text) if page else escape(text)
+
+    # Descriptions
+
+    def _description(self, element: Element) -> Markup:
+        parts = (element.find(tag) for tag in ("briefdescription", "detaileddescription"))
+        blocks = (self._block(part) for part in parts if part is not None)
+        return Markup(Markup().join(blocks).strip())
+
+    def _block(self, element: Element) -> Markup:
+        """The contents of an element. Fails if one is unknown, so that nothing is lost."""
+        result = self._prose(element.text or "")
+        for part in element:
+            tag = part.tag
+            if tag == "verbatim":
+                lines = (part.text or "").strip("\n")
+                result += Markup('</p><pre tabindex="0"><code>{}</code></pre><p>').format(lines)
+            elif tag == "ref":
+                result += self._reference(part)
+            else:
+                result += _BLOCKS[tag](self._block(part))
+            result += self._prose(part.tail or "")
+        return result
+
+    def _prose(self, text: str) -> Markup:
+        return self._words(text) if text.strip() else Markup(" " if text else "")
+
+
+def _element(name: str) -> Callable[[Markup], Markup]:
+    return lambda content: Markup(f"<{name}>{{}}</{name}>").format(content)
+
+
+_BLOCKS: dict[str, Callable[[Markup], Markup]] = {
+    "para": lambda content: Markup(
+        re.sub(r"<p>\s*</p>", "", str(_element("p")(Markup(content.strip()))))
+    ),
+    "computeroutput": _element("code"),
+    "emphasis": _element("em"),
+    "bold": _element("strong"),
+    "itemizedlist": lambda content: Markup("</p><ul>{}</ul><p>").format(content),
+    "listitem": lambda content: Markup("<li>{}</li>").format(
+        Markup(re.sub("</?p>", "", str(content)))
+    ),
+}
+
+# The libraries, in the order in which one gets to know them.
+_ORDER = ("core", "session", "any", "io", "client", "emulator")

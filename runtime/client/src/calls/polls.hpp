@@ -1,0 +1,67 @@
+/// Requests that are repeated, for firmware without data streams.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/request.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::detail {
+
+/// Which requests to send when. One is not repeated before it has been answered, so that a slow
+/// line or board is not flooded.
+class Polls {
+ public:
+  struct Poll {
+    Request request{};
+    CallOptions options{};
+    Duration interval{};
+    Instant next{};
+    std::size_t listeners{};
+    bool is_pending{};
+  };
+
+  /// Adds a listener; the last one decides about the interval, as with streams.
+  void join(const Request& request, const CallOptions& options, Duration interval, Instant now) {
+    Poll& poll = polls_[request.id];
+    poll = {request, options, interval, now + interval, poll.listeners + 1, poll.is_pending};
+  }
+  void leave(std::uint8_t id) {
+    const auto at = polls_.find(id);
+    if (at != polls_.end() && --at->second.listeners == 0) polls_.erase(at);
+  }
+
+  /// Returns what is due, which is pending from now on.
+  std::vector<Poll> take_due(Instant now) {
+    std::vector<Poll> due;
+    for (auto& [id, poll] : polls_) {
+      if (poll.is_pending || now < poll.next) continue;
+      poll.is_pending = true;
+      poll.next = std::max(poll.next + poll.interval, now);
+      due.push_back(poll);
+    }
+    return due;
+  }
+  void end_pending(std::uint8_t id) {
+    const auto at = polls_.find(id);
+    if (at != polls_.end()) at->second.is_pending = false;
+  }
+  /// When the next one is due.
+  Instant next() const {
+    Instant result = Instant::never;
+    for (const auto& [id, poll] : polls_) {
+      if (!poll.is_pending) result = std::min(result, poll.next);
+    }
+    return result;
+  }
+
+ private:
+  std::map<std::uint8_t, Poll> polls_;  // by the id of the request
+};
+
+}  // namespace sbgc::detail

@@ -1,0 +1,168 @@
+"""Tests of sbgc shell."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from emulated_gimbal import emulated_gimbal
+from gimbal_observer import observer_of
+from sbgc_command import PROGRAM, Result, decode, run
+from screens import Terminal, terminal
+
+TURN = "speed --yaw 20 --for 100s --yes\n"
+SOON = 2.5
+
+
+@pytest.fixture(autouse=True)
+def history(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "kept"))
+    return tmp_path / "kept" / "sbgc" / "history"
+
+
+def shell(address: str, *lines: str, options: tuple[str, ...] = ()) -> Result:
+    return run("shell", "-p", address, *options, stdin="\n".join(lines) + "\n")
+
+
+def test_the_commands_of_a_file_have_one_connection(tmp_path: Path) -> None:
+    capture = tmp_path / "c"
+    with emulated_gimbal() as gimbal:
+        result = shell(
+            gimbal.address,
+            *("# the gains", "", "params get pitch.p  # of one axis", "sbgc params get 'roll.p'"),
+            *("stream --rate 10 --for 0.3s", "describe bat_level", "exit", "nonsense"),
+            options=("--capture", str(capture)),
+        )
+    assert result.status == 0, result
+    assert "axes.pitch.p = 14" in result.text and "axes.roll.p = 12" in result.text
+    assert "angle.roll[deg]" in result.text and "Battery voltage" in result.text
+    frames = decode(capture.read_bytes())
+    assert {line["session"] for line in frames} == {0}
+    assert sum(line["command"] == "CMD_READ_PARAMS_3" for line in frames) >= 4
+
+
+@pytest.mark.parametrize(
+    "line, status, reason",
+    [
+        ("nonsense", 2, "unknown command 'nonsense'"),
+        ("params get 'pitch.p", 2, "a quote has no end"),
+        ("shell", 2, "this is the shell"),
+        ("motors off", 1, "there is no terminal to ask on; add --yes"),
+        ("params show --profile 9", 2, "--profile"),
+    ],
+)
+def test_the_first_failure_ends_a_file(line: str, status: int, reason: str) -> None:
+    with emulated_gimbal() as gimbal:
+        result = shell(gimbal.address, "ports", line, "describe bat_level")
+    assert result.status == status and reason in result.error, result
+    assert "sbgc: line 2 failed; what follows was not run" in result.error
+    assert "Battery" not in result.text
+
+
+def test_options_of_the_shell_hold_for_its_commands() -> None:
+    with emulated_gimbal() as gimbal, emulated_gimbal("--firmware", "2.70") as other:
+        result = shell(gimbal.address, "send CMD_GET_ANGLES", options=("--verbose",))
+        assert "CMD_GET_ANGLES (73)  host to board" in result.error
+        result = shell(gimbal.address, f"info -p {other.address}", "info")
+        assert result.text.index("2.70") < result.text.index("2.59"), "a gimbal of its own"
+
+
+def begin(terminal_of_test: Terminal, address: str) -> None:
+    terminal_of_test.run("shell", "-p", address)
+    terminal_of_test.wait("^sbgc>$")
+
+
+def test_keys_on_a_terminal(tmp_path: Path, history: Path) -> None:
+    (tmp_path / "some file").touch()
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as screen:
+        before = screen.state()
+        begin(screen, gimbal.address)
+        for keys in ("par", "ge", "pitch.pole"):
+            screen.type(keys)
+            screen.press("Tab")
+        screen.wait("^sbgc> params get pitch.poles")
+        screen.press("Enter")
+        screen.wait(r"^axes\.pitch\.poles = 14")
+        screen.type("params get pitch.po")
+        screen.press("Tab")
+        screen.wait(r"^pitch\.poles +pitch\.power\nsbgc> params get pitch\.po")
+        screen.press("C-c")
+        screen.wait("^sbgc>$")
+        screen.type("decode som")
+        screen.press("Tab")
+        screen.wait(r"^sbgc> decode some\\ file")
+        screen.press("C-c")
+        # Ctrl-C ends a command, not the shell.
+        screen.type("stream --rate 5")
+        screen.press("Enter")
+        screen.wait(r"^ +\d\.\d+ ( +-?\d\.\d+){3}")
+        screen.press("C-c")
+        screen.wait(r"\^C.*\n(.*\n)?sbgc>$")
+        screen.type("motors off")
+        screen.press("Enter")
+        screen.wait(r"Continue\? \[y/N\]")
+        screen.type("n")
+        screen.press("Enter")
+        screen.wait("^sbgc: not confirmed\nsbgc>$")
+        screen.press("C-d")
+        screen.wait(r"^sbgc> \^D\n\$")
+        assert screen.state() == before
+        assert history.stat().st_mode & 0o777 == 0o600
+        screen.type("clear")
+        screen.press("Enter")
+        begin(screen, gimbal.address)
+        screen.press("Up")
+        screen.wait("^sbgc> motors off")
+
+
+def test_a_lost_connection_is_restored_by_the_next_command(tmp_path: Path) -> None:
+    with terminal(tmp_path) as screen:
+        with emulated_gimbal() as gimbal:
+            begin(screen, gimbal.address)
+        port = gimbal.address.rsplit(":", 1)[1]
+        with emulated_gimbal("--tcp", port):
+            screen.type("params get pitch.poles")
+            screen.press("Enter")
+            lines = screen.wait(r"^axes\.pitch\.poles = 14")
+    said = " ".join(lines)
+    assert "sbgc: " in said and ("connected again" in said or "connecting again" in said), lines
+
+
+@pytest.mark.parametrize("how", ["command", "shell", "group", "SIGTERM"])
+def test_the_camera_stops_whatever_is_killed(how: str) -> None:
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        process: subprocess.Popen[Any] = subprocess.Popen(
+            [PROGRAM, "shell", "-p", gimbal.address],
+            stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+        )  # fmt: skip
+        assert process.stdin is not None
+        process.stdin.write(TURN.encode())
+        process.stdin.flush()
+        observer.await_motion()
+        if how == "group":
+            os.killpg(process.pid, signal.SIGKILL)
+        elif how == "shell":
+            process.kill()
+        elif how == "SIGTERM":
+            process.terminate()
+        else:
+            os.kill(command_of(process.pid), signal.SIGKILL)
+        assert observer.stands_still_within(SOON)
+        process.stdin.close()
+        process.wait(30)
+
+
+def command_of(shell_process: int) -> int:
+    """Returns the command that the shell runs; its other child is a guard."""
+    children = Path(f"/proc/{shell_process}/task/{shell_process}/children").read_text().split()
+    (command,) = [
+        int(child)
+        for child in children
+        if Path(f"/proc/{child}/cmdline").read_bytes().startswith(b"sbgc\0")
+    ]
+    return command

@@ -1,0 +1,55 @@
+"""The table of a recording is what the recipes of the guide expect; recipes.py runs them."""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+import shlex
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import PROGRAM
+
+GUIDE = (Path(__file__).parents[2] / "docs/12-command.md").read_text(encoding="utf-8")
+
+
+def recipe(language: str) -> str:
+    (text,) = re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
+    return str(text)
+
+
+@pytest.fixture(name="folder", scope="module")
+def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Where the commands of the guide have run, for a second instead of a minute."""
+    folder = tmp_path_factory.mktemp("recipes")
+    (folder / "sbgc").symlink_to(Path(PROGRAM).resolve())
+    commands = re.findall(r"^\$ (sbgc (?:record|decode) .*)$", GUIDE, re.MULTILINE)
+    assert len(commands) == 2
+    with emulated_gimbal() as gimbal:
+        port = f"record -p {shlex.quote(gimbal.address)}"
+        script = "\n".join(commands).replace("sbgc record", f"sbgc {port}").replace("60s", "1s")
+        path = f"{folder}{os.pathsep}{os.environ['PATH']}"
+        subprocess.run(
+            ["bash", "-euc", script],
+            cwd=folder,
+            env={**os.environ, "PATH": path},
+            check=True,
+        )
+    yield folder
+
+
+def test_the_table_has_the_columns_of_the_recipes(folder: Path) -> None:
+    with (folder / "flight.csv").open(encoding="utf-8") as file:
+        header, *rows = csv.reader(file)
+    named = set(re.findall(r'"([\w.]+\[[^"\]]+\])"', recipe("python") + recipe("gnuplot")))
+    assert len(named) == 3 and named <= set(header) and header[0] == "time[s]"
+    assert len(set(header)) == len(header), "PlotJuggler wants different names"
+    assert len(rows) > 20 and all(len(row) == len(header) for row in rows)
+    times = [float(row[0]) for row in rows]
+    assert times == sorted(times), "and times that do not fall"
+    assert all(float(cell) is not None for row in rows for cell in row if cell)

@@ -1,0 +1,85 @@
+"""Tests of commands in small terminals, and of what differs between a terminal and a pipe."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import run
+from screens import terminal
+
+NOBODY = "tcp:127.0.0.1:1"
+
+
+@pytest.mark.parametrize("columns", ["40", "80", "200"])
+def test_info_is_short(columns: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    with emulated_gimbal("--firmware", "2.70") as gimbal:
+        short = run("info", "-p", gimbal.address)
+        everything = run("info", "--all", "-p", gimbal.address)
+    lines = short.text.splitlines() + short.error.splitlines()
+    assert len(lines) <= 15 and all(len(line) <= int(columns) for line in lines), lines
+    assert short.error == "(--all lists and explains everything)\n" and everything.error == ""
+    assert "BOARD_FEATURE_MAG_SENSOR" in everything.text and " more" not in everything.text
+    if columns == "80":
+        assert "features       BOARD_FEATURE_3AXIS, " in short.text and " more\n" in short.text
+
+
+def test_errors_are_wrapped_between_words_on_a_terminal_only(tmp_path: Path) -> None:
+    error = run("info", "-p", NOBODY).error
+    assert error.count("\n") == 1 and len(error) > 80
+    with terminal(tmp_path, width=40, height=10) as shell:
+        shell.run("info", "-p", NOBODY, ">/dev/null")
+        lines = shell.wait("this port")
+    (first,) = [i for i, line in enumerate(lines) if line.startswith("sbgc: ")]
+    assert " ".join(line for line in lines[first:] if line and line != "$") == error.strip()
+
+
+def test_the_parameters_are_paged_on_a_terminal(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        shell.run("params", "show", "-p", gimbal.address)
+        lines = shell.wait("^:$")
+        assert lines[0].startswith("profile 1") and len(lines) == 24
+        shell.press("q")
+        shell.wait(r"^\$ $|^\$$")
+        shell.type("clear; PAGER='sed s/^/P./' ")
+        shell.run("params", "show", "poles", "-p", gimbal.address)
+        shell.wait("^P.  axes.yaw.poles    14")
+        shell.type("clear; PAGER='there-is-no-pager' ")
+        shell.run("params", "show", "poles", "-p", gimbal.address)
+        shell.wait("not found\nprofile 1, .*\n(.*\n)*  axes.yaw.poles    14")
+
+
+def test_what_differs_from_the_defaults(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    with emulated_gimbal() as gimbal:
+        changed = ["params", "show", "--changed", "-p", gimbal.address]
+        unknown = run(*changed)
+        assert unknown.status == 1 and "are not known here; `sbgc params diff" in unknown.error
+        assert run("params", "diff", "--defaults", "--yes", "-p", gimbal.address).status == 0
+        assert run(*changed).text == "profile 1, which is active: the factory defaults\n"
+        assert run("params", "set", "pitch.p=30", "--yes", "-p", gimbal.address).status == 0
+        lines = run(*changed).text.splitlines()
+        assert lines[0] == "profile 1, which is active"
+        assert lines[2:] == ["  axes.pitch.p  30 (default 14)"]
+        (json,) = run(*changed, "pitch.p", "--format", "json").text.split('"parameters": ')[1:]
+        assert '"default": "14"' in json
+    # Those of another board say nothing about this one.
+    with emulated_gimbal("--firmware", "2.70") as other:
+        assert run("params", "show", "--changed", "-p", other.address).status == 1
+
+
+def test_a_stream_without_a_name_shows_the_angles() -> None:
+    with emulated_gimbal() as gimbal:
+        text = run("stream", "--for", "0.5s", "--rate", "10", "-p", gimbal.address).text
+        header, *lines = text.splitlines()
+        assert header.split() == [
+            "time[s]",
+            *(f"angle.{axis}[deg]" for axis in ("roll", "pitch", "yaw")),
+        ]
+        assert lines and all(len(line.split()) == 4 for line in lines)
+        chosen = run("stream", "--fields", "bat_level", "--for", "0.3s", "-p", gimbal.address).text
+        assert chosen.splitlines()[0].split() == ["time[s]", "bat_level[V]"]

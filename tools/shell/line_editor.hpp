@@ -1,0 +1,40 @@
+/// Lines that a user types, or that a file has.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbgc::tools {
+
+/// Reads lines of standard input. On a terminal it shows a prompt; if it was built with libedit,
+/// there are keys for editing, completion by Tab, and a history that a file keeps.
+class LineEditor {
+ public:
+  /// Returns the words that can stand at the end of a line, in place of its last word.
+  using Complete = std::function<std::vector<std::string>(std::string_view line)>;
+
+  LineEditor(std::string prompt, Complete complete);
+  LineEditor(const LineEditor&) = delete;
+  LineEditor& operator=(const LineEditor&) = delete;
+  ~LineEditor();
+
+  /// True if somebody types on a terminal.
+  bool is_interactive() const { return is_interactive_; }
+
+  /// Returns the next line without its end; nothing at the end of the input. Ctrl-C makes a line
+  /// empty.
+  std::optional<std::string> read();
+
+ private:
+  class Editing;
+
+  bool is_interactive_;
+  std::string prompt_;
+  std::unique_ptr<Editing> editing_;
+};
+
+}  // namespace sbgc::tools

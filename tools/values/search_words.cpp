@@ -1,0 +1,72 @@
+#include "values/search_words.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <sbgc/detail/words.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+bool has_word(std::span<const char* const> words, std::string_view word) {
+  return std::ranges::any_of(words,
+                             [&](const char* one) { return detail::is_same_word(one, word); });
+}
+
+constexpr bool is_in_word(char c) {
+  const char lower = detail::lower_case(c);
+  return (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9');
+}
+
+/// True if a word of the text, which may be in the plural, means the same.
+bool occurs(std::string_view text, std::string_view word) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto end = std::ranges::find_if_not(text.substr(at), is_in_word);
+    const auto size = static_cast<std::size_t>(end - (text.begin() + static_cast<long>(at)));
+    const std::string_view one = text.substr(at, size);
+    if (means_same(one, word)) return true;
+    if (one.ends_with('s') && means_same(one.substr(0, size - 1), word)) return true;
+    at += size + 1;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool means_same(std::string_view a, std::string_view b) {
+  return detail::is_same_word(a, b) || std::ranges::any_of(synonyms, [&](const auto& group) {
+           return has_word(group, a) && has_word(group, b);
+         });
+}
+
+bool is_named(const TopicReference& topic, std::string_view word) {
+  return detail::is_same_word(topic.name, word) || has_word(topic.words, word);
+}
+
+std::vector<const TopicReference*> topics_of(const FieldInfo& field) {
+  std::vector<const TopicReference*> result;
+  for (const TopicReference& topic : topic_references) {
+    if (!field.reserved && has_word(topic.fields, field.spec_name)) result.push_back(&topic);
+  }
+  return result;
+}
+
+Query::Query(std::string_view text) {
+  while (!(text = detail::trimmed(text)).empty()) {
+    const std::size_t size = std::min(text.find(' '), text.size());
+    words_.push_back(detail::lower_case(text.substr(0, size)));
+    text.remove_prefix(size);
+  }
+}
+
+bool Query::fits(std::string_view name, std::string_view text,
+                 const std::vector<const TopicReference*>& topics, bool any_part) const {
+  return std::ranges::all_of(words_, [&](const std::string& word) {
+    return occurs(name, word) || occurs(text, word) ||
+           std::ranges::any_of(topics, [&](const auto* topic) { return is_named(*topic, word); }) ||
+           (any_part && detail::lower_case(name).find(word) != std::string::npos);
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,36 @@
+/// The words by which people search: topics of parameters and synonyms.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/meta.hpp>
+#include <sbgc/reference.hpp>
+
+namespace sbgc::tools {
+
+/// True for the same word and for synonyms, such as "tilt" and "pitch".
+bool means_same(std::string_view a, std::string_view b);
+
+/// True if the word is a name of the topic.
+bool is_named(const TopicReference& topic, std::string_view word);
+
+/// The topics of a parameter, its own first. Empty for other fields.
+std::vector<const TopicReference*> topics_of(const FieldInfo& field);
+
+/// The words that somebody searches for. All of them must fit.
+class Query {
+ public:
+  explicit Query(std::string_view text);
+
+  /// True if each word is in the name, the text or the topics, as a whole word or a synonym of it;
+  /// with `any_part`, part of the name suffices.
+  bool fits(std::string_view name, std::string_view text,
+            const std::vector<const TopicReference*>& topics, bool any_part) const;
+
+ private:
+  std::vector<std::string> words_{};  // in lower case
+};
+
+}  // namespace sbgc::tools
