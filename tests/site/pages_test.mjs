@@ -201,7 +201,7 @@ test("search finds guides, units, synonyms and near spellings; twins are one ent
   assert.ok((await search(page, "deg/s")).pages.some((target) => target.includes("units/")));
 
   const tuning = await search(page, "tuning");
-  assert.ok(tuning.names.includes("ReadParams3.axes.roll|pitch|yaw.p") || tuning.pages.some((target) => target.endsWith("readparams3.html#field-axes.roll.p")), tuning.names.join());
+  assert.ok(tuning.names.includes("ReadParams3.axes.*.p"), tuning.names.join());
 
   const same = await search(page, "velocity");
   assert.equal(same.note, "");
@@ -250,7 +250,7 @@ test("search finds what people ask for, the most fitting first", async () => {
   }
   assert.deepEqual(missed, []);
   const velocity = await search(page, "velocity");
-  assert.ok(velocity.names.slice(0, 4).every((name) => /speed$/i.test(name)), velocity.names.join());
+  assert.ok(velocity.names.slice(0, 4).every((name) => /speeds?$/i.test(name)), velocity.names.join());
   for (const query of ["°", "dps", "°/s", "degrees per second"]) {
     const { pages: targets, note } = await search(page, query);
     assert.equal(note, "", query);
