@@ -250,7 +250,7 @@ test("search finds what people ask for, the most fitting first", async () => {
   }
   assert.deepEqual(missed, []);
   const velocity = await search(page, "velocity");
-  assert.ok(velocity.names.slice(0, 4).every((name) => /speed$/i.test(name)), velocity.names.join());
+  assert.ok(velocity.names.slice(0, 4).every((name) => /speeds?$/i.test(name)), velocity.names.join());
   for (const query of ["°", "dps", "°/s", "degrees per second"]) {
     const { pages: targets, note } = await search(page, query);
     assert.equal(note, "", query);

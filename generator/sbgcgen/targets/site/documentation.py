@@ -30,9 +30,14 @@ class Documentation:
         )
 
     def _prose(self, text: str, near: str) -> Markup:
-        """Names in backticks, and those with brackets, are code and links."""
+        """Names in backticks, those with brackets, and files of guides are links."""
         result = Markup()
-        for part in re.split(r"(`[^`]+`|\b[A-Za-z_][\w.]*\(\))", " ".join(text.split())):
+        names = r"(`[^`]+`|\b[A-Za-z_][\w.]*\(\)|docs/[\w-]+\.md)"
+        for part in re.split(names, " ".join(text.split())):
+            if guide := re.fullmatch(r"docs/(?:\d+-)?(.+)\.md", part):
+                link = Markup('<a href="../guides/{}.html">{}</a>')
+                result += link.format(guide[1], guide[1].replace("-", " "))
+                continue
             if not re.fullmatch(r"`.*`|.*\w\(\)", part):
                 result += escape(part)
                 continue

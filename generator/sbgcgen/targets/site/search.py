@@ -253,9 +253,14 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
             continue
         anchor = row.leaves[0].path if row.leaves else row.path
         page = f"{page_of_message(message)}#field-{anchor}"
-        topics = chain.from_iterable((t.name, *t.words) for t in layout.topics_of(row.field))
-        words = " ".join([*_words_of(row), *topics, *twins])
+        words = " ".join([*_words_of(row), *_topics_of(row, layout), *twins])
         yield Entry("field", f"{message.name}.{row.path}", row.field.summary, page, words)
+
+
+def _topics_of(row: Row, layout: Layout) -> Iterator[str]:
+    """The words of its topics, which say less about a field than its name: "~gain"."""
+    topics = chain.from_iterable((t.name, *t.words) for t in layout.topics_of(row.field))
+    yield from (f"~{word}" for text in topics for word in text.split())
 
 
 def _words_of(row: Row) -> Iterator[str]:

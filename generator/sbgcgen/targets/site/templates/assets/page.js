@@ -107,7 +107,7 @@
       const index = named(`tab-${location.hash.slice(1)}`);
       if (index < 0) return;
       open(index);
-      panels[index].scrollIntoView();
+      box.scrollIntoView();
     };
     list.addEventListener("keydown", (event) => {
       const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];

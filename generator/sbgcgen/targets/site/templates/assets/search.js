@@ -13,7 +13,7 @@
   // A synonym scores less than the word itself, and less the later it is listed.
   const [synonymWorth, laterWorth, singularWorth] = [0.5, 0.02, 0.95];
   // The order of kinds among equals.
-  const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "name", "field", "value", "erratum"];
+  const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum"];
 
   let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
   let synonyms; // groups of words
@@ -34,7 +34,8 @@
         ...findable(name, about, page, more),
         kind,
         order,
-        rank: kinds.indexOf(kind),
+        // Names of code are only for who types them.
+        behind: kind === "name" ? 40 : kinds.indexOf(kind) * 1.5,
         isProse: ["guide", "section", "name"].includes(kind),
         twins: twins.map(([n, a, p, m]) => findable(n, a, p, m)),
       }));
@@ -48,7 +49,8 @@
     page,
     names: plain(name),
     parts: plain(name.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ")).split(/[_.\s]+/),
-    words: plain(more).split(" ").filter((word) => !isLines.test(word)),
+    words: plain(more).split(" ").filter((word) => !isLines.test(word) && !word.startsWith("~")),
+    topics: plain(more).split(" ").filter((word) => word.startsWith("~")),
     inner: plain(more).split(" ").filter((word) => word.includes(".")).flatMap((path) => path.split(/[._]/)),
     lines: plain(more).split(" ").map((word) => isLines.exec(word)).filter(Boolean)
       .map(([, first, last]) => [Number(first), Number(last ?? first)]),
@@ -102,6 +104,7 @@
     if (entry.parts.includes(word)) return 55;
     if (entry.parts.some((part) => part.startsWith(word))) return 50;
     if (tight.length > 2 && squeeze(entry.names).includes(tight)) return 40;
+    if (entry.topics.includes(`~${word}`)) return 48;
     if (isProse && entry.words.includes(word)) return 38;
     if (isProse && word.length > 2 && entry.words.some((w) => w.startsWith(word))) return 34;
     if (!isProse && tight.length > 2 && squeeze(entry.words.join(" ")).includes(tight)) return 30;
@@ -205,7 +208,7 @@
         if (score > most) [most, shown] = [score, twin];
       }
       const others = [entry, ...entry.twins].filter((twin) => twin !== shown).map((twin) => twin.name);
-      if (most > 0) found.push([most - entry.rank * 1.5, { ...shown, kind: entry.kind, order: entry.order, others }]);
+      if (most > 0) found.push([most - entry.behind, { ...shown, kind: entry.kind, order: entry.order, others }]);
     }
     found.sort((a, b) => b[0] - a[0] || a[1].name.length - b[1].name.length || a[1].order - b[1].order);
     return { found: found.map(([, entry]) => entry), taken };
