@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +16,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "messages.hpp"
 
@@ -32,6 +36,33 @@ TEST(AnyMessage, TypesAreFoundByNameAndByBody) {
       << "with surplus";
   EXPECT_EQ(find_message(Direction::to_board, 67, 14), nullptr);
   EXPECT_EQ(find_message(Direction::from_board, 0, 0), nullptr);
+}
+
+TEST(ParseValue, QuantitiesOf64BitsEndWhereTheWireDoes) {
+  constexpr UnitInfo metres{.name = "m", .denominator = 1000};
+  FieldType type{.shape = FieldShape::integer};
+  type.size = 8;
+  const auto raw_of = [&](std::string_view text) -> std::string {
+    const ParsedValue parsed = parse_value(type, &metres, text);
+    if (!parsed) return parsed.problem;
+    const std::int64_t raw = std::get<std::int64_t>(parsed.value);
+    return type.is_wide ? std::to_string(static_cast<std::uint64_t>(raw)) : std::to_string(raw);
+  };
+  const auto is_refused = [&](std::string_view text) {
+    return raw_of(text).find("does not fit") != std::string::npos;
+  };
+  type.is_wide = true;
+  EXPECT_EQ(raw_of("1.5 m"), "1500");
+  EXPECT_EQ(raw_of("9223372036854775.808"), "9223372036854775808");
+  EXPECT_EQ(raw_of("raw:18446744073709551615"), "18446744073709551615");
+  EXPECT_TRUE(is_refused("18446744073709551.616 m"));
+  EXPECT_TRUE(is_refused("-1 m"));
+  EXPECT_TRUE(is_refused("raw:-1"));
+  type.is_wide = false;
+  type.lowest = std::numeric_limits<std::int64_t>::min();
+  type.highest = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(raw_of("-9223372036854775.808"), "-9223372036854775808");
+  EXPECT_TRUE(is_refused("9223372036854775.808"));
 }
 
 TEST(AnyMessage, CopiesAreIndependent) {

@@ -202,9 +202,13 @@ class ValueParser {
   /// Fails if the wire cannot carry the integer.
   std::int64_t fitting(std::string_view text, std::optional<std::int64_t> raw) {
     if (!raw) return fail(quoted(text) + " is not an integer"), 0;
-    if (*raw < type_.lowest || (*raw > type_.highest && !type_.is_wide)) {
+    // Of an unsigned integer of 64 bits, it has the bits.
+    const bool fits =
+        type_.is_wide ? !text.starts_with('-') : *raw >= type_.lowest && *raw <= type_.highest;
+    if (!fits) {
       fail(shown(text) + " does not fit: " + std::to_string(type_.lowest) + " to " +
-           std::to_string(type_.highest));
+           (type_.is_wide ? std::to_string(std::numeric_limits<std::uint64_t>::max())
+                          : std::to_string(type_.highest)));
     }
     return *raw;
   }
