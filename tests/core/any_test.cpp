@@ -156,6 +156,21 @@ TEST(AnyMessage, TextsMeanWhatTheSpecificationSays) {
   }
 }
 
+TEST(ParseValue, FlagsHaveTheSignOfTheirType) {
+  FieldType type;
+  type.shape = FieldShape::integer;
+  type.size = 1;
+  type.names = &EnumMeta<msg::ConnectionFlag>::info;
+  const auto parsed = [&](const char* text, std::int64_t lowest) {
+    type.lowest = lowest;
+    type.highest = lowest + 255;
+    return std::get<std::int64_t>(parse_value(type, nullptr, text).value);
+  };
+  EXPECT_EQ(parsed("CONNECTION_USB|126", -128), 127);
+  EXPECT_EQ(parsed("CONNECTION_USB|128", -128), -127);
+  EXPECT_EQ(parsed("CONNECTION_USB|254", 0), 255);
+}
+
 TEST(AnyMessage, APackedQuaternionTakesItsComponents) {
   AnyMessage message = find_message("ControlQuatAttitudePacked")->make();
   const auto after = [&](const char* text) {

@@ -28,7 +28,6 @@ struct ReplayOptions {
 };
 
 int run_replay(const ReplayOptions& options) {
-  std::signal(SIGPIPE, SIG_IGN);
   asio::io_context loop(1);
   io::OpenResult capture =
       io::open_replay(loop.get_executor(), options.file, io::ReplayTiming::original, options.speed);

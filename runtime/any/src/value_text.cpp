@@ -367,20 +367,17 @@ class ValueParser {
   std::uint64_t with_part(const PartInfo& part, std::uint64_t raw, std::int64_t value,
                           std::string_view text) {
     auto number = static_cast<std::uint64_t>(value);
-    bool fits = true;
     if (part.sign != 0) {
       const bool is_negative = value < 0;
       raw = is_negative ? raw | part.sign : raw & ~part.sign;
       if (is_negative) number = -number;
     } else if (part.divide != 1 || part.modulo != 0) {
       // Decimal digits of the whole number.
-      fits = value >= 0 && (part.modulo == 0 || value < part.modulo);
       number = raw + static_cast<std::uint64_t>(value - part_value(part, raw)) * part.divide;
-    } else {
-      fits = value >= 0 || part.is_signed;
-      if (part.is_signed) number &= part.mask >> part.shift;
+    } else if (part.is_signed) {
+      number &= part.mask >> part.shift;
     }
-    fits = fits && (number & ~(part.mask >> part.shift)) == 0;
+    const bool fits = (number & ~(part.mask >> part.shift)) == 0;
     const std::uint64_t result = (raw & ~part.mask) | (number << part.shift & part.mask);
     if (!fits || part_value(part, result) != value) {
       fail(shown(text) + " does not fit into '" + part.name + "'");
