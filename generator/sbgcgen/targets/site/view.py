@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -80,10 +81,16 @@ def _guide(path: Path) -> Guide:
         lambda m: f'href="../{_page_about(m[1])}',
         html,
     )
+    # The page works from any folder: its pictures are part of it.
+    html = re.sub(r'src="([\w/-]+)\.png"', lambda m: _picture(path.parent / f"{m[1]}.png"), html)
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
     return Guide(name, title[1].strip() if title else name, Markup(html))
+
+
+def _picture(path: Path) -> str:
+    return f'src="data:image/png;base64,{base64.b64encode(path.read_bytes()).decode()}"'
 
 
 # The pages about files of the repository; the other files are those of families.
