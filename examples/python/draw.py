@@ -1,8 +1,8 @@
 """Records a minute of a gimbal, and draws how still the camera is while its frame moves.
 
-    python3 draw.py /dev/ttyUSB0 minute.sbgc minute.svg
+    python3 draw.py /dev/ttyUSB0 minute.sbgc minute.png
 
-Without an address, it records an emulated gimbal that is carried by hand. Needs numpy and matplotlib.
+With "" as the address, it records an emulated gimbal that is carried by hand. Needs numpy and matplotlib.
 """
 
 import sys
@@ -19,23 +19,19 @@ def record(gimbal: sbgc.Gimbal, seconds: float) -> None:
 
 
 def draw(capture: Path, picture: Path) -> None:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "sbgc"  # the same data, the same file
-    from matplotlib import pyplot
+    from matplotlib.figure import Figure  # type: ignore[import]
 
     table = sbgc.read_capture(capture)[msg.RealtimeData4]
     time = table["time"] - table["time"][0]
-    figure, (frame, camera) = pyplot.subplots(2, 1, sharex=True, sharey=True, figsize=(8, 5))
+    figure = Figure(figsize=(8, 5), layout="tight")
+    frame, camera = figure.subplots(2, 1, sharex=True, sharey=True)
     for axis in ("roll", "pitch"):
         frame.plot(time, table[f"frame_imu_angle.{axis}"], label=axis, linewidth=0.8)
         camera.plot(time, table[f"angle.{axis}"], label=axis, linewidth=0.8)
     frame.set(title="The frame", ylabel="degrees")
     camera.set(title="The camera", ylabel="degrees", xlabel="seconds")
     frame.legend(loc="upper right")
-    figure.tight_layout()
-    figure.savefig(picture, metadata={"Date": None} if picture.suffix == ".svg" else None)
+    figure.savefig(picture)
 
 
 def main(address: str, capture: str, picture: str, seconds: float = 60) -> None:
@@ -52,4 +48,4 @@ def main(address: str, capture: str, picture: str, seconds: float = 60) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main(*sys.argv[1:4])

@@ -21,4 +21,4 @@ async def follow(place: str | sbgc.Board, seconds: float = 10.0) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(follow(*sys.argv[1:]))
+    asyncio.run(follow(sys.argv[1]))
