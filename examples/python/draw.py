@@ -34,7 +34,7 @@ def draw(capture: Path, picture: Path) -> None:
     figure.savefig(picture)
 
 
-def main(address: str, capture: str, picture: str, seconds: float = 60) -> None:
+def main(address: str, capture: str, picture: str, *, seconds: float = 60) -> None:
     if address:
         with sbgc.connect(address, capture=capture) as gimbal:
             record(gimbal, seconds)
