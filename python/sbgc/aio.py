@@ -282,5 +282,7 @@ class Connecting:
 def connect(
     place: Union[str, Board], *, timeout: float = 20.0, capture: Optional[Path] = None
 ) -> Connecting:
-    """Connect to a board, as sbgc.connect()."""
+    """Connect to a board, as sbgc.connect(); an emulated one in real time."""
+    if isinstance(place, Board) and place.has_virtual_time:
+        raise ValueError("asyncio waits in real time: sbgc.connect() is for virtual time")
     return Connecting(place, timeout, capture)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import atexit
 import os
-import time
 import weakref
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -87,13 +86,13 @@ class Stream(Generic[M]):
 
     def __next__(self) -> M:
         """Wait for the next sample. Raises TimeoutError if none comes."""
-        until = time.monotonic() + self._timeout
+        until = self._link.now() + self._timeout
         while self._is_open:
             sample = self._queue.take(_SLICE)
             if sample is not None:
                 return wrap(sample)  # type: ignore[return-value]
             self._link.description()  # raises if the line is closed
-            if time.monotonic() > until:
+            if self._link.now() > until:
                 raise TimeoutError(f"no sample for {self._timeout:g} seconds")
         raise StopIteration
 

@@ -207,7 +207,7 @@ py::object layout_of(std::string_view name) {
     result.append(
         py::make_tuple(value.path, kind, field.size, value.offset, scale, field.info->reserved));
   }
-  return std::move(result);
+  return result;
 }
 
 }  // namespace

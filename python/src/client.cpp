@@ -246,7 +246,8 @@ std::string diff_of(const std::string& before, const std::string& after) {
 /// Samples that wait for Python. Beyond a limit, the oldest are dropped.
 class SampleQueue {
  public:
-  explicit SampleQueue(std::shared_ptr<Bell> bell) : bell_(std::move(bell)) {}
+  SampleQueue(std::shared_ptr<Bell> bell, VirtualTimePointer time)
+      : bell_(std::move(bell)), time_(std::move(time)) {}
 
   void put(AnyMessage message) {
     {
@@ -263,8 +264,9 @@ class SampleQueue {
   /// Returns the next sample; nothing if there is none within this time.
   std::optional<AnyMessage> take(Seconds seconds) {
     return released([&]() -> std::optional<AnyMessage> {
+      if (time_) time_->run([this] { return has_sample(); }, time_->now() + duration_of(seconds));
       std::unique_lock lock(mutex_);
-      const auto time = std::chrono::duration<double>(seconds);
+      const auto time = std::chrono::duration<double>(time_ ? 0 : seconds);
       if (!changed_.wait_for(lock, time, [this] { return !samples_.empty(); })) return {};
       std::optional<AnyMessage> sample(std::move(samples_.front()));
       samples_.pop_front();
@@ -281,7 +283,13 @@ class SampleQueue {
  private:
   static constexpr std::size_t limit = 4096;
 
+  bool has_sample() const {
+    const std::scoped_lock lock(mutex_);
+    return !samples_.empty();
+  }
+
   std::shared_ptr<Bell> bell_;
+  VirtualTimePointer time_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<AnyMessage> samples_{};
@@ -308,7 +316,7 @@ OperationPointer stream(const LinkPointer& link, const std::string& name, Second
   roles::StreamMessages::for_each([&]<class M>(Type<M>) {
     if (name != Meta<M>::info.name) return;
     is_known = true;
-    const auto queue = std::make_shared<SampleQueue>(link->bell());
+    const auto queue = std::make_shared<SampleQueue>(link->bell(), link->time());
     const CallId id = conversation.start_stream(
         detail::stream_requests<M>(conversation, *wanted, options), detail::key_of<M>,
         detail::typed_handler<M>([queue](const M& sample) {
@@ -359,16 +367,16 @@ class HeldSpeed {
                                          quantity_of<msg::ControlSpeed>(pitch, "pitch"),
                                          quantity_of<msg::ControlSpeed>(yaw, "yaw")};
     change([&](detail::DeadMansSwitch& rules) -> Result<void> {
-      rules.set(speeds, io::now());
+      rules.set(speeds, operation_->now());
       return {};
     });
   }
   void refresh() {
-    change([](detail::DeadMansSwitch& rules) -> Result<void> {
+    change([this](detail::DeadMansSwitch& rules) -> Result<void> {
       if (rules.state() != detail::DeadMansSwitch::State::turning) {
         return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
       }
-      rules.refresh(io::now());
+      rules.refresh(operation_->now());
       return {};
     });
   }
@@ -434,6 +442,7 @@ void bind_client(py::module_& module) {
            [](Link& link, const std::shared_ptr<Emulation>& board, Seconds timeout,
               const std::optional<std::string>& capture) {
              const ConnectOptions options = connect_options(timeout, capture);
+             link.use(board->time());
              return link.connect(detail::opener_of(board->line(), options), options);
            })
       .def("close",
@@ -444,6 +453,7 @@ void bind_client(py::module_& module) {
              });
            })
       .def_property_readonly("descriptor", [](Link& link) { return link.bell()->descriptor(); })
+      .def("now", [](Link& link) { return static_cast<double>(link.now().us) / 1e6; })
       .def("silence", [](Link& link) { link.bell()->silence(); })
       .def("description", [](Link& link) { return link.conversation().description(); })
       .def("identity",

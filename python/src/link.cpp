@@ -52,7 +52,7 @@ std::shared_ptr<Operation> Link::connect(detail::Opener opener, const ConnectOpt
     state.conversation.close();
   });
   state.connecting = std::thread([&state, operation, opener = std::move(opener), options] {
-    auto found = detail::connect(state.context.get_executor(), opener, options,
+    auto found = detail::connect(state.executor(), opener, options,
                                  [&state](const detail::Conversation& begun) {
                                    const std::scoped_lock lock(state.mutex);
                                    state.conversation = begun;
@@ -80,13 +80,13 @@ const detail::Conversation& Link::conversation() const {
 
 std::shared_ptr<Operation> Link::begin() {
   static_cast<void>(conversation());
-  return std::make_shared<Operation>(state_->bell);
+  return std::make_shared<Operation>(state_->bell, state_->time);
 }
 
 std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
                                   std::function<void()> done) {
-  const auto driver = std::make_shared<detail::AsioDriver>(state_->context.get_executor(),
-                                                           conversation(), task, std::move(done));
+  const auto driver = std::make_shared<detail::AsioDriver>(state_->executor(), conversation(), task,
+                                                           std::move(done));
   const auto put = [weak = std::weak_ptr(driver)](detail::TaskDriver::Input input) {
     if (const auto running = weak.lock()) running->put(std::move(input));
   };
@@ -103,7 +103,7 @@ std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, T
 void Link::close() {
   if (process_ != getpid()) return;
   // A camera stops within this time, unless the line is lost.
-  constexpr std::chrono::seconds patience(1);
+  constexpr Duration patience = seconds(1);
   std::vector<std::weak_ptr<Operation>> running;
   detail::Conversation conversation;
   {
@@ -112,14 +112,17 @@ void Link::close() {
     running.swap(state_->running);
     conversation = state_->conversation;
   }
-  const auto until = std::chrono::steady_clock::now() + patience;
+  const Instant until = now() + patience;
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->cancel();
   }
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->wait_until(until);
   }
-  if (conversation) conversation.close();
+  if (!conversation) return;
+  conversation.close();
+  // What the board hears last; otherwise, the thread sees to it.
+  if (state_->time) state_->time->run([] { return false; }, now() + milliseconds(250));
 }
 
 }  // namespace sbgc::python

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include <asio/any_io_executor.hpp>
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <sys/types.h>
@@ -63,6 +64,11 @@ class Link : public std::enable_shared_from_this<Link> {
   std::function<void()> drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
                               std::function<void()> done);
 
+  /// Runs in virtual time; precedes connect().
+  void use(VirtualTimePointer time) { state_->time = std::move(time); }
+  const VirtualTimePointer& time() const { return state_->time; }
+  Instant now() const { return state_->time ? state_->time->now() : io::now(); }
+
   /// Raises if the line is not open.
   const detail::Conversation& conversation() const;
   /// Cancels what runs, which stops a moving camera, and closes the line.
@@ -73,6 +79,7 @@ class Link : public std::enable_shared_from_this<Link> {
   struct State {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
+    VirtualTimePointer time{};
     detail::Conversation conversation{};
     std::shared_ptr<Bell> bell = std::make_shared<Bell>();
     std::mutex mutex{};
@@ -80,6 +87,11 @@ class Link : public std::enable_shared_from_this<Link> {
     bool is_connected = false;
     std::thread connecting{};
     std::thread thread{};
+
+    asio::any_io_executor executor() {
+      if (time) return time->executor();
+      return context.get_executor();
+    }
   };
 
   pid_t process_;

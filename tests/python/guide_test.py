@@ -11,7 +11,7 @@ import pytest
 
 GUIDE = Path(__file__).resolve().parents[2] / "docs" / "15-python.md"
 PROGRAMS = re.findall(r"^```python\n(.*?)^```$", GUIDE.read_text(), re.DOTALL | re.MULTILINE)
-OUTPUT = ["20", "", "", "axes.pitch.angle: 800 deg does not fit"]
+OUTPUT = ["20", "", "", "int16", "604 20", "axes.pitch.angle: 800 deg does not fit"]
 
 
 def test_there_are_programs() -> None:
@@ -19,8 +19,10 @@ def test_there_are_programs() -> None:
 
 
 @pytest.mark.parametrize("number", range(len(PROGRAMS)))
-def test_programs_run(number: int) -> None:
+def test_programs_run(number: int, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-c", PROGRAMS[number]]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(
+        command, capture_output=True, text=True, timeout=60, check=False, cwd=tmp_path
+    )
     assert done.returncode == 0 and not done.stderr, done.stderr
     assert OUTPUT[number] in done.stdout

@@ -1,0 +1,29 @@
+"""Connects to a gimbal, reads its angles and, if you agree, moves the camera.
+
+    python3 move.py /dev/ttyUSB0
+
+A real gimbal has motors that can injure people: see docs/2-safety.md.
+"""
+
+import sys
+
+import sbgc
+from sbgc import msg
+
+
+def main(place: str | sbgc.Board) -> None:
+    with sbgc.connect(place) as gimbal:
+        print(f"board {gimbal.identity.board}, firmware {gimbal.identity.firmware}")
+        angles = gimbal.call(msg.GetAnglesRequest())
+        assert isinstance(angles, msg.GetAngles)
+        pitch = angles.axes.pitch.imu_angle
+        print(f"pitch: {pitch:.1f} degrees")
+        if input("Is the camera free to move? Tilt it by 10 degrees? [y/N] ") != "y":
+            return
+        gimbal.call(msg.MotorsOn())
+        moved = gimbal.move_to(pitch=pitch + 10, speed=10)
+        print(f"pitch: {moved.angles.pitch:.1f} degrees")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
