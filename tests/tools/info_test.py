@@ -73,6 +73,13 @@ def test_several_gimbals_are_listed(list_ports: PortsFile) -> None:
 def test_no_gimbal(list_ports: PortsFile, tmp_path: Path) -> None:
     list_ports()
     assert "there are no serial ports to search" in run("info").error
+    list_ports(str(tmp_path / "one"), str(tmp_path / "two"), "/dev/null")
+    said = run("info").error.splitlines()
+    assert said[0] == "sbgc: found no gimbal; use --port. Searched:"
+    assert said[1:] == [
+        f"  {tmp_path / 'one'}, {tmp_path / 'two'}  there is no port",
+        "  /dev/null  is not a serial port",
+    ]
     list_ports(str(tmp_path / "nothing"))
     result = run("info")
     assert result.status == 1 and "found no gimbal; use --port" in result.error

@@ -164,7 +164,7 @@ def usages() -> dict[str, tuple[str, str]]:
     result = {}
     for command in candidates(""):
         nested = candidates(command, "")
-        has_nested = "COMMAND" in run(command, "--help").text.split("\n", 2)[1]
+        has_nested = run(command, "--help").text.split("\n", 2)[1].endswith("] COMMAND")
         for name in [[command], *([command, one] for one in nested if has_nested)]:
             description, usage = run(*name, "--help").text.splitlines()[:2]
             result[" ".join(name)] = (description, usage.removeprefix("Usage: "))

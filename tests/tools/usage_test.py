@@ -24,8 +24,9 @@ LINE = '{"message":"GetAnglesRequest","fields":{}}\n'
 @pytest.mark.parametrize(
     "arguments",
     [
-        [],
         ["nonsense"],
+        ["params"],
+        ["help", "nonsense"],
         ["decode", "--format", "xml"],
         ["decode", "--format"],
         ["decode", "--from", "mars"],
@@ -49,7 +50,7 @@ def test_wrong_usage(arguments: list[str]) -> None:
 @pytest.mark.parametrize(
     "arguments, words",
     [
-        ([], "expected a command"),
+        (["params"], "expected a command: "),
         (["teleport"], "unknown command 'teleport'"),
         (["ifno"], "unknown command 'ifno'; did you mean 'info'?"),
         (["info", "--prot", "x"], "unknown option '--prot'; did you mean '--port'?"),
@@ -57,7 +58,7 @@ def test_wrong_usage(arguments: list[str]) -> None:
         (["encdoe", "--hex", "file"], "unknown command 'encdoe'; did you mean 'encode'?"),
         (["emulator", "--help"], "unknown command 'emulator'; did you mean 'emulate'?"),
         (["rec"], "unknown command 'rec'; did you mean 'record'?"),
-        (["help"], "unknown command 'help'; did you mean '--help'?"),
+        (["hlp"], "unknown command 'hlp'; did you mean 'help'"),
         (["--verson"], "unknown option '--verson'; did you mean '--version'?"),
         (["decode", "--hx"], "unknown option '--hx'; did you mean '--hex'?"),
         (["decode", "--fomat=jsonl"], "unknown option '--fomat=jsonl'; did you mean '--format'?"),
@@ -97,6 +98,30 @@ def test_help(arguments: list[str]) -> None:
     assert "Usage" in result.text
 
 
+def test_help_of_a_command() -> None:
+    assert run().text == run("help").text == run("--help").text
+    for words in (["stream"], ["params", "get"], ["help"]):
+        assert run("help", *words).text == run(*words, "--help").text
+    wrong = run("help", "params", "gte")
+    assert wrong.status == 2 and "no help for 'gte'; did you mean 'get'?" in wrong.error
+
+
+def test_the_options_of_a_gimbal_are_explained_once() -> None:
+    connection = run("help", "connection").text
+    for option in ("-p,--port ADDRESS", "--attempt-time TIME", "--password-file FILE", "[gimbal."):
+        assert option in connection
+        for words in ([], ["info"], ["params", "get"]):
+            assert option not in run(*words, "--help").text
+    for words in ([], ["info"]):
+        assert "-p ADDRESS, -g GIMBAL" in run(*words, "--help").text
+    assert "-p ADDRESS" not in run("decode", "--help").text
+    pages = {name: run("manual", *name).text for name in ((), ("info",), ("params",))}
+    assert r"\-\-attempts" in pages[()]
+    for name in (("info",), ("params",)):
+        assert r"\-\-attempts" not in pages[name]
+        assert r"\fB\-p\fR \fIADDRESS\fR and others, are in \fBsbgc\fR(1)." in pages[name]
+
+
 def commands_by_heading() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for line in run("--help").text.splitlines():
@@ -115,7 +140,7 @@ def test_the_guide_lists_the_commands_of_the_help() -> None:
 
 
 def test_help_tells_what_the_exit_status_means() -> None:
-    only_success_or_failure = {"completion", "manual", "params", "ports", "vars"}
+    only_success_or_failure = {"completion", "help", "manual", "params", "ports", "vars"}
     for command in set(sum(commands_by_heading().values(), [])) - only_success_or_failure:
         text = " ".join(run(command, "--help").text.split())
         assert re.search(r"[Tt]he exit status is .* 2 for wrong usage", text), text
@@ -295,8 +320,8 @@ def test_options_need_finite_numbers(arguments: list[str]) -> None:
     ("command", "words"),
     [
         (["record"], "[OPTIONS] [ADDRESS] FILE\n"),
-        (["params", "diff"], "[OPTIONS] [files...]\n"),
-        (["emulate"], "--count N (1)"),
+        (["params", "diff"], "[OPTIONS] [FILE...]\n"),
+        (["emulate"], "--count NUMBER (1)"),
         (["emulate"], "--input-buffer BYTES (0)"),
         (["emulate"], "--tcp [HOST:]PORT"),
     ],

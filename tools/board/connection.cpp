@@ -12,6 +12,7 @@
 
 #include "board/frame_printer.hpp"
 #include "board/listed_ports.hpp"
+#include "board/progress_bar.hpp"
 #include "command/interruption.hpp"
 #include "command/wording.hpp"
 
@@ -45,10 +46,47 @@ std::vector<Probe> probe_all(const std::vector<io::PortInfo>& ports, ConnectOpti
     if (has_usb && !port.usb) continue;
     running.emplace_back(port.name, std::async(std::launch::async, probe, port.name, options));
   }
+  const ProgressBar bar;
   std::vector<Probe> probes;
   probes.reserve(running.size());
-  for (auto& [port, result] : running) probes.push_back({port, result.get()});
+  for (auto& [port, result] : running) {
+    while (result.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready) {
+      const auto waiting = std::ranges::count_if(running, [](const auto& one) {
+        return one.second.valid() &&
+               one.second.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+      });
+      bar.show(fmt::format("searching a gimbal: {} of {} may still answer", waiting,
+                           counted(running.size(), "port")));
+    }
+    probes.push_back({port, result.get()});
+  }
   return probes;
+}
+
+/// Returns why there is no gimbal, on a line for each cause: "  PORT, PORT  no board found".
+std::string causes_of(const std::vector<Probe>& probes) {
+  std::vector<std::pair<std::string, std::string>> ports_by_cause;
+  for (const Probe& one : probes) {
+    // Details are for `--port`, and the port stands before the cause.
+    std::string cause = one.board.error().message;
+    cause = cause.substr(0, std::min({cause.find_first_of(":\n,"), cause.find(". ")}));
+    for (const std::string& name :
+         {" on serial port " + one.port, ' ' + one.port, one.port + ' '}) {
+      const std::size_t at = cause.find(name);
+      if (at != std::string::npos) cause.erase(at, name.size());
+    }
+    cause = as_message(cause);
+    const auto same =
+        std::ranges::find(ports_by_cause, cause, [](const auto& it) { return it.first; });
+    if (same == ports_by_cause.end()) {
+      ports_by_cause.emplace_back(cause, one.port);
+    } else {
+      same->second += ", " + one.port;
+    }
+  }
+  std::string result;
+  for (const auto& [cause, ports] : ports_by_cause) result += "\n  " + ports + "  " + cause;
+  return result;
 }
 
 /// Returns the port of the only gimbal.
@@ -61,21 +99,18 @@ std::string find_gimbal_port(const ConnectOptions& options) {
   const std::vector<Probe> probes = probe_all(list.ports, options);
   std::vector<const Probe*> found;
   std::string answered;
-  std::string silent;
   for (const Probe& one : probes) {
-    if (one.board) {
-      found.push_back(&one);
-      answered += fmt::format("\n  {}  board {}, firmware {}", one.port, one.board->board_version(),
-                              one.board->firmware_version());
-      if (const std::string serial = one.board->serial_number(); !serial.empty()) {
-        answered += ", serial number " + serial;
-      }
-    } else {
-      silent += "\n  " + one.port + "  " + one.board.error().message;
+    if (!one.board) continue;
+    found.push_back(&one);
+    answered += fmt::format("\n  {}  board {}, firmware {}", one.port, one.board->board_version(),
+                            one.board->firmware_version());
+    if (const std::string serial = one.board->serial_number(); !serial.empty()) {
+      answered += ", serial number " + serial;
     }
   }
   if (found.size() == 1) return found.front()->port;
-  if (found.empty()) throw CommandError("found no gimbal; use --port. Searched:" + silent);
+  if (found.empty())
+    throw CommandError("found no gimbal; use --port. Searched:" + causes_of(probes));
   throw CommandError("found several gimbals; choose one with --port:" + answered);
 }
 

@@ -91,6 +91,7 @@ void add_reset(CLI::App& app, CommandContext& context) {
       "stored are lost.\n"
       "\n"
       "The exit status is 0 if the board is back, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
+  command.examples({"sbgc reset"});
   command.runs(reset_board);
 }
 

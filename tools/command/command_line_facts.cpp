@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include <sbgc/detail/words.hpp>
+
 namespace sbgc::tools {
 
 std::vector<const CLI::App*> subcommands_of(const CLI::App& command) {
@@ -67,6 +69,12 @@ std::string value_name(const CLI::Option& option) {
   }
   if (type.starts_with("TEXT:")) return "TEXT";
   return type.substr(0, end);
+}
+
+std::string argument_name(const CLI::Option& argument) {
+  const std::string value = value_name(argument);
+  const bool is_general = value == "TEXT" || value == "NUMBER" || !choices_of(argument).empty();
+  return is_general ? detail::upper_case(argument.get_name()) : value;
 }
 
 }  // namespace sbgc::tools

@@ -30,4 +30,8 @@ std::vector<std::string> choices_of(const CLI::Option& option);
 /// tells the completion what to offer.
 std::string value_name(const CLI::Option& option);
 
+/// Returns what a positional argument is called in the help: what its value is called, or its own
+/// name in capital letters.
+std::string argument_name(const CLI::Option& argument);
+
 }  // namespace sbgc::tools

@@ -9,6 +9,7 @@
 #include <sbgc/detail/parse_number.hpp>
 
 #include "command/command_line_facts.hpp"
+#include "command/gimbal_options.hpp"
 #include "command/system.hpp"
 
 namespace sbgc::tools {
@@ -74,7 +75,8 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t column
   return result;
 }
 
-HelpFormatter::HelpFormatter(std::size_t width) : width_(width) {
+HelpFormatter::HelpFormatter(std::size_t width, bool explains_gimbal)
+    : width_(width), explains_gimbal_(explains_gimbal) {
   column_width(std::min(widest_names, width * 3 / 8));
   label("SUBCOMMAND", "COMMAND");
 }
@@ -92,7 +94,21 @@ std::string HelpFormatter::make_description(const CLI::App* app) const {
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const {
+  if (app->get_name().empty()) return "";  // no command
   return wrapped(Formatter::make_usage(app, std::move(name)), width_) + '\n';
+}
+
+std::string HelpFormatter::make_group(std::string group, bool is_positional,
+                                      std::vector<const CLI::Option*> options) const {
+  if (group != gimbal_group || explains_gimbal_) {
+    return Formatter::make_group(std::move(group), is_positional, std::move(options));
+  }
+  return '\n' + group + ":\n" +
+         entry("-p ADDRESS, -g GIMBAL", "and others: `sbgc help connection`");
+}
+
+std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_positional) const {
+  return is_positional ? argument_name(*option) : Formatter::make_option_name(option, false);
 }
 
 std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
@@ -112,8 +128,9 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (!takes_value(*option)) return "";
   const std::vector<std::string> choices = choices_of(*option);
-  std::string result =
-      choices.empty() ? ' ' + value_name(*option) : fmt::format(" {}", fmt::join(choices, "|"));
+  std::string result = choices.empty() ? "" : fmt::format(" {}", fmt::join(choices, "|"));
+  // The value of an argument is what the argument is called.
+  if (choices.empty() && !option->get_positional()) result = ' ' + value_name(*option);
   if (!option->get_default_str().empty()) result += " (" + option->get_default_str() + ")";
   return result;
 }

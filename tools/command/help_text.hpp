@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -23,12 +24,16 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t column
 /// The formatter of CLI11, with lines wrapped between words.
 class HelpFormatter : public CLI::Formatter {
  public:
-  explicit HelpFormatter(std::size_t width);
+  /// Unless `explains_gimbal`, one line stands for the options of a gimbal.
+  explicit HelpFormatter(std::size_t width, bool explains_gimbal = false);
 
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override;
   std::string make_description(const CLI::App* app) const override;
   std::string make_usage(const CLI::App* app, std::string name) const override;
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override;
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override;
   std::string make_option_usage(const CLI::Option* option) const override;
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
@@ -41,6 +46,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string entry(const std::string& name, const std::string& description) const;
 
   std::size_t width_;
+  bool explains_gimbal_;
 };
 
 }  // namespace sbgc::tools

@@ -1,6 +1,7 @@
 /// A subcommand while it is added to the command line.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -29,6 +30,14 @@ class Subcommand {
   CLI::App* operator->() const { return &command_; }
   /// They live as long as the command.
   Options& options() const { return *options_; }
+
+  /// Adds examples to the end of the help. A test runs them.
+  void examples(std::initializer_list<const char*> lines) const {
+    std::string text = command_.get_footer();
+    text += text.empty() ? "Examples:" : "\n\nExamples:";
+    for (const char* const line : lines) text += std::string("\n  ") + line;
+    command_.footer(text);
+  }
 
   /// Adds the options that follow from the types, after the others. `run` does the work and returns
   /// the exit status.

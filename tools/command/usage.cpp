@@ -65,11 +65,7 @@ std::string unknown_word(const CLI::App& command, const std::string& word) {
 std::string shown_name(const CLI::App& command, const std::string& name) {
   if (name.starts_with('-')) return name;
   const CLI::Option* const option = command.get_option_no_throw(name);
-  const std::string type = option == nullptr ? "" : option->get_type_name();
-  const bool is_given =
-      !type.empty() && type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ=-") == std::string::npos;
-  return detail::upper_case(is_given && type != "TEXT" && type != "UINT" && type != "INT" ? type
-                                                                                          : name);
+  return option == nullptr ? detail::upper_case(name) : argument_name(*option);
 }
 
 /// The number without trailing zeros.

@@ -77,6 +77,8 @@ void add_encode(CLI::App& app, CommandContext& context) {
       "A line may have up to 16 MiB and 64 nested levels, and no duplicate keys. A line that "
       "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is "
       "2 for wrong usage.");
+  command.examples(
+      {"sbgc encode --hex frames.jsonl", "sbgc encode --defaults < frames.jsonl > frames.bin"});
   command.runs(encode_file);
 }
 

@@ -44,6 +44,7 @@ struct EmulateOptions {
   bool verbose = false;
   std::string password_file{};
   std::optional<Duration> seconds{};
+  std::optional<std::chrono::milliseconds> time{};
 };
 
 const char* to_text(emulator::Reaction reaction) {
@@ -233,13 +234,13 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->group("The board");
   command.add_option("--count", service.count, "Number of boards")
       ->check(CLI::Range(1, 1000))
-      ->type_name("N")
+      ->type_name("NUMBER")
       ->capture_default_str()
       ->group("The board");
   command
       .add_option("--seed", options.seed,
                   "Seed of all random numbers: the same seed gives the same noise")
-      ->type_name("N")
+      ->type_name("NUMBER")
       ->capture_default_str()
       ->group("The board");
 }
@@ -357,8 +358,9 @@ void add_emulate(CLI::App& app, CommandContext& context) {
                     "Print each frame, and hosts that connect and leave");
   add_parsed(
       *command, "--seconds", serving::parse_seconds,
-      [&options](Duration time) { options.seconds = time; },
-      "Stop after this time; otherwise with Ctrl-C", "SECONDS");
+      [&options](Duration time) { options.seconds = time; }, "The former name of --for", "SECONDS");
+  command->get_option("--seconds")->group("");
+  add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->footer(
       "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
       "  emulated gimbal 1: /dev/pts/7 (also /tmp/gimbal)\n"
@@ -369,11 +371,12 @@ void add_emulate(CLI::App& app, CommandContext& context) {
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
-      "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end of standard "
+      "The exit status is 0 after Ctrl-C, a termination signal, --for or the end of standard "
       "input; 1 if something cannot be opened or saved; 2 for wrong usage, including a motion "
       "file that cannot be read.");
   command.runs([](EmulateOptions& chosen) {
     check(chosen);
+    if (chosen.time) chosen.seconds = sbgc::milliseconds(chosen.time->count());
     if (!chosen.password_file.empty()) {
       chosen.service.emulator.board.password =
           read_password(chosen.password_file, "the emulated board");

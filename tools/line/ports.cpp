@@ -59,6 +59,7 @@ void add_ports(CLI::App& app, CommandContext& context) {
                                          "List the serial ports of this machine");
   auto& options = command.options();
   add_format(*command, options.format);
+  command.examples({"sbgc ports", "sbgc ports --format json"});
   command.runs(print_ports);
 }
 

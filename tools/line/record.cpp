@@ -338,11 +338,13 @@ void add_record(CLI::App& app, CommandContext& context) {
                    "Messages of a stream per second (50): one for each --stream, or one for all")
       ->take_all()
       ->allow_extra_args(false)
+      ->type_name("HZ")
       ->check(number_range(0.02, 1000.0));
   command->add_flag("--pcapng", options.pcapng, "Write a file for Wireshark instead of a capture");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
-  command->add_option("--seconds", options.seconds, "The same, as a number of seconds")
-      ->check(number_range(0.0, 1e9));
+  command->add_option("--seconds", options.seconds, "The former name of --for")
+      ->check(number_range(0.0, 1e9))
+      ->group("");
   command->footer(
       "With --port, --gimbal or --stream, the command connects to the board; if the line is lost, "
       "it connects again, and the capture gets a new session. With an address only, it sends "
@@ -351,10 +353,10 @@ void add_record(CLI::App& app, CommandContext& context) {
       "exit status is 0 if everything was recorded, 1 if not, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
-      "  sbgc record --stream RealtimeData4 --rate 20 --for 5s capture\n"
-      "  sbgc record --stream 23 --for 2s capture\n"
-      "  sbgc record --stream RealtimeData4 --pcapng --for 5s capture.pcapng\n"
-      "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 5s capture");
+      "  sbgc record --stream RealtimeData4 --rate 20 --for 1s capture\n"
+      "  sbgc record --stream 23 --for 1s capture\n"
+      "  sbgc record --stream RealtimeData4 --pcapng --for 1s capture.pcapng\n"
+      "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 1s capture");
   command.runs(run_record);
 }
 

@@ -312,9 +312,9 @@ void add_stream(CLI::App& app, CommandContext& context) {
       "\n"
       "Examples:\n"
       "  sbgc stream --for 2s\n"
-      "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 5s\n"
+      "  sbgc stream RealtimeData4 --fields \"angle.*\" --for 1s\n"
       "  sbgc stream --id 23 --rate 10 --for 2s\n"
-      "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 5s");
+      "  sbgc stream RealtimeDataCustom --with \"IMU_ANGLES|RC_DATA\" --format csv --for 1s");
   command.runs(run_stream);
 }
 

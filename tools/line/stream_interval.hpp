@@ -15,6 +15,7 @@ inline CLI::Option* add_rate(CLI::App& command, double& rate) {
   return command
       .add_option("--rate", rate,
                   "Messages per second; the board rounds the time between them to milliseconds")
+      ->type_name("HZ")
       ->check(number_range(0.02, 1000.0))
       ->capture_default_str();
 }

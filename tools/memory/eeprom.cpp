@@ -98,7 +98,9 @@ void add_eeprom(CLI::App& app, CommandContext& context) {
   auto* const eeprom = app.add_subcommand("eeprom", "Copy the EEPROM of the board");
   eeprom->require_subcommand(1);
   const auto add_place = [](const auto& command) {
-    command->add_option("file", command.options().file, "The file on this computer")->required();
+    command->add_option("file", command.options().file, "The file on this computer")
+        ->type_name("FILE")
+        ->required();
     command->add_option("--address", command.options().address, "The first byte in the EEPROM")
         ->type_name("BYTE")
         ->capture_default_str();
@@ -108,9 +110,11 @@ void add_eeprom(CLI::App& app, CommandContext& context) {
   reading->add_option("--size", reading.options().size, "How many bytes; otherwise up to the end")
       ->type_name("BYTES");
   reading->add_flag("--force", reading.options().force, "Replace the file if it exists");
+  reading.examples({"sbgc eeprom read eeprom.bin"});
   reading.runs(read_eeprom);
   const Subcommand<EepromToWrite> writing(*eeprom, context, "write", "Write a file to the EEPROM");
   add_place(writing);
+  writing.examples({"sbgc eeprom write part.bin --address 1024"});
   writing.runs(write_eeprom);
   eeprom->footer(
       "Bytes that are written are read back and compared. For parameters, use `sbgc params`: it "

@@ -124,22 +124,30 @@ void add_files(CLI::App& app, CommandContext& context) {
   listing->add_option("--last", listing.options().last, "The last id to look for")
       ->type_name("ID")
       ->capture_default_str();
+  listing.examples({"sbgc files list --last 20"});
   listing.runs(list_files);
   const Subcommand<FileToGet> getting(*files, context, "get",
                                       "Copy a file of the board to this computer");
   add_id(getting)->required();
-  getting->add_option("file", getting.options().file, "The file on this computer")->required();
+  getting->add_option("file", getting.options().file, "The file on this computer")
+      ->type_name("FILE")
+      ->required();
   getting->add_flag("--force", getting.options().force, "Replace the file if it exists");
+  getting.examples({"sbgc files get 5 copy.bin"});
   getting.runs(get_file);
   const Subcommand<FileToPut> putting(*files, context, "put",
                                       "Copy a file of this computer to the board");
   add_id(putting)->required();
-  putting->add_option("file", putting.options().file, "The file on this computer")->required();
+  putting->add_option("file", putting.options().file, "The file on this computer")
+      ->type_name("FILE")
+      ->required();
+  putting.examples({"sbgc files put 6 part.bin"});
   putting.runs(put_file);
   const Subcommand<FilesToDelete> removing(*files, context, "delete",
                                            "Delete a file of the board, or all");
   removing->add_flag("--all", removing.options().all, "Delete all files")
       ->excludes(add_id(removing));
+  removing.examples({"sbgc files delete 5"});
   removing.runs(delete_files);
   files->footer(
       "The protocol cannot list files: 'list' asks for each id. What is written is read back and "

@@ -104,13 +104,16 @@ void add_script(CLI::App& app, CommandContext& context) {
         ->check(CLI::Range(1U, slots).description(""));
   };
   const Subcommand<NoOptions> listing(*script, context, "list", "Show the sizes of the scripts");
+  listing.examples({"sbgc script list"});
   listing.runs(list_scripts);
   const Subcommand<ScriptToStart> starting(*script, context, "start", "Start a script");
   add_slot(starting);
+  starting.examples({"sbgc script start 1"});
   starting.runs(start_script);
   const Subcommand<ScriptToStop> stopping(*script, context, "stop",
                                           "Stop a script, without asking");
   add_slot(stopping);
+  stopping.examples({"sbgc script stop 1"});
   stopping.runs(stop_script);
   script->footer(
       "The specification does not say which file holds a script; `sbgc files` copies files by "

@@ -243,6 +243,7 @@ void add_jog(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 after q, 1 if something failed, 2 for wrong usage, 130 after Ctrl-C or "
       "another signal.");
+  command.examples({"sbgc jog"});
   command.runs(jog);
 }
 

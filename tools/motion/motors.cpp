@@ -54,6 +54,7 @@ void add_motors(CLI::App& app, CommandContext& context) {
       "Hold the camera when you turn the motors off.\n"
       "\n"
       "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage.");
+  command.examples({"sbgc motors on"});
   command.runs(turn_motors);
 }
 

@@ -57,6 +57,7 @@ void add_stop(CLI::App& app, CommandContext& context) {
       "switch: the camera then drops to its heavy side.\n"
       "\n"
       "The exit status is 0 if the camera has stopped, 1 if not, 2 for wrong usage.");
+  command.examples({"sbgc stop"});
   command.runs(stop_camera);
 }
 

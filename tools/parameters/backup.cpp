@@ -362,6 +362,7 @@ void add_params_backup(CLI::App& params, CommandContext& context) {
       ->type_name("FILE")
       ->required();
   command->add_flag("--force", options.force, "Replace an existing file");
+  command.examples({"sbgc params backup new.json"});
   command.runs(back_up);
 }
 
@@ -385,6 +386,8 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
       "end all of them again. After a failure or Ctrl-C, it says what the board holds.");
+  command.examples(
+      {"sbgc params restore gimbal.json --dry-run", "sbgc params restore gimbal.json"});
   command.runs(restore_file);
 }
 
@@ -405,6 +408,8 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
       "exit "
       "status is 0 if there are no differences, 1 if there are, 3 if they could not be "
       "compared, 2 for wrong usage.");
+  command.examples({"sbgc params diff gimbal.json", "sbgc params diff gimbal.json other.json",
+                    "sbgc params diff --defaults --profile 2"});
   command.runs(compare_or_tell);
 }
 
@@ -419,6 +424,7 @@ void add_params_reset(CLI::App& params, CommandContext& context) {
                    "Where to save the present parameters first; by default in this folder, "
                    "with the time in the name")
       ->type_name("FILE");
+  command.examples({"sbgc params reset --profile 2"});
   command.runs(reset_parameters);
 }
 

@@ -14,7 +14,7 @@ void add_profile_option(CLI::App& command, ProfileOption& option) {
   command
       .add_option("--profile", option.number,
                   "The profile, counted from 1; without it, the active one")
-      ->type_name("N")
+      ->type_name("NUMBER")
       ->check(CLI::Range(1, static_cast<int>(profile_count)).description(""));
 }
 

@@ -269,6 +269,7 @@ void add_params_show(CLI::App& params, CommandContext& context) {
       "that `sbgc params diff --defaults` has read from this board, for the parameters of "
       "profiles: "
       "the protocol has no request that only reads them.");
+  command.examples({"sbgc params show", "sbgc params show poles --profile 2"});
   command.runs(show);
 }
 
@@ -284,6 +285,7 @@ void add_params_get(CLI::App& params, CommandContext& context) {
       ->required();
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
+  command.examples({"sbgc params get pitch.p rc_min_angle"});
   command.runs(get);
 }
 
@@ -292,6 +294,7 @@ void add_params_profiles(CLI::App& params, CommandContext& context) {
                                         "List the profiles and their names");
   auto& options = command.options();
   add_format(*command, options.format);
+  command.examples({"sbgc params profiles"});
   command.runs(list_profiles);
 }
 
@@ -299,10 +302,11 @@ void add_params_rename(CLI::App& params, CommandContext& context) {
   const Subcommand<RenameOptions> command(params, context, "rename", "Rename a profile");
   auto& options = command.options();
   command->add_option("profile", options.profile, "The profile, counted from 1")
-      ->type_name("N")
+      ->type_name("NUMBER")
       ->check(CLI::Range(1, static_cast<int>(profile_count)).description(""))
       ->required();
   command->add_option("name", options.name, "The new name, up to 48 bytes of UTF-8")->required();
+  command.examples({"sbgc params rename 2 Handheld"});
   command.runs(rename_one);
 }
 

@@ -222,6 +222,7 @@ void add_vars(CLI::App& app, CommandContext& context) {
   const Subcommand<VariablesToShow> list(*vars, context, "list",
                                          "List all variables with their values and ranges");
   add_format(*list, list.options().format);
+  list.examples({"sbgc vars list"});
   list.runs(print_variables);
 
   const Subcommand<VariablesToShow> get(*vars, context, "get", "Print variables");
@@ -229,6 +230,7 @@ void add_vars(CLI::App& app, CommandContext& context) {
       ->type_name("VARIABLE")
       ->required();
   add_format(*get, get.options().format);
+  get.examples({"sbgc vars get LPF_FREQ_ROLL P_PITCH"});
   get.runs(print_variables);
 
   const Subcommand<VariablesToSet> set(*vars, context, "set", "Set variables");

@@ -25,7 +25,7 @@ const std::vector<Heading> headings{
     {"Care", {add_calibrate, add_eeprom, add_files, add_script, add_reset}},
     {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
     {"Share", {add_bridge}},
-    {"Shell", {add_shell, add_completion, add_manual}},
+    {"Shell", {add_shell, add_help, add_completion, add_manual}},
 };
 
 /// Options of a gimbal before the command are for commands that talk to one.
@@ -50,8 +50,8 @@ void add_commands(CLI::App& app, CommandContext& context) {
     for (AddCommand* const add : commands) add(app, context);
   }
   app.footer(
-      "`sbgc COMMAND --help` and the manual pages have the details; `sbgc describe` explains the "
-      "protocol. Options of a gimbal stand before or after the command.\n"
+      "`sbgc help COMMAND` and the manual pages have the details; `sbgc help connection` explains "
+      "how commands find their gimbal, `sbgc describe` the protocol.\n"
       "\n"
       "A command that moves the camera or writes to the board says what will happen and asks; "
       "--yes agrees beforehand. Results go to standard output, everything else to standard "
@@ -61,15 +61,7 @@ void add_commands(CLI::App& app, CommandContext& context) {
       "asked is not so; 2 for wrong usage; 3 if `params diff` could not compare; 130 if Ctrl-C or "
       "another signal ended the command before it was done.\n"
       "\n"
-      "The configuration file, ~/.config/sbgc/config.toml or $SBGC_CONFIG, names gimbals for "
-      "--gimbal:\n"
-      "  [gimbal.front]\n"
-      "  port = \"/dev/ttyUSB0\"\n"
-      "  attempts = 5\n"
-      "  attempt-time = 0.5\n"
-      "\n"
-      "SBGC_PORTS names a file with a list of ports, as `sbgc ports --format json` prints it, in "
-      "place of those of the system. SBGC_TOKEN is the token of `sbgc bridge --ws`. With NO_COLOR, "
+      "SBGC_TOKEN is the token of `sbgc bridge --ws`. With NO_COLOR, "
       "output has no colors. COLUMNS is the width of "
       "the help.");
   app.parse_complete_callback([&app] { require_use_of_gimbal_options(app); });

@@ -30,6 +30,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", version_text,
                        "Print the version, the protocol and the fingerprint of its model");
   add_commands(app, context);
+  if (argc == 1) {
+    fmt::print("{}", app.help());
+    return success;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for) {  // help or version

@@ -58,7 +58,9 @@ void add_replay(CLI::App& app, CommandContext& context) {
   const Subcommand<ReplayOptions> command(app, context, "replay",
                                           "Serve a capture in place of a board");
   auto& options = command.options();
-  command->add_option("file", options.file, "A capture, or the raw bytes of a board")->required();
+  command->add_option("file", options.file, "A capture, or the raw bytes of a board")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--speed", options.speed, "How many times as fast as recorded")
       ->check(number_range(0.001, 1000.0))
       ->capture_default_str();
@@ -68,6 +70,7 @@ void add_replay(CLI::App& app, CommandContext& context) {
       "connected; what they send is ignored. Without a place, a pseudo-terminal is opened. For "
       "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end of "
       "the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
+  command.examples({"sbgc replay capture --tcp 5000"});
   command.runs([](ReplayOptions& chosen) {
     if (chosen.places.empty()) chosen.places.terminal = true;
     return run_replay(chosen);

@@ -13,6 +13,7 @@
 #include <sbgc/version.hpp>
 
 #include "command/command_line_facts.hpp"
+#include "command/gimbal_options.hpp"
 #include "command/subcommand.hpp"
 #include "command/usage.hpp"
 #include "command/wording.hpp"
@@ -76,7 +77,7 @@ void put_option(std::string& page, const CLI::Option& option) {
   };
   for (const std::string& name : option.get_snames()) add("-" + name);
   for (const std::string& name : option.get_lnames()) add("--" + name);
-  if (option.get_positional()) names = "\\fI" + escaped(value_name(option)) + "\\fR";
+  if (option.get_positional()) names = "\\fI" + escaped(argument_name(option)) + "\\fR";
   if (!option.get_positional() && takes_value(option)) names += " " + value_of(option);
   page += ".TP\n" + names + "\n" + escaped(option.get_description());
   if (!option.get_default_str().empty()) {
@@ -88,7 +89,7 @@ void put_option(std::string& page, const CLI::Option& option) {
 void put_synopsis(std::string& page, const CLI::App& command) {
   page += "\\fB" + escaped(full_name(command)) + R"(\fR [\fIOPTIONS\fR])";
   for (const CLI::Option* const argument : arguments_of(command)) {
-    const std::string value = value_name(*argument);
+    const std::string value = argument_name(*argument);
     std::string name = "\\fI" + escaped(value) + "\\fR";
     // A name such as "[ADDRESS] FILE" describes all values.
     const bool describes_all = value.find(' ') != std::string::npos;
@@ -101,7 +102,17 @@ void put_synopsis(std::string& page, const CLI::App& command) {
 
 void put_options(std::string& page, const CLI::App& command) {
   for (const CLI::Option* const argument : arguments_of(command)) put_option(page, *argument);
-  for (const CLI::Option* const option : options_of(command)) put_option(page, *option);
+  bool has_gimbal = false;
+  for (const CLI::Option* const option : options_of(command)) {
+    // The page of sbgc explains them.
+    has_gimbal = option->get_group() == gimbal_group;
+    if (!has_gimbal || command.get_parent() == nullptr) put_option(page, *option);
+  }
+  if (has_gimbal && command.get_parent() != nullptr) {
+    page +=
+        ".PP\nThe options of a gimbal, \\fB\\-p\\fR \\fIADDRESS\\fR and others, are in "
+        "\\fBsbgc\\fR(1).\n";
+  }
 }
 
 void put_nested(std::string& page, const CLI::App& command) {
@@ -195,6 +206,7 @@ void add_manual(CLI::App& app, CommandContext& context) {
   command->add_option("--folder", options.folder, "Write all pages to this folder")
       ->type_name("FOLDER");
   command->footer("`sbgc manual decode | man -l -` shows a page; an installed sbgc has them all.");
+  command.examples({"sbgc manual params"});
   command.runs([&app](const ManualOptions& chosen) { return print_manual(app, chosen); });
 }
 
