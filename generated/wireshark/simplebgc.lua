@@ -245,7 +245,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 1, count = 1, fixed = 1, reserved = true},
   }
 
-  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, has_secret = true, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[4].fields = {
     {name = "cfg", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "password", blob = "string", size = 32, count = 1, secret = true, fits_rest = true},
@@ -387,7 +387,7 @@ local protocol = (function()
   messages[21].fields = {
   }
 
-  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, has_secret = true, answers = {{confirm = true, certain = true, timeout = 2}}}
   messages[22].fields = {
     {name = "flags", type = "u32", enum = "PassProtectFlags", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
@@ -2838,6 +2838,7 @@ local function meaning(field, level, reader)
   if other then
     local values = other.in_group and level.values or reader.top.values
     local flags = values[other.field]
+    if type(flags) == "table" then flags = flags[level.word] end -- one for each axis
     if type(flags) == "number" and numbers.has(flags, other.mask) then return other end
   end
   local result = field
@@ -2876,7 +2877,7 @@ local read_fields
 local function read_element(node, kids, label, reader, level)
   if not node.struct then return read_leaf(node.leaf, reader, level, label) end
   local struct = node.struct
-  local inner = {values = {}, outer = level}
+  local inner = {values = {}, outer = level, word = label}
   local asked = struct.is_region and level or inner
   return group(reader, label, struct.size, function()
     read_fields(kids, reader, inner, asked)
@@ -3188,7 +3189,7 @@ local function line_of(message)
   local all, chosen = fixed_leaves(message), {}
   local places = {} -- of fields, for alternatives
   for _, one in ipairs(all) do
-    places[one.leaf.name] = places[one.leaf.name] or one
+    places[one.leaf.name .. " " .. (one.group or "")] = one
     if one.rank then chosen[#chosen + 1] = one end
   end
   if #chosen > 2 * MOST then
@@ -3225,7 +3226,8 @@ local function content(message, bytes)
       local item = {leaf = leaf, value = value, meaning = leaf.field}
       local other = leaf.field.alternative
       if other then
-        local flags = lines[message].places[other.field]
+        local places = lines[message].places
+        local flags = places[other.field .. " " .. (one.group or "")] or places[other.field .. " "]
         if flags and flags.at + flags.size <= #bytes
            and numbers.has(numbers.read(flags.leaf.field.type, bytes, flags.at), other.mask) then
           item.meaning = other
@@ -3496,6 +3498,7 @@ local own = {
   message = register("message", function(f) return ProtoField.string(f, "Message") end),
   command = register("command", function(f) return ProtoField.string(f, "Command name") end),
   body = register("body", function(f) return ProtoField.bytes(f, "Body") end),
+  undecoded = register("undecoded", function(f) return ProtoField.bytes(f, "Undecoded body") end),
   checksum = register("checksum", function(f) return ProtoField.bytes(f, "Checksum") end),
   skipped = register("skipped", function(f) return ProtoField.bytes(f, "No frame") end),
   request_in = register("request_in", function(f)
@@ -3639,6 +3642,8 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
   root:add(own.size, range(frame.framing.size, 1))
   local header = frame.framing.header
   local body = frame.body_size > 0 and range(header, frame.body_size)
+  local hides = message and message.has_secret -- but the bytes of the packet show it
+  if body and not hides then root:add(own.body, body):set_hidden() end
   root:add(own.checksum, range(header + frame.body_size, frame.framing.trailer))
   local name = message and message.command or nodes.commands[frame.id]
   if name then root:add(own.command, range(frame.framing.id, 1), name):set_generated() end
@@ -3652,7 +3657,7 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
     root:add_proto_expert_info(experts.late, string.format("The response took over %g s", links.late))
   end
   if not message then
-    if body then root:add(own.body, body) end
+    if body then root:add(own.undecoded, body) end
     root:add_proto_expert_info(experts.unknown, reason)
     return
   end
@@ -3671,7 +3676,11 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
     local where = problem.field ~= "" and " at " .. problem.field or ""
     inner:add_proto_expert_info(experts.malformed,
       "The body is " .. problem.code .. where .. ", offset " .. problem.at)
-    root:add(own.body, body or range(0, header))
+    if hides then
+      root:add(body or range(0, header), "Undecoded body: (hidden)")
+    else
+      root:add(own.undecoded, body or range(0, header))
+    end
   end
 end
 

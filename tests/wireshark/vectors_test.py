@@ -18,6 +18,7 @@ from sbgc_command import MODEL, frame, run
 
 VECTORS = sorted((ROOT / "generated" / "vectors").glob("*.jsonl"))
 HIDDEN = "(hidden)"
+LONGEST_LABEL = 200  # Wireshark cuts longer ones
 # Error codes of `sbgc decode` for which there is no message at all.
 WITHOUT_MESSAGE = {"unknown_command", "unknown_form"}
 
@@ -79,9 +80,8 @@ def is_same(wanted: Any, element: Any) -> bool:
         if math.isnan(number):
             return str(wanted) == f"nan:{int.from_bytes(data, 'little'):0{2 * len(data)}x}"
         return number == float(wanted)
-    if re.fullmatch(r"-?\d+", wanted) and re.fullmatch(r"-?(0x[0-9a-f]+|\d+)", show):  # 64 bits
-        if int(show, 0) == int(wanted):
-            return True
+    if len(data) == 8 and re.fullmatch(r"-?\d+", wanted) and re.fullmatch(r"-?(0x)?[0-9a-f]+", show):
+        return int(show, 0) == int(wanted) or wanted == value
     return wanted in (value, _text(data.rstrip(b"\0") if not show else data))
 
 
@@ -99,7 +99,8 @@ def test_all_raw_values_are_shown(pairs: list[tuple[Any, Shown]]) -> None:
         assert ("malformed" in frame_shown.experts) == (code is not None and code not in WITHOUT_MESSAGE), wanted
         assert ("unknown" in frame_shown.experts) == (code in WITHOUT_MESSAGE), wanted
         if code is not None:
-            assert frame_shown.text("sbgc.body").replace(":", "") == wanted["body"] or not wanted["body"]
+            body = frame_shown.text("sbgc.body").replace(":", "")
+            assert body == ("" if wanted["body"] == HIDDEN else wanted["body"]), wanted
             continue
         assert frame_shown.text("sbgc.message") == wanted["message"]
         prefix = prefix_of(wanted)
@@ -132,7 +133,7 @@ def test_values_have_units_and_names(pairs: list[tuple[Any, Shown]]) -> None:
                     assert math.isclose(float(one.get("show")), value["real"], rel_tol=1e-5, abs_tol=1e-9), (wanted, path, one.attrib)
                 if value.get("unit") and "text" not in value and frame_shown.all(f"{name}.raw"):
                     assert f" {value['unit']}" in one.get("showname"), (wanted, path, one.attrib)
-                if "text" in value:
+                if "text" in value and len(value["text"]) < LONGEST_LABEL:
                     assert value["text"] in one.get("showname"), (wanted, path, one.attrib)
 
 

@@ -14,7 +14,7 @@ LONGEST_NAME = 128
 # Names that the dissector has for itself, which no message may have.
 OWN = frozenset(
     """id command message direction framing size body checksum expert skipped request_in response_in
-    response_time""".split()
+    response_time undecoded""".split()
 )
 _NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*\Z")
 # Lua's numbers are those of C's `double`, and its bit operations have 32 bits.
