@@ -21,10 +21,10 @@ def encoded(message: str, fields: str) -> bytes:
 
 @pytest.mark.parametrize("carrier", CARRIERS)
 def test_responses_belong_to_requests(carrier: str, tmp_path: Path) -> None:
-    info, confirm = frame(86, bytes(18)), frame(67, b"\x45")
+    info, confirm = frame(86, bytes(18)), frame(67, b"\x4d")
     packets = [
         Packet(frame(86), HOST),
-        Packet(frame(69), HOST),
+        Packet(frame(77), HOST),
         Packet(confirm, BOARD),  # of the second request
         Packet(info, BOARD),
         Packet(info, BOARD),  # of none
