@@ -3313,7 +3313,7 @@ local conversations = (function(bodies, numbers)
 
 local M = {}
 local MOST_CONVERSATIONS = 1000
-local MOST_RECORDS = 32000000 -- bytes of all records, about
+local MOST_RECORDS = 12000000 -- bytes of all records, about
 local RECORD = 120 -- bytes of a record without its content, about
 local MOST_FACTS = 10000 -- changes of facts in a conversation
 local MOST_PENDING = 64 -- requests without a response
@@ -3771,6 +3771,7 @@ end)(nodes, words, numbers)
 local dissector = (function(nodes, frames, bodies, words, conversations, trees)
 -- What Wireshark calls: for packets of a recorded line, of TCP and of UDP.
 
+local NONE = {}
 local MOST_LINES = 6 -- frames of a packet that the column tells
 
 -- Recorded lines have this link type (see docs/17-wireshark.md).
@@ -3844,12 +3845,12 @@ end
 
 -- Dissects the next bytes of one direction of a conversation.
 local function dissect(tvb, pinfo, tree, one, to_board)
-  local side, number = one.sides[to_board], pinfo.number
-  local is_last = pinfo.visited and (side.last == number or one.ended[number])
-  local before = pinfo.visited and (one.before[number] or "") or side.waiting
-  local all = before .. tvb:raw(0, tvb:len())
+  local side, number, visited = one.sides[to_board], pinfo.number, pinfo.visited
+  local is_last = visited and (side.last == number or one.ended[number])
+  local before = visited and (one.before[number] or "") or side.waiting
+  local all = before .. tvb:raw()
   local found, rejected, rest = frames.scan(all, is_last)
-  if not pinfo.visited then
+  if not visited then
     side.waiting, side.last = all:sub(rest + 1), number
     if before ~= "" then conversations.note(one, one.before, number, before, #before) end
   end
@@ -3861,7 +3862,7 @@ local function dissect(tvb, pinfo, tree, one, to_board)
     return joined(at, size)
   end
   local known = conversations.facts_before(one, number)
-  local links = one.links[number] or {}
+  local links = one.links[number] or NONE
   local lines, skipped, place = {}, 0, 0
   local function skip(to)
     if to <= place then return end
