@@ -32,9 +32,7 @@ def test_responses_belong_to_requests(carrier: str, tmp_path: Path) -> None:
     (tmp_path / "packets").write_bytes(CARRIERS[carrier](packets))
     found = list(shown(tmp_path / "packets", "-2", *DECODE_AS))
     first = found[0].packet
-    numbers = [
-        (one.text("sbgc.request_in"), one.text("sbgc.response_in")) for one in found
-    ]
+    numbers = [(one.text("sbgc.request_in"), one.text("sbgc.response_in")) for one in found]
     assert numbers == [
         ("", str(first + 3)),
         ("", str(first + 2)),
@@ -61,7 +59,12 @@ def test_samples_are_decoded_with_the_flags_of_the_request(tmp_path: Path) -> No
         angles = [one.text("sbgc.realtime_data_custom.imu_angles.pitch.raw") for one in found]
         gyro = [one.text("sbgc.realtime_data_custom.gyro_data.pitch.raw") for one in found]
         assert (angles, gyro) == (["", "200", "", ""], ["", "", "200", ""])
-        assert [bool(one.all("sbgc.realtime_data_custom.tail")) for one in found] == [True, False, False, True]
+        assert [bool(one.all("sbgc.realtime_data_custom.tail")) for one in found] == [
+            True,
+            False,
+            False,
+            True,
+        ]
 
 
 def test_what_is_wrong_is_expert_information(tmp_path: Path) -> None:
@@ -91,4 +94,7 @@ def test_the_column_tells_what_happens(tmp_path: Path) -> None:
     )
     (tmp_path / "packets").write_bytes(CARRIERS["line"]([Packet(move, HOST)]))
     text = tshark(tmp_path / "packets", "-Tfields", "-e_ws.col.Info").splitlines()
-    assert text == ["a session begins", "> Control moves: MODE_ANGLE, pitch 29.9927 deg down at 10.0101 deg/s"]
+    assert text == [
+        "a session begins",
+        "> Control moves: MODE_ANGLE, pitch 29.9927 deg down at 10.0101 deg/s",
+    ]

@@ -17,8 +17,12 @@ EXTCAP = ROOT / "tools" / "line" / "wireshark" / "sbgc-extcap"
 
 
 def test_a_capture_opens_with_its_times_and_directions(tmp_path: Path) -> None:
-    (tmp_path / "capture").write_bytes(CAPTURE + session(1_700_000_100) + record(TO_BOARD, 1, frame(86)))
-    (tmp_path / "packets").write_bytes(run("decode", "--format", "pcapng", str(tmp_path / "capture")).out)
+    (tmp_path / "capture").write_bytes(
+        CAPTURE + session(1_700_000_100) + record(TO_BOARD, 1, frame(86))
+    )
+    (tmp_path / "packets").write_bytes(
+        run("decode", "--format", "pcapng", str(tmp_path / "capture")).out
+    )
     names = ("frame.time_epoch", "frame.comment", "frame.p2p_dir", "data.len", "sbgc.message")
     rows = tshark(tmp_path / "packets", "-Tfields", *(f"-e{name}" for name in names)).split("\n")
     found = [row.split("\t") for row in rows if row]
@@ -29,7 +33,15 @@ def test_a_capture_opens_with_its_times_and_directions(tmp_path: Path) -> None:
     assert [row[2] for row in found] == ["", "0", "1", "0", "1", "", "0"]
     assert found[1][1] == "serial port /dev/ttyUSB0, 115200 8N1"
     assert [row[4] for row in found] == [
-        *("", "GetAnglesRequest", "", "GetAnglesRequest", "GetAngles,GetAngles", "", "BoardInfoRequest")
+        *(
+            "",
+            "GetAnglesRequest",
+            "",
+            "GetAnglesRequest",
+            "GetAngles,GetAngles",
+            "",
+            "BoardInfoRequest",
+        )
     ]
     only = run("decode", "--format", "pcapng", "--from", "host", str(tmp_path / "capture")).out
     (tmp_path / "host").write_bytes(only)
@@ -65,7 +77,11 @@ def test_recording_to_a_file_and_to_tshark(tmp_path: Path) -> None:
 def test_wireshark_lists_gimbals_and_captures_from_them(tmp_path: Path) -> None:
     def extcap(*options: str) -> str:
         return subprocess.run(
-            [EXTCAP, *options], env={**os.environ, "SBGC": PROGRAM}, stdout=subprocess.PIPE, check=True, timeout=60
+            [EXTCAP, *options],
+            env={**os.environ, "SBGC": PROGRAM},
+            stdout=subprocess.PIPE,
+            check=True,
+            timeout=60,
         ).stdout.decode()
 
     assert "interface {value=sbgc}" in extcap("--extcap-interfaces", "--extcap-version=4.0")
@@ -73,7 +89,15 @@ def test_wireshark_lists_gimbals_and_captures_from_them(tmp_path: Path) -> None:
     assert "{call=--address}" in extcap("--extcap-interface", "sbgc", "--extcap-config")
     (tmp_path / "in").write_bytes(CAPTURE)
     line = f"capture:{tmp_path / 'in'}?timing=fast"
-    extcap("--extcap-interface", "sbgc", "--capture", "--fifo", str(tmp_path / "out"), "--address", line)
+    extcap(
+        "--extcap-interface",
+        "sbgc",
+        "--capture",
+        "--fifo",
+        str(tmp_path / "out"),
+        "--address",
+        line,
+    )
     assert "GetAngles" in tshark(tmp_path / "out")
 
 
@@ -83,7 +107,9 @@ def test_the_dissector_is_registered_without_any_setup(tmp_path: Path) -> None:
     plugins.mkdir(parents=True)
     shutil.copy(DISSECTOR, plugins)
     (tmp_path / "capture").write_bytes(session() + record(FROM_BOARD, 0, ANGLES))
-    (tmp_path / "packets").write_bytes(run("decode", "--format", "pcapng", str(tmp_path / "capture")).out)
+    (tmp_path / "packets").write_bytes(
+        run("decode", "--format", "pcapng", str(tmp_path / "capture")).out
+    )
     done = subprocess.run(
         ["tshark", "-n", "-r", str(tmp_path / "packets")],
         env={**os.environ, "HOME": str(tmp_path)}, stdout=subprocess.PIPE, timeout=60, check=True,

@@ -57,7 +57,9 @@ def streams() -> list[bytes]:
         kind = chance.randrange(6)
         if kind == 0:
             return bytes(chance.choices(b">>>$$$\x01\x00\x02\x56", k=chance.randint(1, 9)))
-        inner = piece(depth + 1) if depth < 3 and kind < 4 else chance.randbytes(chance.randint(0, 30))
+        inner = (
+            piece(depth + 1) if depth < 3 and kind < 4 else chance.randbytes(chance.randint(0, 30))
+        )
         whole = chance.choice((frame, frame_v2))(chance.randint(0, 255), inner[:255])
         return whole[: chance.randint(1, len(whole))] if kind == 1 else whole
 
@@ -84,7 +86,9 @@ def test_the_frames_of_every_cut(carrier: str, tmp_path: Path) -> None:
         wanted[host] = frames_in(stream)
     hosts = [one.host for one in packets]
     if carrier == "line":  # each session begins with a packet of its own
-        hosts = [host for i, host in enumerate(hosts) for _ in range(1 + (hosts[i - 1 : i] != [host]))]
+        hosts = [
+            host for i, host in enumerate(hosts) for _ in range(1 + (hosts[i - 1 : i] != [host]))
+        ]
     else:  # other conversations are in between
         order = sorted(range(len(packets)), key=lambda i: (chance.random(), i))
         by_host = {host: iter([p for p in packets if p.host == host]) for host in wanted}
@@ -102,7 +106,9 @@ def test_the_frames_of_every_cut(carrier: str, tmp_path: Path) -> None:
 def test_a_filter_and_a_second_pass_show_the_same(tmp_path: Path) -> None:
     chance = random.Random(1)
     frames = b"".join(frame(87, bytes(chance.randbytes(20))) + b">\x07" for _ in range(50))
-    (tmp_path / "packets").write_bytes(CARRIERS["udp"](Packet(d) for d in cut(frames + frame(86), chance)))
+    (tmp_path / "packets").write_bytes(
+        CARRIERS["udp"](Packet(d) for d in cut(frames + frame(86), chance))
+    )
 
     def seen(*options: str) -> list[list[dict[str, str]]]:
         found = shown(tmp_path / "packets", "-J", "sbgc", *options, *DECODE_AS)
@@ -121,7 +127,9 @@ def test_a_candidate_waits_for_the_end_of_the_conversation(tmp_path: Path) -> No
     inner = frame(86)
     outer = frame(87, inner + bytes(20))
     for name, data, ids in (("whole", outer, ["87"]), ("torn", outer[:-4], ["86"])):
-        (tmp_path / name).write_bytes(CARRIERS["line"]([Packet(data[:12], 2), Packet(data[12:], 2)]))
+        (tmp_path / name).write_bytes(
+            CARRIERS["line"]([Packet(data[:12], 2), Packet(data[12:], 2)])
+        )
         found = [one.text("sbgc.id") for one in shown(tmp_path / name, "-2")]
         assert [one for one in found if one] == ids
     torn = tshark(tmp_path / "torn")

@@ -62,7 +62,15 @@ def _leaves(inner: Any, path: str) -> Iterator[tuple[str, str, Any]]:
         yield from leaves(inner, path)
     elif isinstance(inner, list):
         for i, one in enumerate(inner):
-            is_announced = isinstance(one, dict) and one.keys() <= {"u8", "i8", "u16", "i16", "u32", "i32", "f32"}
+            is_announced = isinstance(one, dict) and one.keys() <= {
+                "u8",
+                "i8",
+                "u16",
+                "i16",
+                "u32",
+                "i32",
+                "f32",
+            }
             yield from _leaves(*(one.values() if is_announced else (one,)), f"{path}[{i}]")
     else:
         *steps, last = re.sub(r"\[\d+\]", "", path).split(".")
@@ -74,13 +82,25 @@ def is_same(wanted: Any, element: Any) -> bool:
     value, show = str(element.get("value", "")), str(element.get("show", ""))
     data = bytes.fromhex(value)
     if isinstance(wanted, int):
-        return int(show, 0) == wanted if re.fullmatch(r"-?(0x)?[0-9a-f]+", show) else float(show) == wanted
-    if isinstance(wanted, float) or str(wanted) in ("inf", "-inf") or str(wanted).startswith("nan:"):
+        return (
+            int(show, 0) == wanted
+            if re.fullmatch(r"-?(0x)?[0-9a-f]+", show)
+            else float(show) == wanted
+        )
+    if (
+        isinstance(wanted, float)
+        or str(wanted) in ("inf", "-inf")
+        or str(wanted).startswith("nan:")
+    ):
         (number,) = struct.unpack("<f" if len(data) == 4 else "<d", data)
         if math.isnan(number):
             return str(wanted) == f"nan:{int.from_bytes(data, 'little'):0{2 * len(data)}x}"
         return number == float(wanted)
-    if len(data) == 8 and re.fullmatch(r"-?\d+", wanted) and re.fullmatch(r"-?(0x)?[0-9a-f]+", show):
+    if (
+        len(data) == 8
+        and re.fullmatch(r"-?\d+", wanted)
+        and re.fullmatch(r"-?(0x)?[0-9a-f]+", show)
+    ):
         return int(show, 0) == int(wanted) or wanted == value
     return wanted in (value, _text(data.rstrip(b"\0") if not show else data))
 
@@ -88,7 +108,9 @@ def is_same(wanted: Any, element: Any) -> bool:
 def _text(data: bytes) -> str:
     """The text that stands for bytes in JSON."""
     found = data.decode("utf-8", "surrogateescape")
-    found = re.sub("[\uf780-\uf7ff]", lambda m: "".join(chr(0xF700 + b) for b in m[0].encode()), found)
+    found = re.sub(
+        "[\uf780-\uf7ff]", lambda m: "".join(chr(0xF700 + b) for b in m[0].encode()), found
+    )
     return re.sub("[\udc80-\udcff]", lambda m: chr(ord(m[0]) - 0xDC00 + 0xF700), found)
 
 
@@ -96,7 +118,9 @@ def test_all_raw_values_are_shown(pairs: list[tuple[Any, Shown]]) -> None:
     for wanted, frame_shown in pairs:
         assert int(frame_shown.text("sbgc.id")) == wanted["id"]
         code = wanted.get("error", {}).get("code")
-        assert ("malformed" in frame_shown.experts) == (code is not None and code not in WITHOUT_MESSAGE), wanted
+        assert ("malformed" in frame_shown.experts) == (
+            code is not None and code not in WITHOUT_MESSAGE
+        ), wanted
         assert ("unknown" in frame_shown.experts) == (code in WITHOUT_MESSAGE), wanted
         if code is not None:
             body = frame_shown.text("sbgc.body").replace(":", "")
@@ -130,7 +154,9 @@ def test_values_have_units_and_names(pairs: list[tuple[Any, Shown]]) -> None:
             for path, one in zip(several, elements):
                 value = wanted["values"].get(path, {})
                 if "real" in value and frame_shown.all(f"{name}.raw"):
-                    assert math.isclose(float(one.get("show")), value["real"], rel_tol=1e-5, abs_tol=1e-9), (wanted, path, one.attrib)
+                    assert math.isclose(
+                        float(one.get("show")), value["real"], rel_tol=1e-5, abs_tol=1e-9
+                    ), (wanted, path, one.attrib)
                 if value.get("unit") and "text" not in value and frame_shown.all(f"{name}.raw"):
                     assert f" {value['unit']}" in one.get("showname"), (wanted, path, one.attrib)
                 if "text" in value and len(value["text"]) < LONGEST_LABEL:

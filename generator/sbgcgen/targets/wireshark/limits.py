@@ -23,7 +23,7 @@ _BITS = 32
 
 def check(layout: Layout, found: Diagnostics) -> None:
     """Report what the dissector could not have; findings go into `found`."""
-    namespace = layout.protocol.get("namespace", "")
+    namespace = layout.protocol.get("namespace", "sbgc")
     seen: dict[str, tuple[str, Position]] = {}
     for message in layout.messages:
         if message.identifier in OWN:
