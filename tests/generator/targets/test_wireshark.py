@@ -10,31 +10,24 @@ from sbgcgen.targets.wireshark.tables import lua
 from support import findings
 
 LONG = "A" * 60
+WIDE = """  V:
+    type: u64
+    summary: Parts.
+    source: L1
+    parts:
+      - {name: wide, bits: 0..39, summary: A wide part.}
+"""
 
 
 @pytest.mark.parametrize(
-    ("fields", "problem"),
+    ("field", "packed", "problem"),
     [
-        (
-            "        - {name: A, type: Angle, summary: One.}\n"
-            "        - {name: A_RAW, type: u8, summary: Another.}\n",
-            "",
-        ),
-        (
-            f"        - {{name: {LONG}, type: P, summary: One.}}\n",
-            "has over 128 characters",
-        ),
-        (
-            "        - {name: N, type: W, summary: One.}\n",
-            "have 64 bits",
-        ),
-        (
-            "        - {name: N, type: V, summary: One.}\n",
-            "has over 32 bits",
-        ),
+        ("{name: A, type: Angle, summary: One.}", "", ""),
+        (f"{{name: {LONG}, type: P, summary: One.}}", "", "has over 128 characters"),
+        ("{name: A, type: u8, summary: One.}", WIDE, "has over 32 bits"),
     ],
 )
-def test_limits(tmp_path: Path, fields: str, problem: str) -> None:
+def test_limits(tmp_path: Path, field: str, packed: str, problem: str) -> None:
     text = f"""family: probe
 summary: Limits.
 packed:
@@ -44,27 +37,15 @@ packed:
     source: L1
     parts:
       - {{name: {'part_' * 12}, bits: 0..3, summary: A part with a long name.}}
-  V:
-    type: u64
-    summary: Parts.
-    source: L1
-    parts:
-      - {{name: wide, bits: 0..39, summary: A wide part.}}
-flags:
-  W:
-    type: u64
-    summary: Flags.
-    source: L1
-    values:
-      ONE: {{value: 1, summary: One.}}
-commands:
+{packed}commands:
   CMD_PROBE:
     id: 9
     summary: A command.
     from_board:
       source: L1
       fields:
-{fields}"""
+        - {field}
+"""
     found = [str(one) for one in findings(tmp_path, text) if "SBGC022" in one.code]
     assert any(problem in one for one in found) if problem else not found, found
 

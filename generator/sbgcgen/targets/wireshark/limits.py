@@ -40,13 +40,6 @@ def check(layout: Layout, found: Diagnostics) -> None:
             if known != kind:
                 text = f"the display filter '{name}' would be a {kind} and a {known}"
                 found.add(at, "SBGC022", text, f"choose another name here or at {other}")
-    for enum in layout.enums:
-        if enum.kind == "flags" and 8 * enum.scalar.size > _BITS:
-            text = f"the flags of '{enum.name}' have {8 * enum.scalar.size} bits"
-            found.add(enum.at, "SBGC022", text, f"Lua calculates with the bits of {_BITS}")
-        if any(abs(value.value) >> 32 for value in enum.values):
-            text = f"values of '{enum.name}' have over 32 bits"
-            found.add(enum.at, "SBGC022", text, "Wireshark has names for 32 bits")
     for part in (part for packed in layout.packed for part in packed.parts):
         if part.mask >> part.shift >> _BITS:
             text = f"the part '{part.name}' has over {_BITS} bits"
