@@ -245,7 +245,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 1, count = 1, fixed = 1, reserved = true},
   }
 
-  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, has_secret = true, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, secret_from = 2, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[4].fields = {
     {name = "cfg", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "password", blob = "string", size = 32, count = 1, secret = true, fits_rest = true},
@@ -387,7 +387,7 @@ local protocol = (function()
   messages[21].fields = {
   }
 
-  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, has_secret = true, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, secret_from = 8, answers = {{confirm = true, certain = true, timeout = 2}}}
   messages[22].fields = {
     {name = "flags", type = "u32", enum = "PassProtectFlags", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
@@ -3705,7 +3705,7 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
   root:add(own.size, range(frame.framing.size, 1))
   local header = frame.framing.header
   local body = frame.body_size > 0 and range(header, frame.body_size)
-  local hides = message and message.has_secret -- but the bytes of the packet show it
+  local hides = message and message.secret_from and frame.body_size > message.secret_from + 1 -- but the bytes of the packet show it
   if body and not hides then root:add(own.body, body):set_hidden() end
   root:add(own.checksum, range(header + frame.body_size, frame.framing.trailer))
   local name = message and message.command or nodes.commands[frame.id]

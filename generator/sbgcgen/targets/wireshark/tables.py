@@ -195,7 +195,7 @@ def message(one: Message) -> Table:
             "mask": repeats.when.mask if repeats.when else 0,
         },
         "does": one.effect.words if one.effect else (),
-        "has_secret": one.secret_from is not None,
+        "secret_from": one.secret_from,
         "role": one.role and _role(one),
         "answers": [_answer(case) for case in one.answer.cases] if one.answer else (),
     }
