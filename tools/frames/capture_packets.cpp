@@ -5,8 +5,8 @@
 
 #include <sbgc/io/pcapng.hpp>
 
-#include "command/input.hpp"
 #include "command/command_error.hpp"
+#include "command/input.hpp"
 
 namespace sbgc::tools {
 

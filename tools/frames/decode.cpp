@@ -432,18 +432,23 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, const DecodeP
   return decoder.finish();
 }
 
-/// Throws CommandError for options that choose or describe frames: a file for Wireshark has all bytes.
+/// Throws CommandError for options that choose or describe frames: a file for Wireshark has all
+/// bytes.
 void reject_options_of_frames(const DecodeOptions& options) {
   const std::pair<bool, const char*> given[] = {
-      {!options.messages.empty(), "--message"}, {!options.conditions.empty(), "--where"},
-      {options.real, "--real"},                 {options.shows_passwords, "--show-passwords"},
-      {!options.firmware.empty(), "--firmware"}, {options.hex, "--hex"},
+      {!options.messages.empty(), "--message"},
+      {!options.conditions.empty(), "--where"},
+      {options.real, "--real"},
+      {options.shows_passwords, "--show-passwords"},
+      {!options.firmware.empty(), "--firmware"},
+      {options.hex, "--hex"},
       {options.raw, "--raw"},
   };
   for (const auto& [is_given, name] : given) {
     if (!is_given) continue;
-    throw CommandError(fmt::format("{} has no effect on --format pcapng, which keeps all bytes", name),
-                       wrong_usage);
+    throw CommandError(
+        fmt::format("{} has no effect on --format pcapng, which keeps all bytes", name),
+        wrong_usage);
   }
 }
 
@@ -457,7 +462,8 @@ int write_packets(const DecodeOptions& options) {
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
   if (!io::is_capture(begin)) {
-    throw InputError("--format pcapng needs a capture of `sbgc record`, which has times and senders");
+    throw InputError(
+        "--format pcapng needs a capture of `sbgc record`, which has times and senders");
   }
   const auto wants = [&plan](Direction direction, std::chrono::microseconds time) {
     return (!plan.direction || *plan.direction == direction) && plan.times.has(time);

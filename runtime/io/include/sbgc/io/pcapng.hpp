@@ -1,8 +1,8 @@
 /// Captures for Wireshark: blocks of pcapng, a format of packets with times and directions.
 ///
-/// The link type is LINKTYPE_USER13, which the dissector of the project registers for itself. A packet
-/// has the bytes of one read or write, and its direction in its flags. One without bytes and without
-/// a direction begins a session: nothing before it continues behind it.
+/// The link type is LINKTYPE_USER13, which the dissector of the project registers for itself. A
+/// packet has the bytes of one read or write, and its direction in its flags. One without bytes and
+/// without a direction begins a session: nothing before it continues behind it.
 #pragma once
 
 #include <algorithm>
