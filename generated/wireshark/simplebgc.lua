@@ -245,7 +245,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 1, count = 1, fixed = 1, reserved = true},
   }
 
-  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[4] = {name = "BoardInfoRequestExt", filter = "board_info_request_ext", command = "CMD_BOARD_INFO", id = 86, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets"}, secret_from = 2, answers = {{messages = {"BoardInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[4].fields = {
     {name = "cfg", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "password", blob = "string", size = 32, count = 1, secret = true, fits_rest = true},
@@ -387,7 +387,7 @@ local protocol = (function()
   messages[21].fields = {
   }
 
-  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[22] = {name = "PassProtectWrite", filter = "pass_protect_write", command = "CMD_PASS_PROTECT_WRITE", id = 137, to_board = true, min = 9, max = 41, tail = 246, does = {"stores"}, secret_from = 8, answers = {{confirm = true, certain = true, timeout = 2}}}
   messages[22].fields = {
     {name = "flags", type = "u32", enum = "PassProtectFlags", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
@@ -2408,7 +2408,12 @@ local byte, find = string.byte, string.find
 
 local function sum(bytes, from, to)
   local total = 0
-  while from + 7 <= to do
+  while from + 15 <= to do -- several at once, because a call takes longer than an addition
+    local a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p = byte(bytes, from, from + 15)
+    total = total + a + b + c + d + e + f + g + h + i + j + k + l + m + n + o + p
+    from = from + 16
+  end
+  if from + 7 <= to then
     local a, b, c, d, e, f, g, h = byte(bytes, from, from + 7)
     total = total + a + b + c + d + e + f + g + h
     from = from + 8
@@ -2487,8 +2492,8 @@ local function crc(check)
 end
 
 local KINDS = {
-  sum8 = function() return function(...) return sum(...) % 256 end end,
-  sum16 = function() return function(...) return sum(...) % 65536 end end,
+  sum8 = function() return function(bytes, from, to) return sum(bytes, from, to) % 256 end end,
+  sum16 = function() return function(bytes, from, to) return sum(bytes, from, to) % 65536 end end,
   xor8 = function()
     fill_either()
     return function(bytes, from, to)
@@ -2504,13 +2509,17 @@ local framings, starts = {}, ""
 for _, framing in ipairs(protocol.framings) do
   framings[framing.start] = framing
   starts = starts .. string.char(framing.start)
-  for _, list in ipairs({framing.in_header or {}, framing.in_trailer or {}}) do
-    for _, check in ipairs(list) do check.value = KINDS[check.kind](check) end
+  framing.in_header, framing.in_trailer = framing.in_header or {}, framing.in_trailer or {}
+  for _, list in ipairs({framing.in_header, framing.in_trailer}) do
+    for _, check in ipairs(list) do
+      check.value, check.from = KINDS[check.kind](check), check.from or 0
+    end
   end
 end
 local pattern = "[" .. starts:gsub("%p", "%%%0") .. "]" -- no letters: %a would be a class
 
 local function stored(bytes, at, size)
+  if size == 1 then return byte(bytes, at) end
   local value = 0
   for place = size - 1, 0, -1 do value = value * 256 + byte(bytes, at + place) end
   return value
@@ -2523,17 +2532,17 @@ local function judge(framing, bytes, at, stop)
   if byte(bytes, at + framing.id) == 0 then return nil, "id 0" end
   local size = byte(bytes, at + framing.size)
   if size > framing.most then return nil, "too large" end
-  for _, check in ipairs(framing.in_header or {}) do
-    if check.value(bytes, at + (check.from or 0), at + check.to - 1)
+  for _, check in ipairs(framing.in_header) do
+    if check.value(bytes, at + check.from, at + check.to - 1)
        ~= stored(bytes, at + check.at, check.bytes) then
       return nil, "bad header checksum"
     end
   end
   local trailer = at + framing.header + size
   if trailer + framing.trailer - 1 > stop then return nil, "incomplete" end
-  for _, check in ipairs(framing.in_trailer or {}) do
-    if check.value(bytes, at + (check.from or 0), trailer - 1)
-       ~= stored(bytes, trailer + (check.at or 0), check.bytes) then
+  for _, check in ipairs(framing.in_trailer) do
+    if check.value(bytes, at + check.from, trailer - 1)
+       ~= stored(bytes, trailer + check.at, check.bytes) then
       return nil, "bad body checksum"
     end
   end
@@ -2578,12 +2587,14 @@ local AXES = "axes" -- the name of a group of axes that has no other; filters om
 
 -- The fields that Wireshark shows, by their display filters; messages may share one.
 local fields, list = {}, {}
+local of_message = {} -- those of the message that is being expanded
 local function register(filter, make)
   filter = protocol.filter .. "." .. filter
   if not fields[filter] then
     fields[filter] = make(filter)
     list[#list + 1] = fields[filter]
   end
+  of_message[#of_message + 1] = fields[filter]
   return fields[filter]
 end
 M.register = register
@@ -2709,10 +2720,12 @@ M.by_name = {}
 M.commands = {}
 for _, command in ipairs(protocol.commands) do M.commands[command[1]] = command[2] end
 for _, message in ipairs(protocol.messages) do
+  of_message = {}
   message.nodes = expand(message.fields, message.filter, nil)
   message.tail_field = register(message.filter .. ".tail", function(filter)
     return ProtoField.bytes(filter, "tail")
   end)
+  message.shown = of_message
   message.to_board = message.to_board or false
   local forms = M.forms[message.to_board]
   forms[message.id] = forms[message.id] or {}
@@ -2838,6 +2851,7 @@ local function meaning(field, level, reader)
   if other then
     local values = other.in_group and level.values or reader.top.values
     local flags = values[other.field]
+    if type(flags) == "table" then flags = flags[level.word] end -- one for each axis
     if type(flags) == "number" and numbers.has(flags, other.mask) then return other end
   end
   local result = field
@@ -2876,7 +2890,7 @@ local read_fields
 local function read_element(node, kids, label, reader, level)
   if not node.struct then return read_leaf(node.leaf, reader, level, label) end
   local struct = node.struct
-  local inner = {values = {}, outer = level}
+  local inner = {values = {}, outer = level, word = label}
   local asked = struct.is_region and level or inner
   return group(reader, label, struct.size, function()
     read_fields(kids, reader, inner, asked)
@@ -3045,7 +3059,8 @@ local words = (function(numbers)
 -- Words for values, and a line of text that tells what a message says.
 
 local M = {}
-local MOST = 8 -- values in a line
+local format, concat, unpack_number = string.format, table.concat, Struct.unpack
+local MOST = 6 -- values in a line
 
 -- "NAME | NAME | 0x40"
 local function flags_text(enum, value)
@@ -3185,17 +3200,25 @@ local function fixed_leaves(message)
 end
 
 local function line_of(message)
-  local all, chosen = fixed_leaves(message), {}
+  local all, chosen, told = fixed_leaves(message), {}, {}
   local places = {} -- of fields, for alternatives
   for _, one in ipairs(all) do
-    places[one.leaf.name] = places[one.leaf.name] or one
+    places[one.leaf.name .. " " .. (one.group or "")] = one
+    if one.rank and one.rank <= 2 then -- the first angle and the first speed of an axis speak for themselves
+      local key = one.rank .. (one.group or one.leaf.name)
+      if told[key] then one.rank = 4 end
+      told[key] = true
+    end
     if one.rank then chosen[#chosen + 1] = one end
   end
   if #chosen > 2 * MOST then
     table.sort(chosen, function(a, b)
       return a.rank < b.rank or a.rank == b.rank and a.order < b.order
     end)
-    for i = #chosen, MOST + 1, -1 do chosen[i] = nil end
+    -- Of a large message, its motion is enough.
+    for i = #chosen, 4, -1 do
+      if i > MOST or chosen[i].rank > 2 then chosen[i] = nil end
+    end
   end
   -- Within an axis, the angle precedes the speed.
   local first = {}
@@ -3208,50 +3231,76 @@ local function line_of(message)
     if x ~= y then return x < y end
     return a.rank < b.rank or a.rank == b.rank and a.order < b.order
   end)
-  return {leaves = chosen, places = places}
+  local head = message.name
+  local does = message.does and message.does[1]
+  if does and does ~= "reads" and does ~= "unknown" then head = head .. " " .. does end
+  for _, one in ipairs(chosen) do
+    local field, leaf = one.leaf.field, one.leaf
+    one.format = numbers.types[field.type][1]
+    one.shows_zero = leaf.enum and not leaf.enum.is_flags and leaf.enum.names[0]
+    one.prefix = one.group and one.group .. " " or ""
+    if one.rank == 4 then one.prefix = one.prefix .. leaf.name .. " " end
+    -- Most values are quantities with one meaning, which need no more than this.
+    one.is_simple = not (leaf.enum or leaf.packed or field.special or field.alternative or field.ratio)
+    one.scale, one.add = field.scale or 1, field.add or 0
+    local unit = field.unit and " " .. field.unit:gsub("%%", "%%%%") or ""
+    one.up = "%s%.6g" .. unit .. (leaf.way and " " .. leaf.way[1] or "")
+    one.down = "%s%.6g" .. unit .. (leaf.way and " " .. leaf.way[2] or "")
+    one.sign = leaf.way and -1 or 1
+    one.is_speed = one.rank == 2
+  end
+  return {leaves = chosen, places = places, head = head, size = #chosen}
 end
 
 local lines = {}
 
--- What a message says: "pitch 30 deg down at 10 deg/s".
-local function content(message, bytes)
-  lines[message] = lines[message] or line_of(message)
-  local texts, last = {}, nil
-  for _, one in ipairs(lines[message].leaves) do
-    if #texts >= MOST then break end
-    local leaf = one.leaf
-    local value = one.at + one.size <= #bytes and numbers.read(leaf.field.type, bytes, one.at) or 0
-    if value ~= 0 or leaf.enum and not leaf.enum.is_flags and leaf.enum.names[0] then
-      local item = {leaf = leaf, value = value, meaning = leaf.field}
-      local other = leaf.field.alternative
-      if other then
-        local flags = lines[message].places[other.field]
-        if flags and flags.at + flags.size <= #bytes
-           and numbers.has(numbers.read(flags.leaf.field.type, bytes, flags.at), other.mask) then
-          item.meaning = other
-        end
-      end
-      local text = M.value_text(item, true)
-      if text == "" then text = leaf.name .. " " .. tostring(value) end
-      if one.rank == 4 and leaf.field.unit then text = leaf.name .. " " .. text end
-      if one.rank == 2 and last == one.group and #texts > 0 then
-        texts[#texts] = texts[#texts] .. " at " .. (text:gsub(" %a+$", ""))
-      else
-        texts[#texts + 1] = one.group and one.group .. " " .. text or text
-      end
-      last = one.group or one
+-- The text of a value that is not simple.
+local function detail(one, line, bytes, value)
+  local item = {leaf = one.leaf, value = value, meaning = one.leaf.field}
+  local other = one.leaf.field.alternative
+  if other then
+    local flags = line.places[other.field .. " " .. (one.group or "")] or line.places[other.field .. " "]
+    if flags and flags.at + flags.size <= #bytes
+       and numbers.has(numbers.read(flags.leaf.field.type, bytes, flags.at), other.mask) then
+      item.meaning = other
     end
   end
-  return table.concat(texts, ", ")
+  local text = M.value_text(item, true)
+  if text == "" then return one.prefix .. (one.rank == 4 and "" or one.leaf.name .. " ") .. tostring(value) end
+  return one.prefix .. text
 end
 
--- A line for a frame: "Control moves: pitch 30 deg down at 10 deg/s".
+-- A line for a frame: "Control moves: pitch 30 deg down at 10 deg/s". Values that are 0 are left out.
 function M.line(message, bytes)
-  local said = content(message, bytes)
-  local head = message.name
-  local does = message.does and message.does[1] ~= "reads" and message.does[1]
-  if does and does ~= "unknown" then head = head .. " " .. does end
-  return said == "" and head or head .. ": " .. said
+  local line = lines[message]
+  if not line then
+    line = line_of(message)
+    lines[message] = line
+  end
+  local texts, count, last, stop = {}, 0, nil, #bytes
+  for i = 1, line.size do
+    local one = line.leaves[i]
+    local value = one.at + one.size <= stop and unpack_number(one.format, bytes, one.at + 1) or 0
+    if value ~= 0 or one.shows_zero then
+      local text
+      if one.is_simple and type(value) == "number" then
+        local real = value * one.scale + one.add
+        text = real < 0 and format(one.down, one.prefix, real * one.sign) or format(one.up, one.prefix, real)
+      else
+        text = detail(one, line, bytes, value)
+      end
+      if one.is_speed and last == one.group and last then
+        texts[count] = texts[count] .. " at " .. text:sub(#one.prefix + 1):gsub(" %a+$", "")
+      else
+        count = count + 1
+        texts[count] = text
+      end
+      last = one.group
+      if count == MOST then break end
+    end
+  end
+  if count == 0 then return line.head end
+  return line.head .. ": " .. concat(texts, ", ", 1, count)
 end
 
 return M
@@ -3264,7 +3313,7 @@ local conversations = (function(bodies, numbers)
 
 local M = {}
 local MOST_CONVERSATIONS = 1000
-local MOST_RECORDS = 32000000 -- bytes of all records, about
+local MOST_RECORDS = 12000000 -- bytes of all records, about
 local RECORD = 120 -- bytes of a record without its content, about
 local MOST_FACTS = 10000 -- changes of facts in a conversation
 local MOST_PENDING = 64 -- requests without a response
@@ -3496,6 +3545,7 @@ local own = {
   message = register("message", function(f) return ProtoField.string(f, "Message") end),
   command = register("command", function(f) return ProtoField.string(f, "Command name") end),
   body = register("body", function(f) return ProtoField.bytes(f, "Body") end),
+  undecoded = register("undecoded", function(f) return ProtoField.bytes(f, "Undecoded body") end),
   checksum = register("checksum", function(f) return ProtoField.bytes(f, "Checksum") end),
   skipped = register("skipped", function(f) return ProtoField.bytes(f, "No frame") end),
   request_in = register("request_in", function(f)
@@ -3628,6 +3678,22 @@ local function show_items(items, tree, place, is_visible)
   end
 end
 
+-- True if a tree needs the values of a message: one that is seen, or that a filter looks at. A filter
+-- does not change before an earlier packet, or the same one, comes again.
+local asked, last = {}, 0
+function M.wants_values(tree, message, number)
+  if tree.visible then return true end
+  if number < last then asked = {} end
+  last = number
+  if asked[message] == nil then
+    asked[message] = false
+    for _, field in ipairs(message.shown) do
+      if tree:referenced(field) then asked[message] = true end
+    end
+  end
+  return asked[message]
+end
+
 -- Shows a frame. `decoded` is its body; without one, `reason` says why. `links` belong to the packets of
 -- its request or response.
 function M.show(tree, range, frame, message, decoded, reason, to_board, line, links)
@@ -3639,6 +3705,8 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
   root:add(own.size, range(frame.framing.size, 1))
   local header = frame.framing.header
   local body = frame.body_size > 0 and range(header, frame.body_size)
+  local hides = message and message.secret_from and frame.body_size > message.secret_from + 1 -- but the bytes of the packet show it
+  if body and not hides then root:add(own.body, body):set_hidden() end
   root:add(own.checksum, range(header + frame.body_size, frame.framing.trailer))
   local name = message and message.command or nodes.commands[frame.id]
   if name then root:add(own.command, range(frame.framing.id, 1), name):set_generated() end
@@ -3652,11 +3720,12 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
     root:add_proto_expert_info(experts.late, string.format("The response took over %g s", links.late))
   end
   if not message then
-    if body then root:add(own.body, body) end
+    if body then root:add(own.undecoded, body) end
     root:add_proto_expert_info(experts.unknown, reason)
     return
   end
   local inner = root:add(own.message, body or range(0, header), message.name)
+  if not decoded then return end
   local function place(at, size)
     if size == 0 then at = math.min(at, frame.body_size - 1) end
     return range(header + math.max(at, 0), math.max(size, 1))
@@ -3671,7 +3740,11 @@ function M.show(tree, range, frame, message, decoded, reason, to_board, line, li
     local where = problem.field ~= "" and " at " .. problem.field or ""
     inner:add_proto_expert_info(experts.malformed,
       "The body is " .. problem.code .. where .. ", offset " .. problem.at)
-    root:add(own.body, body or range(0, header))
+    if hides then
+      root:add(body or range(0, header), "Undecoded body: (hidden)")
+    else
+      root:add(own.undecoded, body or range(0, header))
+    end
   end
 end
 
@@ -3698,9 +3771,10 @@ end)(nodes, words, numbers)
 local dissector = (function(nodes, frames, bodies, words, conversations, trees)
 -- What Wireshark calls: for packets of a recorded line, of TCP and of UDP.
 
+local NONE = {}
 local MOST_LINES = 6 -- frames of a packet that the column tells
 
--- Recorded lines have this link type (see docs/17-wireshark.md).
+-- Recorded lines have this link type (see docs/18-wireshark.md).
 local LINK_TYPE = wtap.USER13
 
 local proto = nodes.proto
@@ -3724,7 +3798,7 @@ local function are_to_board(bytes)
 end
 
 -- Decodes a frame as far as it is asked: for its tree, for what later bodies need, or for its request.
-local function take(one, frame, all, known, pinfo, ordinal, to_board, wants_tree)
+local function take(one, frame, all, known, pinfo, ordinal, to_board, tree, wants_tree)
   local message, reason = nodes.choose(to_board, frame.id, frame.body_size)
   local taken = {frame = frame, message = message, reason = reason}
   if not message then
@@ -3738,7 +3812,7 @@ local function take(one, frame, all, known, pinfo, ordinal, to_board, wants_tree
   local role = message.role and message.role.is
   local answers = is_first and not to_board and #one.pending > 0
   local asks = is_first and to_board and message.answers
-  if wants_tree or learns or asks or answers and (role == "confirmation" or role == "error") then
+  if wants_tree and trees.wants_values(tree, message, pinfo.number) or learns or asks or answers and (role == "confirmation" or role == "error") then
     taken.decoded = bodies.decode(message, body, conversations.context_for(known, message))
   end
   local decoded = taken.decoded
@@ -3771,12 +3845,12 @@ end
 
 -- Dissects the next bytes of one direction of a conversation.
 local function dissect(tvb, pinfo, tree, one, to_board)
-  local side, number = one.sides[to_board], pinfo.number
-  local is_last = pinfo.visited and (side.last == number or one.ended[number])
-  local before = pinfo.visited and (one.before[number] or "") or side.waiting
-  local all = before .. tvb:raw(0, tvb:len())
+  local side, number, visited = one.sides[to_board], pinfo.number, pinfo.visited
+  local is_last = visited and (side.last == number or one.ended[number])
+  local before = visited and (one.before[number] or "") or side.waiting
+  local all = before .. tvb:raw()
   local found, rejected, rest = frames.scan(all, is_last)
-  if not pinfo.visited then
+  if not visited then
     side.waiting, side.last = all:sub(rest + 1), number
     if before ~= "" then conversations.note(one, one.before, number, before, #before) end
   end
@@ -3788,7 +3862,7 @@ local function dissect(tvb, pinfo, tree, one, to_board)
     return joined(at, size)
   end
   local known = conversations.facts_before(one, number)
-  local links = one.links[number] or {}
+  local links = one.links[number] or NONE
   local lines, skipped, place = {}, 0, 0
   local function skip(to)
     if to <= place then return end
@@ -3798,7 +3872,7 @@ local function dissect(tvb, pinfo, tree, one, to_board)
   for ordinal, frame in ipairs(found) do
     skip(frame.at)
     local taken
-    taken, known = take(one, frame, all, known, pinfo, ordinal, to_board, wants_tree)
+    taken, known = take(one, frame, all, known, pinfo, ordinal, to_board, tree, wants_tree)
     if ordinal <= MOST_LINES then lines[ordinal] = taken.line end
     if wants_tree then
       links = one.links[number] or links

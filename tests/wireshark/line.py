@@ -17,7 +17,7 @@ from typing import Any, Optional
 ROOT = Path(__file__).resolve().parents[2]
 DISSECTOR = ROOT / "generated" / "wireshark" / "simplebgc.lua"
 LUA_PROBLEM = re.compile(r"Lua Error|Lua: |stack traceback")
-BOARD_PORT, HOST_PORT = 5000, 40000
+BOARD_PORT, HOST_PORT = 33000, 40000
 
 
 def tshark(file: Path, *options: str, dissector: Path = DISSECTOR) -> str:
@@ -72,18 +72,18 @@ def _padded(data: bytes) -> bytes:
     return data + bytes(-len(data) % 4)
 
 
-def pcapng(
-    packets: Iterable[tuple[float, int, bytes]], link: int = 160, begins: Optional[float] = None
-) -> bytes:
+def pcapng(packets: Iterable[tuple[float, int, bytes]], link: int = 160) -> bytes:
     """A file of packets with time, direction (1 from the board, 2 to it) and bytes."""
-    found = _block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1))
-    found += _block(1, struct.pack("<HHI", link, 0, 0))
+    found = [
+        _block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1)),
+        _block(1, struct.pack("<HHI", link, 0, 0)),
+    ]
     for seconds, direction, data in packets:
         count = round(seconds * 1e6)
         head = struct.pack("<IIIII", 0, count >> 32, count & 0xFFFFFFFF, len(data), len(data))
         flags = struct.pack("<HHIHH", 2, 4, direction, 0, 0)
-        found += _block(6, head + _padded(data) + flags)
-    return found
+        found.append(_block(6, head + _padded(data) + flags))
+    return b"".join(found)
 
 
 def _ip(protocol: int, is_from_board: bool, data: bytes) -> bytes:
@@ -93,29 +93,53 @@ def _ip(protocol: int, is_from_board: bool, data: bytes) -> bytes:
     return head + source + target + data
 
 
-def _ports(is_from_board: bool) -> tuple[int, int]:
-    return (BOARD_PORT, HOST_PORT) if is_from_board else (HOST_PORT, BOARD_PORT)
+@dataclass(frozen=True)
+class Packet:
+    """Bytes of one direction (1 from the board, 2 to it). Hosts differ in their port."""
+
+    data: bytes
+    direction: int = 1
+    host: int = HOST_PORT
+    time: Optional[float] = None
 
 
-def udp(packets: Iterable[tuple[float, int, bytes]]) -> bytes:
-    """The packets as datagrams between a board and a host."""
-
-    def datagram(direction: int, data: bytes) -> bytes:
-        head = struct.pack(">HHHH", *_ports(direction == 1), 8 + len(data), 0)
-        return _ip(17, direction == 1, head + data)
-
-    return pcapng([(t, 0, datagram(d, data)) for t, d, data in packets], link=101)
+def _ports(packet: Packet) -> tuple[int, int]:
+    return (BOARD_PORT, packet.host) if packet.direction == 1 else (packet.host, BOARD_PORT)
 
 
-def tcp(packets: Iterable[tuple[float, int, bytes]]) -> bytes:
-    """The packets as segments of a connection."""
-    at = {1: 1000, 2: 2000}
+def line(packets: Iterable[Packet]) -> bytes:
+    """The packets as a recorded line; each other host begins a session."""
+    made, host, now = [], None, 0.0
+    for packet in packets:
+        now = now + 0.001 if packet.time is None else packet.time
+        if packet.host != host:
+            made.append((now, 0, b""))
+        host = packet.host
+        made.append((now, packet.direction, packet.data))
+    return pcapng(made)
+
+
+def udp(packets: Iterable[Packet]) -> bytes:
+    """The packets as datagrams between boards and hosts."""
     made = []
-    for seconds, direction, data in packets:
-        ports = _ports(direction == 1)
-        head = struct.pack(
-            ">HHIIBBHHH", *ports, at[direction], at[3 - direction], 0x50, 0x18, 8192, 0, 0
-        )
-        made.append((seconds, 0, _ip(6, direction == 1, head + data)))
-        at[direction] += len(data)
+    for number, packet in enumerate(packets):
+        head = struct.pack(">HHHH", *_ports(packet), 8 + len(packet.data), 0)
+        made.append((number / 1000, 0, _ip(17, packet.direction == 1, head + packet.data)))
     return pcapng(made, link=101)
+
+
+def tcp(packets: Iterable[Packet]) -> bytes:
+    """The packets as segments of connections."""
+    at: dict[tuple[int, int], int] = {}
+    made = []
+    for number, packet in enumerate(packets):
+        own, other = (packet.host, packet.direction), (packet.host, 3 - packet.direction)
+        sent, seen = at.setdefault(own, 1000), at.setdefault(other, 1000)
+        head = struct.pack(">HHIIBBHHH", *_ports(packet), sent, seen, 0x50, 0x18, 8192, 0, 0)
+        made.append((number / 1000, 0, _ip(6, packet.direction == 1, head + packet.data)))
+        at[own] += len(packet.data)
+    return pcapng(made, link=101)
+
+
+CARRIERS = {"line": line, "udp": udp, "tcp": tcp}
+DECODE_AS = [f"-dudp.port=={BOARD_PORT},sbgc", f"-dtcp.port=={BOARD_PORT},sbgc"]

@@ -14,7 +14,7 @@ LONGEST_NAME = 128
 # Names that the dissector has for itself, which no message may have.
 OWN = frozenset(
     """id command message direction framing size body checksum expert skipped request_in response_in
-    response_time""".split()
+    response_time undecoded""".split()
 )
 _NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*\Z")
 # Lua's numbers are those of C's `double`, and its bit operations have 32 bits.
@@ -23,7 +23,7 @@ _BITS = 32
 
 def check(layout: Layout, found: Diagnostics) -> None:
     """Report what the dissector could not have; findings go into `found`."""
-    namespace = layout.protocol.get("namespace", "")
+    namespace = layout.protocol.get("namespace", "sbgc")
     seen: dict[str, tuple[str, Position]] = {}
     for message in layout.messages:
         if message.identifier in OWN:
@@ -40,13 +40,6 @@ def check(layout: Layout, found: Diagnostics) -> None:
             if known != kind:
                 text = f"the display filter '{name}' would be a {kind} and a {known}"
                 found.add(at, "SBGC022", text, f"choose another name here or at {other}")
-    for enum in layout.enums:
-        if enum.kind == "flags" and 8 * enum.scalar.size > _BITS:
-            text = f"the flags of '{enum.name}' have {8 * enum.scalar.size} bits"
-            found.add(enum.at, "SBGC022", text, f"Lua calculates with the bits of {_BITS}")
-        if any(abs(value.value) >> 32 for value in enum.values):
-            text = f"values of '{enum.name}' have over 32 bits"
-            found.add(enum.at, "SBGC022", text, "Wireshark has names for 32 bits")
     for part in (part for packed in layout.packed for part in packed.parts):
         if part.mask >> part.shift >> _BITS:
             text = f"the part '{part.name}' has over {_BITS} bits"

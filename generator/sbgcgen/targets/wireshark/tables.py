@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any, Optional
+from typing import Any
 
 from sbgcgen.model import (
     ID,
@@ -59,7 +59,7 @@ def _is_unset(value: Any) -> bool:
     return value is None or value is False or value in ((), [], "", {})
 
 
-def _key(key: Any) -> str:
+def _key(key: int | str) -> str:
     if isinstance(key, int):
         return f"[{key}]"
     return key if key.isidentifier() and key not in _KEYWORDS else f'["{key}"]'
@@ -195,6 +195,7 @@ def message(one: Message) -> Table:
             "mask": repeats.when.mask if repeats.when else 0,
         },
         "does": one.effect.words if one.effect else (),
+        "secret_from": one.secret_from,
         "role": one.role and _role(one),
         "answers": [_answer(case) for case in one.answer.cases] if one.answer else (),
     }
@@ -378,12 +379,12 @@ def path_of(leaf: Leaf) -> str:
 AXES = "axes"
 
 
-def kind_of(type_: Type, field: Optional[Field] = None) -> str:
+def kind_of(type_: Type, field: Field) -> str:
     """The type of the display filter of a value, as far as two must agree."""
     if isinstance(type_, Blob):
         return "bytes" if type_.kind == "bytes" else "text"
     if isinstance(type_, Announced):
         return "real"
-    if isinstance(type_, Quantity) and not (type_.is_plain and not (field and field.alternative)):
+    if isinstance(type_, Quantity) and not (type_.is_plain and not field.alternative):
         return "real"
     return "number"

@@ -18,7 +18,12 @@ class Wireshark(Target):
         structs, names = tables.structs(layout)
         return View(
             filters={"lua": tables.lua},
-            names={"tables": tables, "structs": structs, "struct_names": names},
+            names={
+                "tables": tables,
+                "namespace": layout.protocol.get("namespace", "sbgc"),
+                "structs": structs,
+                "struct_names": names,
+            },
         )
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
