@@ -640,8 +640,8 @@ void add_describe(CLI::App& app, CommandContext& context) {
           "commands are listed")
       ->type_name("WORD");
   command->footer("The exit status is 0 if something is found, 1 if not, 2 for wrong usage.");
-  command.examples(
-      {"sbgc describe CMD_CONTROL", "sbgc describe bat_level", "sbgc describe MODE_ANGLE", "sbgc describe pid"});
+  command.examples({"sbgc describe CMD_CONTROL", "sbgc describe bat_level",
+                    "sbgc describe MODE_ANGLE", "sbgc describe pid"});
   command.runs(describe);
 }
 
