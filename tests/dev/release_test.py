@@ -180,7 +180,7 @@ def test_what_the_files_consist_of(project: Path) -> None:
 
 def test_a_file_of_unknown_parts_is_refused(tmp_path: Path) -> None:
     (tmp_path / "other.bin").write_text("x")
-    command = [sys.executable, ROOT / ".ci/sbom.py", "1.0.0", "abc", tmp_path]
+    command = [sys.executable, str(ROOT / ".ci/sbom.py"), "1.0.0", "abc", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 1 and "unknown what other.bin consists of" in done.stderr
 
