@@ -2,7 +2,8 @@
 // command id and the body. A decoded body is validated and must encode to the same bytes, which
 // must decode again. The other bits of the first byte count the bytes at the end that are a request
 // instead, which may provide the context for decoding. The results are the status, the values and
-// their texts, the violations and the frames.
+// their texts, the violations and the frames. At run time, a message has a type that is known only
+// then: these are the functions that the library has compiled for each message.
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#ifndef SBGC_AS_CONSTANT
+#include <sbgc/any.hpp>
+#endif
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>
@@ -34,6 +38,94 @@ void add(Results& results, std::string_view text) {
   results.push_back('\n');
 }
 
+#ifdef SBGC_AS_CONSTANT
+
+/// Does what AnyMessage does.
+template <class M>
+struct Typed {
+  M message{};
+
+  sbgc::Status decode(Body body, const sbgc::Contexts& contexts) {
+    if constexpr (requires { contexts.of(message); }) {
+      return sbgc::decode(body, message, contexts.of(message));
+    } else {
+      return sbgc::decode(body, message);
+    }
+  }
+  sbgc::WriteResult encode(std::span<std::uint8_t> out) const { return sbgc::encode(message, out); }
+  sbgc::WriteResult encode_frame(sbgc::Framing framing, std::span<std::uint8_t> out) const {
+    return sbgc::encode_frame(framing, message, out);
+  }
+  template <class Use>
+  void for_each_leaf(Use& use) const {
+    sbgc::for_each_leaf(message, use);
+  }
+  template <class Report>
+  bool validate(const sbgc::Availability& versions, const Report& report) const {
+    return sbgc::validate(message, versions, report);
+  }
+  bool operator==(const Typed&) const = default;
+};
+
+template <class M>
+Typed<M> make_another(const Typed<M>& /*message*/) {
+  return {};
+}
+
+/// Calls `use` with the form for later firmware, if there is one.
+template <class M, class Use>
+void with_later_form(const Typed<M>& message, const Use& use) {
+  if constexpr (requires { later_form(message.message); }) use(later_form(message.message));
+}
+
+/// Calls `use` with the message, if it decodes.
+template <class Use>
+sbgc::Status visit(std::uint8_t id, Body body, sbgc::Direction direction,
+                   const sbgc::Contexts& contexts, const Use& use) {
+  return sbgc::visit_received(
+      id, body, direction, [&]<class M>(const M& message) { use(Typed<M>{message}); }, contexts);
+}
+
+void learn(sbgc::Contexts& contexts, Body request) {
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    Typed<sbgc::Received<M>> message;
+    if (message.decode(request, {})) contexts.learn(sbgc::without_surplus(message.message));
+  });
+}
+
+#else
+
+sbgc::AnyMessage make_another(const sbgc::AnyMessage& message) { return message.type().make(); }
+
+template <class Use>
+void with_later_form(const sbgc::AnyMessage& message, const Use& use) {
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    if constexpr (requires(const M& typed) { later_form(typed); }) {
+      if (const M* const typed = message.get_if<M>()) use(later_form(*typed));
+    }
+  });
+}
+
+template <class Use>
+sbgc::Status visit(std::uint8_t id, Body body, sbgc::Direction direction,
+                   const sbgc::Contexts& contexts, const Use& use) {
+  const sbgc::MessageType* const type = sbgc::find_message(direction, id, body.size());
+  if (type == nullptr) return {sbgc::select_received(direction, id, body.size(), [](auto) {})};
+  sbgc::AnyMessage message = type->make();
+  const sbgc::Status status = message.decode(body, contexts);
+  if (status) use(message);
+  return status;
+}
+
+void learn(sbgc::Contexts& contexts, Body request) {
+  for (const sbgc::MessageType* const type : sbgc::message_types()) {
+    sbgc::AnyMessage message = type->make();
+    if (message.decode(request)) message.teach(contexts);
+  }
+}
+
+#endif
+
 /// One type for all messages: each would be compiled for each of them.
 struct LeafText {
   Results& results;
@@ -47,9 +139,9 @@ struct LeafText {
 template <class M>
 void check(const M& message, Body body, const sbgc::Contexts& contexts, Results& results) {
   LeafText add_leaf{results};
-  sbgc::for_each_leaf(message, add_leaf);
+  message.for_each_leaf(add_leaf);
   // Every path is formatted, as a program that reports violations does.
-  sbgc::validate(message, [&](const sbgc::Violation& violation) {
+  message.validate(sbgc::newest, [&](const sbgc::Violation& violation) {
     std::array<char, 32> path{};
     const std::size_t size = violation.path.write(path.data(), path.size());
     require(size < path.size());
@@ -57,43 +149,40 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts, Results&
   });
 
   // For an old board, most of whose values do not exist yet.
-  sbgc::validate(message, {1, 1},
-                 [&](const sbgc::Violation& violation) { add(results, name(violation.rule)); });
+  message.validate({1, 1},
+                   [&](const sbgc::Violation& violation) { add(results, name(violation.rule)); });
   const M copy = message;
   static_cast<void>(copy == message);  // not so with a NaN
 
   std::array<std::uint8_t, sbgc::max_body_size> out{};
-  const sbgc::WriteResult written = sbgc::encode(message, out);
+  const sbgc::WriteResult written = message.encode(out);
   require(static_cast<bool>(written));
   require(std::ranges::equal(std::span(out).first(written.size), body));
-  if (!body.empty()) require(!sbgc::encode(message, std::span(out).first(body.size() - 1)));
+  if (!body.empty()) require(!message.encode(std::span(out).first(body.size() - 1)));
 
-  if constexpr (requires { later_form(message); }) {
-    const sbgc::WriteResult later = sbgc::encode(later_form(message), out);
+  with_later_form(message, [&](const auto& form) {
+    const sbgc::WriteResult later = sbgc::encode(form, out);
     results.insert(results.end(), out.begin(), out.begin() + later.size);
-  }
+  });
 
-  M again{};
-  if constexpr (requires { contexts.of(again); }) {
-    require(static_cast<bool>(sbgc::decode(body, again, contexts.of(again))));
-  } else {
-    require(static_cast<bool>(sbgc::decode(body, again)));
-  }
+  M again = make_another(message);
+  require(static_cast<bool>(again.decode(body, contexts)));
   for (const sbgc::Framing framing : sbgc::framings) {
     std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-    const sbgc::WriteResult framed = sbgc::encode_frame(framing, again, frame);
+    const sbgc::WriteResult framed = again.encode_frame(framing, frame);
     require(framed.size == sbgc::frame_size(framing, body.size()));
     const auto bytes = std::span(frame).first(framed.size);
     require(std::ranges::equal(bytes.subspan(sbgc::frame_header_size, body.size()), body));
     results.insert(results.end(), bytes.begin(), bytes.end());
-    require(!sbgc::encode_frame(framing, again, bytes.first(bytes.size() - 1)));
+    require(!again.encode_frame(framing, bytes.first(bytes.size() - 1)));
   }
 }
 
 void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
                 const sbgc::Contexts& contexts, Results& results) {
-  const auto visitor = [&](const auto& message) { check(message, body, contexts, results); };
-  const sbgc::Status status = sbgc::visit_received(id, body, direction, visitor, contexts);
+  const sbgc::Status status = visit(id, body, direction, contexts, [&](const auto& message) {
+    check(message, body, contexts, results);
+  });
   require(status.field != nullptr);
   require(status.offset <= body.size());
   add(results, to_string(status));
@@ -104,10 +193,7 @@ void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
 /// Returns the contexts learned from `request`, decoded as every message type in turn.
 sbgc::Contexts learn_from(Body request) {
   sbgc::Contexts contexts;
-  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
-    M message{};
-    if (sbgc::decode(request, message)) contexts.learn(message);
-  });
+  learn(contexts, request);
   return contexts;
 }
 
