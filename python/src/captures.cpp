@@ -1,5 +1,6 @@
 // Captures: their messages by kind, in one pass.
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -38,8 +39,8 @@ bool is_learned_from(const MessageType& type) {
 
 /// All messages of one type.
 struct Kind {
-  explicit Kind(const MessageType& of) : type(&of), layout(fixed_layout(of)) {
-    teaches = is_learned_from(of);
+  explicit Kind(const MessageType& of)
+      : type(&of), layout(fixed_layout(of)), teaches(is_learned_from(of)) {
     if (layout) bodies = std::make_shared<Bodies>(of.info->min_size);
   }
 

@@ -1,5 +1,8 @@
 #include "fixed_layout.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace sbgc::python {
 
 namespace {
@@ -32,10 +35,9 @@ class Layout {
     return true;
   }
   bool add_members(const std::vector<FieldType>& members, const std::string& before) {
-    for (const FieldType& member : members) {
-      if (!member.is_tail() && !add(member, before + member.name)) return false;
-    }
-    return true;
+    return std::ranges::all_of(members, [&](const FieldType& member) {
+      return member.is_tail() || add(member, before + member.name);
+    });
   }
 
   std::vector<FixedValue> values{};
