@@ -11,7 +11,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 """
 
 from sbgc import aio, msg
-from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
+from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
     Frame,
@@ -39,10 +39,12 @@ from sbgc.errors import (
 from sbgc.message import Contexts, Message
 from sbgc.msg.protocol import Framing
 from sbgc.parameters import Profile
+from sbgc.search import Found, Port, Usb, find, ports
 
 __all__ = [
     "Angles",
     "Board",
+    "Calibration",
     "CodecError",
     "Contexts",
     "DecodeError",
@@ -50,6 +52,7 @@ __all__ = [
     "EncodeError",
     "Error",
     "FieldError",
+    "Found",
     "Frame",
     "Framing",
     "Gimbal",
@@ -61,9 +64,11 @@ __all__ = [
     "Move",
     "Parser",
     "ParserCounters",
+    "Port",
     "Profile",
     "SpeedControl",
     "Stream",
+    "Usb",
     "Violation",
     "aio",
     "connect",
@@ -74,6 +79,8 @@ __all__ = [
     "emulator",
     "encode",
     "encode_body",
+    "find",
     "msg",
+    "ports",
     "validate",
 ]

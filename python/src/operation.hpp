@@ -54,7 +54,7 @@ class Operation {
   }
   /// Ends it soon, as an error; what moves the camera stops it first.
   void cancel() {
-    if (cancel_) cancel_();
+    if (cancel_ && !is_over()) cancel_();
   }
   void wait_until(std::chrono::steady_clock::time_point time) {
     std::unique_lock lock(mutex_);
@@ -91,8 +91,13 @@ class Operation {
   }
 
  private:
+  bool is_over() const {
+    const std::scoped_lock lock(mutex_);
+    return static_cast<bool>(result_);
+  }
+
   std::shared_ptr<Bell> bell_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   Result result_{};
   Result progress_{};
