@@ -16,7 +16,7 @@ import pytest
 
 import sbgc
 from conftest import is_still
-from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, msg
+from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, _core, msg, search
 
 
 def test_a_call_returns_the_response(gimbal: Gimbal) -> None:
@@ -362,9 +362,9 @@ def test_the_search_finds_the_gimbals_that_answer(monkeypatch: pytest.MonkeyPatc
         assert found.place is board and found.identity.firmware == "2.59"
     usb = (0x0403, 0x6001, "FTDI", "", "A1")
     listed = [("/dev/ttyS0", "built in", None), ("/dev/no-such-port", "", usb)]
-    monkeypatch.setattr(sbgc._core, "list_ports", lambda: listed)
+    monkeypatch.setattr(_core, "list_ports", lambda: listed)
     assert sbgc.ports()[1].usb == sbgc.Usb(*usb)
-    assert sbgc.search.searched() == ["/dev/no-such-port"]
+    assert search.searched() == ["/dev/no-such-port"]
     assert sbgc.find() == []
 
 
