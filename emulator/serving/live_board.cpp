@@ -17,20 +17,18 @@ constexpr Instant line_beginning{};
 
 LiveBoard::LiveBoard(const asio::any_io_executor& executor,
                      const emulator::EmulatorOptions& options, emulator::Memory memory)
-    : beginning_(io::Clock::now()),
+    : timer_(executor),
+      beginning_(timer_.now()),
       emulator_(options, std::move(memory), line_beginning - options.board.start_time,
                 line_beginning),
-      timer_(executor),
       revision_(emulator_.board().memory().revision) {
   settle();
 }
 
-Instant LiveBoard::now() const {
-  return line_beginning + io::from_chrono(io::Clock::now() - beginning_);
-}
+Instant LiveBoard::now() const { return line_beginning + (timer_.now() - beginning_); }
 
 void LiveBoard::skip(Duration time) {
-  beginning_ -= io::to_chrono(time);
+  beginning_ = beginning_ - time;
   timer_at_ = Instant::never;  // it would fire too late
   emulator_.advance(now());
   settle();
@@ -113,9 +111,7 @@ void LiveBoard::set_timer() {
   const Instant at = later(next, now() + granularity);
   if (timer_at_ <= at) return;  // it fires soon enough
   timer_at_ = at;
-  timer_.expires_at(beginning_ + io::to_chrono(at - line_beginning));
-  timer_.async_wait([this](std::error_code error) {
-    if (error) return;
+  timer_.start(beginning_ + (at - line_beginning), [this] {
     timer_at_ = Instant::never;
     emulator_.advance(now());
     settle();

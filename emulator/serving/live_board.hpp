@@ -1,4 +1,4 @@
-/// An emulated board in real time.
+/// An emulated board in real time, or in the virtual time of its executor.
 #pragma once
 
 #include <array>
@@ -10,16 +10,15 @@
 #include <span>
 
 #include <asio/any_io_executor.hpp>
-#include <asio/steady_timer.hpp>
 
 #include <sbgc/emulator/emulator.hpp>
-#include <sbgc/io/clock.hpp>
+#include <sbgc/io/detail/timer.hpp>
 
 #include "hosts/host_ports.hpp"
 
 namespace sbgc::serving {
 
-/// Drives the emulator by the system clock, through a timer of the executor. All calls must come
+/// Drives the emulator by the clock of the executor. All calls must come
 /// from the thread of the executor.
 class LiveBoard : public hosts::HostPorts {
  public:
@@ -63,10 +62,10 @@ class LiveBoard : public hosts::HostPorts {
   void settle_soon();
   void set_timer();
 
-  io::Clock::time_point beginning_;
+  io::detail::Timer timer_;
+  Instant beginning_;
   emulator::Emulator emulator_;
   std::array<std::function<void()>, emulator::Board::max_ports> wakes_{};
-  asio::steady_timer timer_;
   Instant timer_at_ = Instant::never;
   std::uint32_t revision_;
   bool is_settling_ = false;

@@ -11,6 +11,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 """
 
 from sbgc import aio, msg
+from sbgc.captures import read_capture
 from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
@@ -82,5 +83,6 @@ __all__ = [
     "find",
     "msg",
     "ports",
+    "read_capture",
     "validate",
 ]

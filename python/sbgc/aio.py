@@ -26,10 +26,10 @@ from sbgc.client import (
     Progress,
     SpeedControl,
     calibration_of,
-    deadline,
     move_of,
     out_of_time,
     report,
+    seconds_of,
     target_of,
 )
 from sbgc.emulator import Board
@@ -74,7 +74,7 @@ class Gimbal(Link):
         progress: Optional[Callable[..., object]] = None,
         timeout: Optional[float] = None,
     ) -> Any:
-        deadline(timeout)  # raises if it is no time
+        seconds_of(timeout)  # raises if it is none
         try:
             await self._end(operation, progress, timeout)
         except BaseException:
@@ -316,7 +316,7 @@ class Gimbal(Link):
         await self._finish(self._script(slot, ScriptMode.STOP), timeout=timeout)
 
     async def wait_until_connected(self, *, timeout: float = 60.0) -> None:
-        deadline(timeout)  # raises if it is no time
+        seconds_of(timeout)  # raises if it is none
         try:
             async with asyncio.timeout(timeout):
                 rung = self._rung
@@ -408,7 +408,9 @@ def connect(
     capture: Optional[Path] = None,
     reconnect: bool = False,
 ) -> Connecting:
-    """Connect to a board, as sbgc.connect()."""
+    """Connect to a board, as sbgc.connect(); an emulated one in real time."""
+    if isinstance(place, Board) and place.has_virtual_time:
+        raise ValueError("asyncio waits in real time: sbgc.connect() is for virtual time")
     return Connecting(place, timeout, capture, reconnect)
 
 

@@ -84,11 +84,11 @@ def finish(
     timeout: Optional[float] = None,
 ) -> Any:
     """Wait for an operation. Whatever ends the wait cancels it, which stops a moving camera."""
-    until = deadline(timeout)
+    until = operation.now() + seconds_of(timeout)
     try:
         while not operation.wait(_SLICE):
             report(operation, progress)
-            if time.monotonic() > until:
+            if operation.now() > until:
                 raise out_of_time(timeout)
         report(operation, progress)
     except BaseException:
@@ -98,10 +98,10 @@ def finish(
     return operation.result()
 
 
-def deadline(timeout: Optional[float]) -> float:
+def seconds_of(timeout: Optional[float]) -> float:
     if timeout is not None and not timeout >= 0:
         raise ValueError(f"timeout: {timeout!r} is no number of seconds")
-    return float("inf") if timeout is None else time.monotonic() + timeout
+    return float("inf") if timeout is None else timeout
 
 
 def out_of_time(timeout: Optional[float]) -> GimbalTimeout:
@@ -131,13 +131,13 @@ class Stream(Generic[M]):
 
     def __next__(self) -> M:
         """Wait for the next sample. Raises TimeoutError if none comes."""
-        until = time.monotonic() + self._timeout
+        until = self._link.now() + self._timeout
         while self._is_open:
             sample = self._queue.take(_SLICE)
             if sample is not None:
                 return wrap(sample)  # type: ignore[return-value]
             self._link.description()  # raises if the line is closed
-            if time.monotonic() > until:
+            if self._link.now() > until:
                 raise TimeoutError(f"no sample for {self._timeout:g} seconds")
         raise StopIteration
 
@@ -539,7 +539,7 @@ class Gimbal(Link):
 
     def wait_until_connected(self, *, timeout: float = 60.0) -> None:
         """Wait until the board is connected again; see the argument `reconnect` of connect()."""
-        until = deadline(timeout)
+        until = time.monotonic() + seconds_of(timeout)
         while not self.is_connected:
             if time.monotonic() > until:
                 raise out_of_time(timeout)

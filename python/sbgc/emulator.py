@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import time
+from collections.abc import Iterable
+from typing import NamedTuple, Optional
 
 from sbgc import _core
+
+
+_SLICE = 1.0
 
 
 class Angles(NamedTuple):
@@ -16,7 +21,7 @@ class Angles(NamedTuple):
 
 
 class Board:
-    """An emulated board, in real time; see emulator(). Connect with `sbgc.connect(board)`."""
+    """An emulated board; see emulator(). Connect with `sbgc.connect(board)`."""
 
     def __init__(self, board: _core.Emulation) -> None:
         self._board = board
@@ -37,6 +42,25 @@ class Board:
         """The speeds of the camera."""
         return Angles(*self._board.speeds())
 
+    @property
+    def time(self) -> float:
+        """Seconds since the board has started."""
+        return self._board.now()
+
+    @property
+    def has_virtual_time(self) -> bool:
+        """True if time passes only in calls of the client, and in sleep()."""
+        return self._board.has_virtual_time
+
+    def sleep(self, seconds: float) -> None:
+        """Wait, in the time of the board."""
+        if not self.has_virtual_time:
+            time.sleep(seconds)
+            return
+        until = self.time + seconds
+        while (left := until - self.time) > 1e-6:
+            self._board.pass_time(min(left, _SLICE))  # Ctrl-C counts between two of them
+
     def restart(self) -> None:
         """Restart the board, as by a power cycle."""
         self._board.restart()
@@ -49,19 +73,49 @@ class Board:
 def emulator(
     firmware: str = "",
     *,
+    board: str = "",
     motion: str = "rest",
     seed: int = 1,
     noise: float = 1.0,
+    virtual_time: bool = False,
+    baud_rate: int = 0,
     bit_errors: float = 0.0,
     lost: float = 0.0,
     duplicated: float = 0.0,
-    baud_rate: int = 0,
+    delayed: float = 0.0,
+    delay: float = 0.02,
+    text_every: float = 0.0,
+    silences: Iterable[tuple[float, float]] = (),
+    input_buffer: int = 0,
+    strict: bool = False,
+    restart_at: Optional[float] = None,
 ) -> Board:
     """Make an emulated board, with the firmware "2.59" if none is named.
 
     `motion` is that of the frame: "rest", "handheld", "drone", "vehicle", or the name of a file.
-    Shares of `bit_errors`, and of `lost` and `duplicated` bytes, are 0 to 1. With a `baud_rate`,
-    bytes take time.
+
+    In `virtual_time`, time passes only while a call of the blocking client waits, and in sleep():
+    at once, and always in the same way.
+
+    The other arguments are those of `sbgc emulate`; times are in seconds since the board has
+    started. With a `baud_rate`, bytes take time. Faults are shares of `bit_errors`, and of `lost`,
+    `duplicated` and `delayed` bytes, 0 to 1; `delay`, how late those are; `text_every`, the interval
+    of text between frames; `silences`, when the line carries nothing and for how long. Requests that
+    do not fit into an `input_buffer` of so many bytes are lost; a `strict` board refuses requests
+    with more bytes than it knows; `restart_at` is when it restarts.
     """
-    made = _core.Emulation(firmware, motion, seed, noise, bit_errors, lost, duplicated, baud_rate)
+    faults = _core.Faults(bit_errors, lost, duplicated, delayed, delay, text_every, list(silences))
+    made = _core.Emulation(
+        firmware,
+        board,
+        motion,
+        seed,
+        noise,
+        faults,
+        baud_rate,
+        input_buffer,
+        strict,
+        restart_at,
+        virtual_time,
+    )
     return Board(made)

@@ -56,4 +56,9 @@ class Contexts:
 
 def wrap(message: _core.AnyMessage) -> Message:
     """The Python object for a message of the library."""
-    return _types[message.name]._at(message, "")
+    return type_named(message.name)._at(message, "")
+
+
+def type_named(name: str) -> type[Message]:
+    """The class of a message."""
+    return _types[name]

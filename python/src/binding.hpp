@@ -19,6 +19,7 @@ namespace py = pybind11;
 // Each adds its part to the module.
 void bind_messages(py::module_& module);
 void bind_codec(py::module_& module);
+void bind_captures(py::module_& module);
 void bind_client(py::module_& module);
 void bind_emulator(py::module_& module);
 

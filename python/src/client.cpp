@@ -69,16 +69,16 @@ class HeldSpeed {
                                          quantity_of<msg::ControlSpeed>(pitch, "pitch"),
                                          quantity_of<msg::ControlSpeed>(yaw, "yaw")};
     change([&](detail::DeadMansSwitch& rules) -> Result<void> {
-      rules.set(speeds, io::now());
+      rules.set(speeds, operation_->now());
       return {};
     });
   }
   void refresh() {
-    change([](detail::DeadMansSwitch& rules) -> Result<void> {
+    change([this](detail::DeadMansSwitch& rules) -> Result<void> {
       if (rules.state() != detail::DeadMansSwitch::State::turning) {
         return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
       }
-      rules.refresh(io::now());
+      rules.refresh(operation_->now());
       return {};
     });
   }
@@ -138,6 +138,10 @@ OperationPointer connect(Link& link, const std::string& address, Seconds timeout
 OperationPointer connect_to_board(Link& link, const std::shared_ptr<Emulation>& board,
                                   Seconds timeout, const std::optional<std::string>& capture,
                                   bool reconnects) {
+  if (board->time() && reconnects) {
+    throw py::value_error("reconnect: a line is searched for in real time only");
+  }
+  link.use(board->time());
   return link.connect("", board->line(), connect_options(timeout, capture), reconnects);
 }
 
@@ -155,6 +159,7 @@ py::tuple identity_of(const Link& link) {
 void bind_client(py::module_& module) {
   py::class_<Operation, OperationPointer>(module, "Operation")
       .def("wait", &Operation::wait)
+      .def("now", [](Operation& one) { return static_cast<double>(one.now().us) / 1e6; })
       .def("cancel", &Operation::cancel)
       .def("result", &Operation::result)
       .def("progress", &Operation::progress);
@@ -171,6 +176,7 @@ void bind_client(py::module_& module) {
            })
       .def_property_readonly("descriptor", [](Link& one) { return one.bell()->descriptor(); })
       .def("silence", [](Link& one) { one.bell()->silence(); })
+      .def("now", [](Link& one) { return static_cast<double>(one.now().us) / 1e6; })
       .def("description", &Link::description)
       .def("is_connected", &Link::is_connected)
       .def("identity", &identity_of)

@@ -1,4 +1,4 @@
-/// An emulated board in this process, in real time.
+/// An emulated board in this process.
 #pragma once
 
 #include <future>
@@ -13,30 +13,42 @@
 #include <asio/post.hpp>
 
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/io/detail/virtual_time.hpp>
 #include <sbgc/io/memory.hpp>
 
-#include "binding.hpp"
 #include "hosts/host.hpp"
+#include "operation.hpp"
 #include "serving/live_board.hpp"
 
 namespace sbgc::python {
 
-/// The board and its thread, which never runs Python.
+/// The board and its thread, which never runs Python. In virtual time it has none: who waits for
+/// something runs it.
 class Emulation : public std::enable_shared_from_this<Emulation> {
  public:
-  explicit Emulation(const emulator::EmulatorOptions& options)
-      : board_(context_.get_executor(), options, {}), thread_([this] { context_.run(); }) {}
+  Emulation(const emulator::EmulatorOptions& options, bool has_virtual_time)
+      : time_(has_virtual_time ? &asio::use_service<io::detail::VirtualTime>(context_) : nullptr),
+        board_(context_.get_executor(), options, {}) {
+    if (time_ == nullptr) thread_ = std::thread([this] { context_.run(); });
+  }
   Emulation(const Emulation&) = delete;
   Emulation& operator=(const Emulation&) = delete;
   ~Emulation() {
     context_.stop();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
     for (const auto& host : hosts_) host->close();
+  }
+
+  /// Its virtual time, which keeps the board; null if it is in real time.
+  std::shared_ptr<io::detail::VirtualTime> time() {
+    if (time_ == nullptr) return nullptr;
+    return {shared_from_this(), time_};
   }
 
   /// Runs `action()` on the board's thread, and returns its result.
   template <class Action>
   auto on_thread(Action action) {
+    if (time_ != nullptr) return time_->between_handlers(action);
     std::packaged_task<std::invoke_result_t<Action>()> task(std::move(action));
     auto done = task.get_future();
     asio::post(context_, [task = std::move(task)]() mutable { task(); });
@@ -56,6 +68,15 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
     };
   }
 
+  /// Seconds since the board has started.
+  double now() {
+    return on_thread([this] { return static_cast<double>(board_.now().us) / 1e6; });
+  }
+  /// Lets virtual time pass.
+  void pass(double seconds) {
+    time_->run([] { return false; }, time_->now() + duration_of(seconds));
+  }
+
   emulator::Sample sample() {
     return on_thread([this] { return board_.emulator().board().gimbal().sample(board_.now()); });
   }
@@ -72,9 +93,10 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
  private:
   asio::io_context context_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{context_.get_executor()};
+  io::detail::VirtualTime* time_;  // of the context
   serving::LiveBoard board_;
   std::vector<std::shared_ptr<hosts::Host>> hosts_{};
-  std::thread thread_;
+  std::thread thread_{};
 };
 
 }  // namespace sbgc::python

@@ -84,7 +84,7 @@ std::shared_ptr<Operation> Link::connect(const std::string& address, const Trans
       state.conversation = conversation;
       if (state.is_closed) conversation.close();
     };
-    auto found = detail::connect(state.context.get_executor(), opener, options, begun);
+    auto found = detail::connect(state.executor(), opener, options, begun);
     if (found) connected(&State::conversation, *found);
     const Result<void> result = found ? Result<void>() : std::move(found).error();
     return [result] { return to_python(result); };
@@ -139,7 +139,7 @@ std::string Link::description() const {
 
 std::shared_ptr<Operation> Link::begin() {
   static_cast<void>(conversation());
-  return std::make_shared<Operation>(state_->bell);
+  return std::make_shared<Operation>(state_->bell, state_->time);
 }
 
 void Link::add(const std::shared_ptr<Operation>& operation) {
@@ -150,8 +150,8 @@ void Link::add(const std::shared_ptr<Operation>& operation) {
 
 std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
                                   std::function<void()> done) {
-  const auto driver = std::make_shared<detail::AsioDriver>(state_->context.get_executor(),
-                                                           conversation(), task, std::move(done));
+  const auto driver = std::make_shared<detail::AsioDriver>(state_->executor(), conversation(), task,
+                                                           std::move(done));
   const auto put = [weak = std::weak_ptr(driver)](detail::TaskDriver::Input input) {
     if (const auto running = weak.lock()) running->put(std::move(input));
   };
@@ -164,7 +164,7 @@ std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, T
 void Link::close() {
   if (process_ != getpid()) return;
   // A camera stops within this time, unless the line is lost.
-  constexpr std::chrono::seconds patience(1);
+  constexpr Duration patience = seconds(1);
   std::vector<std::weak_ptr<Operation>> running;
   detail::Conversation conversation;
   std::shared_ptr<Reconnecting> reconnecting;
@@ -176,15 +176,18 @@ void Link::close() {
     conversation = state_->conversation;
     reconnecting = state_->reconnecting;
   }
-  const auto until = std::chrono::steady_clock::now() + patience;
+  const Instant until = now() + patience;
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->cancel();
   }
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->wait_until(until);
   }
-  if (conversation) conversation.close();
   if (reconnecting) reconnecting->close();
+  if (!conversation) return;
+  conversation.close();
+  // What the board hears last; otherwise, the thread sees to it.
+  if (state_->time) state_->time->run([] { return false; }, now() + milliseconds(250));
 }
 
 }  // namespace sbgc::python

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include <asio/any_io_executor.hpp>
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <sys/types.h>
@@ -71,6 +72,11 @@ class Link : public std::enable_shared_from_this<Link> {
   /// Ends an operation with the result of `work`, which can block, on a thread of its own.
   void block(const std::shared_ptr<Operation>& operation, std::function<Operation::Result()> work);
 
+  /// Runs in virtual time; precedes connect().
+  void use(VirtualTimePointer time) { state_->time = std::move(time); }
+  const VirtualTimePointer& time() const { return state_->time; }
+  Instant now() const { return state_->time ? state_->time->now() : io::now(); }
+
   /// With the board that is connected now; raises if there is none.
   detail::Conversation conversation() const;
   /// Null unless the client reconnects. Raises if it is closed, as all below.
@@ -87,6 +93,7 @@ class Link : public std::enable_shared_from_this<Link> {
   struct State {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
+    VirtualTimePointer time{};
     std::shared_ptr<Bell> bell = std::make_shared<Bell>();
     std::mutex mutex{};
     detail::Conversation conversation{};  // also of an attempt to connect
@@ -97,6 +104,11 @@ class Link : public std::enable_shared_from_this<Link> {
     bool is_closed = false;
     std::vector<std::future<void>> blocked{};
     std::thread thread{};
+
+    asio::any_io_executor executor() {
+      if (time) return time->executor();
+      return context.get_executor();
+    }
   };
 
   void add(const std::shared_ptr<Operation>& operation);

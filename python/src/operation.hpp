@@ -1,16 +1,23 @@
 /// What takes time: it runs on the thread of its client, and Python waits for it.
 #pragma once
 
-#include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
 
+#include <sbgc/io/detail/virtual_time.hpp>
+
 #include "binding.hpp"
 
 namespace sbgc::python {
+
+/// Null for the time of the machine.
+using VirtualTimePointer = std::shared_ptr<io::detail::VirtualTime>;
+
+inline Duration duration_of(double seconds) { return microseconds(std::llround(seconds * 1e6)); }
 
 /// A file descriptor that is readable when something has happened: for asyncio, so that the
 /// client's thread never needs the interpreter.
@@ -35,7 +42,9 @@ class Operation {
   /// Makes the result for Python, or raises. Holds nothing of Python.
   using Result = std::function<py::object()>;
 
-  explicit Operation(std::shared_ptr<Bell> bell) : bell_(std::move(bell)) {}
+  /// Without `time`, its time is that of the machine.
+  explicit Operation(std::shared_ptr<Bell> bell, VirtualTimePointer time = nullptr)
+      : bell_(std::move(bell)), time_(std::move(time)) {}
 
   void end(Result result) {
     {
@@ -56,20 +65,20 @@ class Operation {
   void cancel() {
     if (cancel_ && !is_over()) cancel_();
   }
-  void wait_until(std::chrono::steady_clock::time_point time) {
+  /// Returns whether it is over by then.
+  bool wait_until(Instant time) {
+    if (time_) return time_->run([this] { return is_over(); }, time);
     std::unique_lock lock(mutex_);
-    changed_.wait_until(lock, time, [this] { return static_cast<bool>(result_); });
+    return changed_.wait_until(lock, io::to_chrono(time),
+                               [this] { return static_cast<bool>(result_); });
   }
+  Instant now() const { return time_ ? time_->now() : io::now(); }
   void set_cancel(std::function<void()> cancel) { cancel_ = std::move(cancel); }
 
   // For Python, whose interpreter is released meanwhile.
 
   bool wait(double seconds) {
-    return released([&] {
-      std::unique_lock lock(mutex_);
-      return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                               [this] { return static_cast<bool>(result_); });
-    });
+    return released([&] { return wait_until(now() + duration_of(seconds)); });
   }
   py::object result() {
     Result result;
@@ -97,6 +106,7 @@ class Operation {
   }
 
   std::shared_ptr<Bell> bell_;
+  VirtualTimePointer time_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Result result_{};

@@ -16,7 +16,8 @@ namespace {
 /// Samples that wait for Python. Beyond a limit, the oldest are dropped.
 class SampleQueue {
  public:
-  explicit SampleQueue(std::shared_ptr<Bell> bell) : bell_(std::move(bell)) {}
+  SampleQueue(std::shared_ptr<Bell> bell, VirtualTimePointer time)
+      : bell_(std::move(bell)), time_(std::move(time)) {}
 
   void put(AnyMessage message) {
     {
@@ -33,8 +34,9 @@ class SampleQueue {
   /// Returns the next sample; nothing if there is none within this time.
   std::optional<AnyMessage> take(Seconds seconds) {
     return released([&]() -> std::optional<AnyMessage> {
+      if (time_) time_->run([this] { return has_sample(); }, time_->now() + duration_of(seconds));
       std::unique_lock lock(mutex_);
-      const auto time = std::chrono::duration<double>(seconds);
+      const auto time = std::chrono::duration<double>(time_ ? 0 : seconds);
       if (!changed_.wait_for(lock, time, [this] { return !samples_.empty(); })) return {};
       std::optional<AnyMessage> sample(std::move(samples_.front()));
       samples_.pop_front();
@@ -51,7 +53,13 @@ class SampleQueue {
  private:
   static constexpr std::size_t limit = 4096;
 
+  bool has_sample() const {
+    const std::scoped_lock lock(mutex_);
+    return !samples_.empty();
+  }
+
   std::shared_ptr<Bell> bell_;
+  VirtualTimePointer time_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<AnyMessage> samples_{};
@@ -116,7 +124,7 @@ std::shared_ptr<Operation> stream(const std::shared_ptr<Link>& link, const std::
   const CallOptions options{.timeout = timeout_of(timeout)};
   const StreamKind& kind = kind_named(name);
   const roles::StreamRequest request = request_of(interval, given);
-  const auto queue = std::make_shared<SampleQueue>(link->bell());
+  const auto queue = std::make_shared<SampleQueue>(link->bell(), link->time());
   const auto take = [queue, copy = kind.copy](const void* sample) { queue->put(copy(sample)); };
   if (const auto client = link->reconnecting()) {
     const auto begin = [&kind, request](Client& on, const auto& pass_on, const CallOptions& left) {

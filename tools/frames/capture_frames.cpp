@@ -39,19 +39,17 @@ void CaptureFrames::take(const io::CaptureRecord& record) {
     return;
   }
   Side& side = sides_[record.kind == io::CaptureKind::from_board ? 1 : 0];
-  side.size += record.bytes.size();
-  side.marks.push_back({side.size, record.time});
+  side.arrivals.add(record.bytes.size(), record.time);
   side.explainer.add(record.bytes);
   side.parser.feed(record.bytes, [&](const Frame& frame) { take_frame(side, frame); });
-  const std::uint64_t decided = side.size - side.parser.waiting_bytes();
+  const std::uint64_t decided = side.arrivals.size() - side.parser.waiting_bytes();
   side.explainer.advance(decided);
-  while (!side.marks.empty() && side.marks.front().end <= decided) side.marks.pop_front();
+  side.arrivals.forget(decided);
 }
 
 void CaptureFrames::take_frame(Side& side, const Frame& frame) {
   const std::uint64_t end = frame.offset + frame_size(frame.framing, frame.body.size());
-  while (side.marks.front().end < end) side.marks.pop_front();
-  const io::CaptureTime time = side.marks.front().time;
+  const io::CaptureTime time = side.arrivals.of(end);
   report_skipped(side, frame.offset, end, time);
   listener_.on_frame(side.direction, time, frame);
   side.reported = end;
@@ -67,14 +65,9 @@ void CaptureFrames::report_skipped(Side& side, std::uint64_t until, std::uint64_
 void CaptureFrames::end_session() {
   for (Side& side : sides_) {
     side.parser.flush([&](const Frame& frame) { take_frame(side, frame); });
-    report_skipped(side, side.size, side.size, last_);
+    report_skipped(side, side.arrivals.size(), side.arrivals.size(), last_);
     const ParserCounters now = side.parser.counters();
-    side = Side{.direction = side.direction,
-                .total = {.frames = side.total.frames + now.frames,
-                          .skipped_bytes = side.total.skipped_bytes + now.skipped_bytes,
-                          .header_errors = side.total.header_errors + now.header_errors,
-                          .body_errors = side.total.body_errors + now.body_errors,
-                          .incomplete = side.total.incomplete + now.incomplete}};
+    side = Side{.direction = side.direction, .total = side.total + now};
   }
   last_ = {};
 }

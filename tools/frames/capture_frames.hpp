@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <string_view>
 
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/detail/arrival_times.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 
@@ -49,19 +49,12 @@ class CaptureFrames {
   const ParserCounters& counters(Direction direction) const { return side(direction).total; }
 
  private:
-  /// The arrival time of the bytes up to `end`.
-  struct Mark {
-    std::uint64_t end;
-    io::CaptureTime time;
-  };
-
   struct Side {
     Direction direction{};
     ParserOfAll parser{};
-    std::uint64_t size = 0;      // bytes fed
-    std::uint64_t reported = 0;  // bytes reported to the listener
+    io::detail::ArrivalTimes arrivals{};  // of the bytes fed that wait in the parser
+    std::uint64_t reported = 0;           // bytes reported to the listener
     GapExplainer explainer{direction};
-    std::deque<Mark> marks{};  // of the bytes that wait in the parser
     ParserCounters total{};
   };
 

@@ -95,12 +95,13 @@ class Connector {
     has_line_to_find_ = opener.detect_line && opened.transport->line() != nullptr;
     if (const std::string name = options_.capture.value_or(""); !name.empty()) {
       io::CaptureWriter file;
-      if (const io::Error error = file.open(name)) return to_client_error(error);
+      const auto now = [clock = state_->clock()] { return io::to_chrono(clock.now()); };
+      if (const io::Error error = file.open(name, now())) return to_client_error(error);
       const auto on_error = [tell = options_.on_capture_error](const io::Error& error) {
         if (tell) tell(to_client_error(error));
       };
-      opened.transport =
-          io::record(std::move(opened.transport), std::move(file), {.on_error = on_error});
+      opened.transport = io::record(std::move(opened.transport), std::move(file),
+                                    {.on_error = on_error, .now = now});
     }
     if (options_.wrap) opened.transport = options_.wrap(std::move(opened.transport));
     state_->attach(std::move(opened.transport));

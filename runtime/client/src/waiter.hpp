@@ -25,6 +25,11 @@ class Waiter {
     return std::exchange(value_, std::nullopt);
   }
 
+  bool is_ready() {
+    const std::lock_guard lock(mutex_);
+    return value_.has_value();
+  }
+
   T wait() {
     std::unique_lock lock(mutex_);
     ready_.wait(lock, [this] { return value_.has_value(); });

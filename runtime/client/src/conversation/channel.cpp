@@ -1,19 +1,16 @@
 #include "channel.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <asio/post.hpp>
-
-#include <sbgc/io/clock.hpp>
 
 namespace sbgc::detail {
 
 namespace {
 
 /// How long close() waits until the last frames are written.
-constexpr std::chrono::milliseconds longest_closing{200};
+constexpr Duration longest_closing = milliseconds(200);
 
 }  // namespace
 
@@ -68,10 +65,7 @@ void Channel::wake_at(Instant at) {
     timer_->cancel();
     return;
   }
-  timer_->expires_at(io::to_chrono(at));
-  timer_->async_wait([user = user_.lock()](const std::error_code& error) {
-    if (!error) user->woken();
-  });
+  timer_->start(at, [user = user_.lock()] { user->woken(); });
 }
 
 void Channel::close(std::vector<Frame> last_frames) {
@@ -79,10 +73,7 @@ void Channel::close(std::vector<Frame> last_frames) {
   if (!transport_) return close_now();
   last_frames_ = std::move(last_frames);
   // Do not wait forever for a line that blocks.
-  timer_->expires_after(longest_closing);
-  timer_->async_wait([this, user = user_.lock()](const std::error_code& error) {
-    if (!error) close_now();
-  });
+  timer_->start(timer_->now() + longest_closing, [this, user = user_.lock()] { close_now(); });
   write_last_frames();
 }
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include <asio/any_io_executor.hpp>
-#include <asio/steady_timer.hpp>
 #include <asio/strand.hpp>
 
 #include <sbgc/frame.hpp>
+#include <sbgc/io/detail/timer.hpp>
 #include <sbgc/io/transport.hpp>
 #include <sbgc/time.hpp>
 
@@ -80,7 +80,7 @@ class Channel {
   // Only on the strand.
   std::weak_ptr<User> user_;
   std::unique_ptr<io::Transport> transport_;
-  std::optional<asio::steady_timer> timer_;
+  std::optional<io::detail::Timer> timer_;
   bool is_reading_ = false;
   bool is_writing_ = false;
   bool is_closing_ = false;

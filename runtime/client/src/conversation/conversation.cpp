@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <sbgc/io/clock.hpp>
@@ -16,6 +17,15 @@ namespace {
 
 constexpr const char* raw_name = "the request";
 
+/// Returns nothing if no value arrives in time. Virtual time passes meanwhile.
+template <class T>
+std::optional<T> wait_until(const Conversation::State& state, Waiter<T>& waiter, Instant deadline) {
+  io::detail::VirtualTime* const time = state.clock().virtual_time();
+  if (time == nullptr) return waiter.wait_until(io::to_chrono(deadline));
+  time->run([&] { return waiter.is_ready(); }, deadline);
+  return waiter.wait_until(io::Clock::time_point::min());
+}
+
 /// Starts an operation with `begin(handler)` and waits for its result.
 template <class T, class Begin>
 Result<T> wait_for(Conversation::State& state, const Begin& begin) {
@@ -26,7 +36,7 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
   const CallId id = next_call_id();
   const Instant deadline =
       begin(id, [waiter](Result<T> result) { waiter->put(std::move(result)); });
-  if (auto result = waiter->wait_until(io::to_chrono(deadline))) return *std::move(result);
+  if (auto result = wait_until(state, *waiter, deadline)) return *std::move(result);
   state.end_overdue(id);
   // A result is on its way from some thread: this one, or another that came first.
   return waiter->wait();

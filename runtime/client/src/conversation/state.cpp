@@ -39,6 +39,7 @@ class Conversation::State::Busy {
 
 Conversation::State::State(Strand strand, const ConnectOptions& options)
     : options_(options),
+      clock_(strand),
       calls_(options.queue_limit),
       question_(opening_frame(options.password)),
       detector_(DetectorOptions{.question = question_}),
@@ -90,7 +91,7 @@ Instant Conversation::State::start(CallId id, Result<Request> request, const Cal
     return Instant::never;
   }
   const CallPointer call =
-      make_call(id, *std::move(request), options, options_, io::now(), std::move(handler));
+      make_call(id, *std::move(request), options, options_, clock_.now(), std::move(handler));
   std::vector<CallPointer> older;
   if (auto refusal = calls_->add(call, older)) {
     calls_.complete(*call, *std::move(refusal));
@@ -195,7 +196,7 @@ void Conversation::State::advance() {
   if (!channel_.is_open()) return;
   if (is_searching_) return search();
   const Busy busy(*this);
-  const Output output = dialogue_.advance(io::now(), channel_.can_write());
+  const Output output = dialogue_.advance(clock_.now(), channel_.can_write());
   if (!output.bytes.empty()) channel_.write(output.bytes);
   {
     const std::lock_guard lock(mutex_);
@@ -208,11 +209,11 @@ void Conversation::State::advance() {
 void Conversation::State::received(std::span<const std::uint8_t> bytes) {
   if (is_searching_) return detector_->feed(bytes);
   const Busy busy(*this);
-  dialogue_.feed(bytes, io::now());
+  dialogue_.feed(bytes, clock_.now());
 }
 
 void Conversation::State::written() {
-  dialogue_.written(io::now());
+  dialogue_.written(clock_.now());
   advance();
 }
 
@@ -240,7 +241,7 @@ auto Conversation::State::trials() const -> Trials {
 
 void Conversation::State::search() {
   while (channel_.can_write()) {
-    const DetectorStep step = detector_->next(io::now());
+    const DetectorStep step = detector_->next(clock_.now());
     switch (step.kind) {
       case DetectorStep::Kind::set_line:
         if (channel_.transport().line()->set(step.line)) detector_->refuse();

@@ -16,6 +16,7 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/detector.hpp>
+#include <sbgc/io/detail/timer.hpp>
 #include <sbgc/io/transport.hpp>
 
 #include "calls/stream_listeners.hpp"
@@ -73,6 +74,8 @@ class Conversation::State : public Channel::User,
   /// wait.
   void abandon();
 
+  const io::detail::ExecutorClock& clock() const noexcept { return clock_; }
+
   bool runs_in_this_thread() const { return channel_.runs_in_this_thread(); }
   /// Why the conversation ended; nothing while it is running.
   std::optional<ClientError> end_reason() const;
@@ -105,6 +108,7 @@ class Conversation::State : public Channel::User,
   void begin_close();
 
   const ConnectOptions options_;
+  const io::detail::ExecutorClock clock_;
   BoardIdentity board_;
   SharedCalls calls_;
   Guarded<StreamListeners> streams_;

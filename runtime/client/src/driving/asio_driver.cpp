@@ -1,11 +1,8 @@
 #include "driving/asio_driver.hpp"
 
-#include <system_error>
 #include <utility>
 
 #include <asio/post.hpp>
-
-#include <sbgc/io/clock.hpp>
 
 namespace sbgc::detail {
 
@@ -27,16 +24,13 @@ void AsioDriver::input_arrived() {
 
 void AsioDriver::proceed() {
   if (!done_) return;
-  const TaskStep step = advance(Clock::system());
+  const TaskStep step = advance([this] { return timer_.now(); });
   if (step.kind == TaskStep::Kind::done) {
     timer_.cancel();
     end();
     return std::exchange(done_, nullptr)();
   }
-  timer_.expires_at(io::to_chrono(step.until));
-  timer_.async_wait([this, self = shared_from_this()](const std::error_code& error) {
-    if (!error) proceed();
-  });
+  timer_.start(step.until, [this, self = shared_from_this()] { proceed(); });
 }
 
 }  // namespace sbgc::detail

@@ -5,8 +5,9 @@
 #include <memory>
 
 #include <asio/any_io_executor.hpp>
-#include <asio/steady_timer.hpp>
 #include <asio/strand.hpp>
+
+#include <sbgc/io/detail/timer.hpp>
 
 #include "driving/task_driver.hpp"
 
@@ -26,7 +27,7 @@ class AsioDriver : public TaskDriver {
   void proceed();
 
   asio::strand<asio::any_io_executor> strand_;
-  asio::steady_timer timer_;
+  io::detail::Timer timer_;
   std::function<void()> done_;  // empty once the task is done
 };
 

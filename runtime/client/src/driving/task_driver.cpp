@@ -34,15 +34,16 @@ void TaskDriver::run(Clock& clock) {
   const auto end_it = [](TaskDriver* driver) { driver->end(); };
   const std::unique_ptr<TaskDriver, decltype(end_it)> ending(this, end_it);
   listen();
-  for (TaskStep step = advance(clock); step.kind != TaskStep::Kind::done; step = advance(clock)) {
+  const auto now = [&clock] { return io::from_chrono(clock.now()); };
+  for (TaskStep step = advance(now); step.kind != TaskStep::Kind::done; step = advance(now)) {
     wait(step, clock);
   }
 }
 
-TaskStep TaskDriver::advance(Clock& clock) {
+TaskStep TaskDriver::advance(const std::function<Instant()>& now) {
   while (true) {
     take_inputs();
-    TaskStep step = task_.step(io::from_chrono(clock.now()));
+    TaskStep step = task_.step(now());
     if (step.kind == TaskStep::Kind::call) {
       begin_call(std::move(step));
     } else if (step.kind == TaskStep::Kind::cancel) {

@@ -37,7 +37,7 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
 
   void listen();
   /// Runs the task as far as possible; returns a step that waits, or the last one.
-  TaskStep advance(Clock& clock);
+  TaskStep advance(const std::function<Instant()>& now);
   /// Cancels what is left of a task that is done, or threw.
   void end();
 

@@ -28,6 +28,12 @@ struct ParserCounters {
   std::uint64_t incomplete{};     ///< candidates discarded by flush()
 
   bool operator==(const ParserCounters&) const = default;
+  friend constexpr ParserCounters operator+(const ParserCounters& a,
+                                            const ParserCounters& b) noexcept {
+    return {a.frames + b.frames, a.skipped_bytes + b.skipped_bytes,
+            a.header_errors + b.header_errors, a.body_errors + b.body_errors,
+            a.incomplete + b.incomplete};
+  }
 };
 
 /// The streaming parser. It delivers the same frames however the stream is split into chunks: if

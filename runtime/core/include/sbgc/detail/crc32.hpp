@@ -1,28 +1,29 @@
 /// CRC-32 as used by zip, PNG and Ethernet.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
+
+#include <sbgc/crc.hpp>
 
 namespace sbgc::detail {
 
 /// The coefficient of x^0 is the highest bit.
 inline constexpr std::uint32_t crc32_polynomial = 0xEDB88320;
 
-inline constexpr std::array<std::uint32_t, 256> crc32_table = [] {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    std::uint32_t value = i;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ crc32_polynomial * (value & 1);
-    table[i] = value;
-  }
-  return table;
-}();
+inline constexpr auto& crc32_table = crc_table<crc32_polynomial, 8>[0];
 
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
+  constexpr auto& of = crc_table<crc32_polynomial, 8>;
   std::uint32_t value = 0xFFFFFFFF;
-  for (const std::uint8_t byte : bytes) value = (value >> 8) ^ crc32_table[(value ^ byte) & 0xFF];
+  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
+    value ^= bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
+             std::uint32_t{bytes[3]} << 24;
+    value = of[7][value & 0xFF] ^ of[6][value >> 8 & 0xFF] ^ of[5][value >> 16 & 0xFF] ^
+            of[4][value >> 24] ^ of[3][bytes[4]] ^ of[2][bytes[5]] ^ of[1][bytes[6]] ^
+            of[0][bytes[7]];
+  }
+  for (const std::uint8_t byte : bytes) value = (value >> 8) ^ of[0][(value ^ byte) & 0xFF];
   return ~value;
 }
 
