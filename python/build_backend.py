@@ -72,6 +72,7 @@ def _compile() -> Path:
     options = {
         "CMAKE_BUILD_TYPE": "MinSizeRel",
         "CMAKE_CXX_FLAGS": f"-ffunction-sections -fdata-sections -ffile-prefix-map={ROOT}=.",
+        "CMAKE_INTERPROCEDURAL_OPTIMIZATION": "ON",
         "CMAKE_UNITY_BUILD": "ON",
         "CMAKE_UNITY_BUILD_BATCH_SIZE": "48",
         "Python_EXECUTABLE": sys.executable,

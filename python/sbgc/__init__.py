@@ -12,7 +12,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 
 from sbgc import aio, msg
 from sbgc.captures import read_capture
-from sbgc.client import Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
+from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
     Direction,
     Frame,
@@ -40,10 +40,12 @@ from sbgc.errors import (
 from sbgc.message import Contexts, Message
 from sbgc.msg.protocol import Framing
 from sbgc.parameters import Profile
+from sbgc.search import Found, Port, Usb, find, ports
 
 __all__ = [
     "Angles",
     "Board",
+    "Calibration",
     "CodecError",
     "Contexts",
     "DecodeError",
@@ -51,6 +53,7 @@ __all__ = [
     "EncodeError",
     "Error",
     "FieldError",
+    "Found",
     "Frame",
     "Framing",
     "Gimbal",
@@ -62,9 +65,11 @@ __all__ = [
     "Move",
     "Parser",
     "ParserCounters",
+    "Port",
     "Profile",
     "SpeedControl",
     "Stream",
+    "Usb",
     "Violation",
     "aio",
     "connect",
@@ -75,7 +80,9 @@ __all__ = [
     "emulator",
     "encode",
     "encode_body",
+    "find",
     "msg",
+    "ports",
     "read_capture",
     "validate",
 ]

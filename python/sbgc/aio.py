@@ -10,15 +10,34 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import AsyncIterator, Callable, Generator, Mapping
+from collections.abc import AsyncIterator, Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
 from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
-from sbgc.client import _STOP, Link, Move, Path, Progress, SpeedControl, move_of, report, target_of
+from sbgc.client import (
+    _STOP,
+    Bytes,
+    Calibration,
+    CalibrationEnd,
+    Link,
+    Move,
+    Path,
+    Progress,
+    SpeedControl,
+    calibration_of,
+    move_of,
+    out_of_time,
+    report,
+    seconds_of,
+    target_of,
+)
 from sbgc.emulator import Board
 from sbgc.message import Message, wrap
+from sbgc.msg import ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
+from sbgc.search import Found
+from sbgc.search import find as find_blocking
 
 M = TypeVar("M", bound=Message)
 
@@ -49,25 +68,42 @@ class Gimbal(Link):
             self._loop.remove_reader(self._link.descriptor)
         super().close()
 
-    async def _finish(self, operation: _core.Operation, progress: Optional[Progress] = None) -> Any:
+    async def _finish(
+        self,
+        operation: _core.Operation,
+        progress: Optional[Callable[..., object]] = None,
+        timeout: Optional[float] = None,
+    ) -> Any:
+        seconds_of(timeout)  # raises if it is none
         try:
-            await self._end(operation, progress)
+            await self._end(operation, progress, timeout)
         except BaseException:
             operation.cancel()
             with suppress(TimeoutError):
-                async with asyncio.timeout(_STOP):
-                    await self._end(operation)
+                await self._end(operation, timeout=_STOP)
             raise
         return operation.result()
 
-    async def _end(self, operation: _core.Operation, progress: Optional[Progress] = None) -> None:
-        while True:
-            rung = self._rung  # before the question: what happens after it rings this one
-            is_over = operation.wait(0)
-            report(operation, progress)
-            if is_over:
-                return
-            await rung.wait()
+    async def _end(
+        self,
+        operation: _core.Operation,
+        progress: Optional[Callable[..., object]] = None,
+        timeout: Optional[float] = None,
+    ) -> None:
+        waiting = asyncio.timeout(timeout)
+        try:
+            async with waiting:
+                while True:
+                    rung = self._rung  # before the question: what happens after it rings this one
+                    is_over = operation.wait(0)
+                    report(operation, progress)
+                    if is_over:
+                        return
+                    await rung.wait()
+        except TimeoutError:
+            if not waiting.expired():
+                raise  # of the user's function
+            raise out_of_time(timeout) from None
 
     async def call(
         self,
@@ -76,9 +112,12 @@ class Gimbal(Link):
         timeout: Optional[float] = None,
         retries: Optional[int] = None,
         validates: bool = True,
+        expects_confirmation: bool = False,
     ) -> Optional[Message]:
         """As Gimbal.call() of the blocking client; likewise all others."""
-        found = await self._finish(self._link.call(request._message, timeout, retries, validates))
+        found = await self._finish(
+            self._link.call(request._message, timeout, retries, validates, expects_confirmation)
+        )
         return None if found is None else wrap(found)
 
     async def move_to(
@@ -105,14 +144,18 @@ class Gimbal(Link):
         speed: float = 0.0,
         timeout: float = 30.0,
     ) -> Move:
-        operation = self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False)
-        return move_of(await self._finish(operation))
+        return move_of(
+            await self._finish(self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False))
+        )
 
-    async def stop(self) -> None:
-        await self._finish(self._link.stop())
+    async def stop(self, *, timeout: float = 4.0) -> None:
+        await self._finish(self._link.stop(), timeout=timeout)
 
-    async def release(self) -> None:
-        await self._finish(self._link.release())
+    async def release(self, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.release(), timeout=timeout)
+
+    async def set_control_timeout(self, seconds: float, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.set_control_timeout(seconds), timeout=timeout)
 
     @asynccontextmanager
     async def speed_control(self, silence: float = 0.5) -> AsyncIterator[SpeedControl]:
@@ -134,19 +177,32 @@ class Gimbal(Link):
         queue = await self._finish(self._link.stream(message.__name__, interval, given, None))
         return Stream(queue, self, timeout)
 
-    async def calibrate_gyroscope(
-        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
-    ) -> None:
-        await self._finish(self._link.calibrate(True, timeout), progress)
+    async def calibrate(
+        self,
+        request: Message,
+        *,
+        timeout: Optional[float] = None,
+        progress: Optional[Callable[[Calibration], object]] = None,
+    ) -> CalibrationEnd:
+        tell = None if progress is None else (lambda *found: progress(calibration_of(found)))
+        end: CalibrationEnd = await self._finish(
+            self._link.calibrate(request._message, timeout), tell
+        )
+        return end
 
-    async def calibrate_accelerometer(
-        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
-    ) -> None:
-        await self._finish(self._link.calibrate(False, timeout), progress)
-
-    async def active_profile(self) -> int:
-        found: int = await self._finish(self._link.active_profile())
+    async def active_profile(self, *, timeout: float = 10.0) -> int:
+        found: int = await self._finish(self._link.active_profile(), timeout=timeout)
         return found + 1
+
+    async def profile_names(self, *, timeout: float = 10.0) -> list[str]:
+        found: list[str] = await self._finish(self._link.profile_names(), timeout=timeout)
+        return found
+
+    async def rename_profile(self, profile: int, name: str, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.rename_profile(profile_index(profile), name), timeout=timeout)
+
+    async def rename_profiles(self, names: Sequence[str], *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.rename_profiles(list(names)), timeout=timeout)
 
     async def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
         index = profile_index(profile)
@@ -161,18 +217,20 @@ class Gimbal(Link):
         if changed:
             await self._finish(self._link.write_parameters(changed, timeout))
 
-    async def get_variables(self, *names: str) -> list[float]:
-        found: list[float] = await self._finish(self._link.get_variables(list(names)))
+    async def get_variables(self, *names: str, timeout: float = 10.0) -> list[float]:
+        found: list[float] = await self._finish(
+            self._link.get_variables(list(names)), timeout=timeout
+        )
         return found
 
-    async def get_variable(self, name: str) -> float:
-        return (await self.get_variables(name))[0]
+    async def get_variable(self, name: str, *, timeout: float = 10.0) -> float:
+        return (await self.get_variables(name, timeout=timeout))[0]
 
-    async def set_variables(self, values: Mapping[str, float]) -> None:
-        await self._finish(self._link.set_variables(list(values.items())))
+    async def set_variables(self, values: Mapping[str, float], *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.set_variables(list(values.items())), timeout=timeout)
 
-    async def save_variables(self) -> None:
-        await self._finish(self._link.save_variables())
+    async def save_variables(self, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.save_variables(), timeout=timeout)
 
     async def backup(self, *, timeout: float = 60.0, progress: Optional[Progress] = None) -> str:
         found: str = await self._finish(self._link.make_backup(timeout), progress)
@@ -181,32 +239,92 @@ class Gimbal(Link):
     async def restore(
         self,
         backup: str,
-        save_current: Path,
+        save_current: Optional[Path] = None,
         *,
+        dry_run: bool = False,
         allow_other_model: bool = False,
         allow_other_firmware: bool = False,
+        allow_partial: bool = False,
         timeout: float = 180.0,
         progress: Optional[Progress] = None,
     ) -> str:
-        operation = self._link.restore(
-            backup, os.fspath(save_current), allow_other_model, allow_other_firmware, timeout
-        )
+        file = None if save_current is None else os.fspath(save_current)
+        allowed = allow_other_model, allow_other_firmware, allow_partial
+        operation = self._link.restore(backup, file, dry_run, *allowed, timeout)
         found: str = await self._finish(operation, progress)
         return found
 
-    async def read_eeprom(self, address: int, size: int) -> bytes:
-        found: bytes = await self._finish(self._link.download_eeprom(address, size))
+    async def read_eeprom(
+        self,
+        address: int = 0,
+        size: Optional[int] = None,
+        *,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> bytes:
+        found: bytes = await self._finish(self._read_eeprom(address, size, timeout), progress)
         return found
 
-    async def read_file(self, file: int) -> bytes:
-        found: bytes = await self._finish(self._link.download_file(file))
+    async def write_eeprom(
+        self,
+        address: int,
+        data: Bytes,
+        *,
+        yes: bool = False,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        await self._finish(self._write_eeprom(address, data, yes, timeout), progress)
+
+    async def file_size(self, file: int, *, timeout: float = 10.0) -> int:
+        found: int = await self._finish(self._link.file_size(file), timeout=timeout)
         return found
 
-    async def write_file(self, file: int, data: Union[bytes, bytearray, memoryview]) -> None:
-        await self._finish(self._link.upload_file(file, data))
+    async def read_file(
+        self, file: int, *, timeout: float = 120.0, progress: Optional[Progress] = None
+    ) -> bytes:
+        found: bytes = await self._finish(self._link.download_file(file, timeout), progress)
+        return found
 
-    async def delete_file(self, file: int) -> None:
-        await self._finish(self._link.delete_file(file))
+    async def write_file(
+        self,
+        file: int,
+        data: Bytes,
+        *,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        await self._finish(self._link.upload_file(file, data, timeout), progress)
+
+    async def delete_file(self, file: int, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.delete_file(file), timeout=timeout)
+
+    async def delete_all_files(self, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.delete_all_files(), timeout=timeout)
+
+    async def read_user_data(self, *, timeout: float = 10.0) -> bytes:
+        found: bytes = await self._finish(self._link.download_user_data(), timeout=timeout)
+        return found
+
+    async def write_user_data(self, offset: int, data: Bytes, *, timeout: float = 10.0) -> None:
+        await self._finish(self._link.upload_user_data(offset, data), timeout=timeout)
+
+    async def run_script(self, slot: int, *, timeout: float = 10.0) -> None:
+        await self._finish(self._script(slot, ScriptMode.START), timeout=timeout)
+
+    async def stop_script(self, slot: int, *, timeout: float = 10.0) -> None:
+        await self._finish(self._script(slot, ScriptMode.STOP), timeout=timeout)
+
+    async def wait_until_connected(self, *, timeout: float = 60.0) -> None:
+        seconds_of(timeout)  # raises if it is none
+        try:
+            async with asyncio.timeout(timeout):
+                rung = self._rung
+                while not self.is_connected:
+                    await rung.wait()
+                    rung = self._rung
+        except TimeoutError:
+            raise out_of_time(timeout) from None
 
 
 class Stream(Generic[M]):
@@ -252,8 +370,10 @@ class Stream(Generic[M]):
 class Connecting:
     """A client that is being connected: to await, or for `async with`."""
 
-    def __init__(self, place: Union[str, Board], timeout: float, capture: Optional[Path]) -> None:
-        self._place, self._timeout = place, timeout
+    def __init__(
+        self, place: Union[str, Board], timeout: float, capture: Optional[Path], reconnect: bool
+    ) -> None:
+        self._place, self._timeout, self._reconnect = place, timeout, reconnect
         self._capture = None if capture is None else os.fspath(capture)
         self._gimbal: Optional[Gimbal] = None
 
@@ -264,7 +384,9 @@ class Connecting:
         gimbal = Gimbal()
         place = target_of(self._place)
         try:
-            await gimbal._finish(gimbal._link.connect(place, self._timeout, self._capture))
+            await gimbal._finish(
+                gimbal._link.connect(place, self._timeout, self._capture, self._reconnect)
+            )
         except BaseException:
             gimbal.close()
             raise
@@ -280,9 +402,20 @@ class Connecting:
 
 
 def connect(
-    place: Union[str, Board], *, timeout: float = 20.0, capture: Optional[Path] = None
+    place: Union[str, Board],
+    *,
+    timeout: float = 20.0,
+    capture: Optional[Path] = None,
+    reconnect: bool = False,
 ) -> Connecting:
     """Connect to a board, as sbgc.connect(); an emulated one in real time."""
     if isinstance(place, Board) and place.has_virtual_time:
         raise ValueError("asyncio waits in real time: sbgc.connect() is for virtual time")
-    return Connecting(place, timeout, capture)
+    return Connecting(place, timeout, capture, reconnect)
+
+
+async def find(
+    places: Optional[Iterable[Union[str, Board]]] = None, *, timeout: float = 5.0
+) -> list[Found]:
+    """Search for gimbals, as sbgc.find()."""
+    return await asyncio.to_thread(find_blocking, places, timeout=timeout)

@@ -4,21 +4,27 @@ from __future__ import annotations
 
 import atexit
 import os
+import time
 import weakref
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, Generic, Optional, TypeVar, Union
+from typing import Any, Generic, Literal, Optional, TypeVar, Union
 
 from sbgc import _core
 from sbgc.emulator import Angles, Board
+from sbgc.errors import GimbalError, GimbalTimeout
 from sbgc.message import Message, wrap
-from sbgc.msg import BoardInfo
+from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
 Path = Union[str, "os.PathLike[str]"]
-Progress = Callable[..., object]
+Bytes = Union[bytes, bytearray, memoryview]
+# Called with what is done, the total, and the next step.
+Progress = Callable[[int, int, str], object]
+# The board has reported the end, has accepted it and does not report the end, or not even that.
+CalibrationEnd = Literal["finished", "accepted", "unconfirmed"]
 
 # How long a wait lasts before the interpreter may handle signals, and how long a camera that has to
 # stop may take.
@@ -43,6 +49,17 @@ class Identity:
     firmware: str
     serial_number: str
     info: BoardInfo
+    details: Optional[BoardInfo3]
+    """Only of boards that have serial numbers."""
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """The state of a calibration. `state` is what the board reports, if it can."""
+
+    has_started: bool
+    elapsed: float
+    state: Optional[CalibInfo]
 
 
 def move_of(found: tuple[Any, ...]) -> Move:
@@ -50,11 +67,29 @@ def move_of(found: tuple[Any, ...]) -> Move:
     return Move(Angles(*angles), Angles(*remaining), is_close, elapsed)
 
 
-def finish(operation: _core.Operation, progress: Optional[Progress] = None) -> Any:
+def calibration_of(found: tuple[Any, ...]) -> Calibration:
+    has_started, elapsed, state = found
+    return Calibration(has_started, elapsed, None if state is None else _as(CalibInfo, state))
+
+
+def _as(type_: type[M], message: _core.AnyMessage) -> M:
+    found = wrap(message)
+    assert isinstance(found, type_)
+    return found
+
+
+def finish(
+    operation: _core.Operation,
+    progress: Optional[Callable[..., object]] = None,
+    timeout: Optional[float] = None,
+) -> Any:
     """Wait for an operation. Whatever ends the wait cancels it, which stops a moving camera."""
+    until = operation.now() + seconds_of(timeout)
     try:
         while not operation.wait(_SLICE):
             report(operation, progress)
+            if operation.now() > until:
+                raise out_of_time(timeout)
         report(operation, progress)
     except BaseException:
         operation.cancel()
@@ -63,7 +98,17 @@ def finish(operation: _core.Operation, progress: Optional[Progress] = None) -> A
     return operation.result()
 
 
-def report(operation: _core.Operation, progress: Optional[Progress]) -> None:
+def seconds_of(timeout: Optional[float]) -> float:
+    if timeout is not None and not timeout >= 0:
+        raise ValueError(f"timeout: {timeout!r} is no number of seconds")
+    return float("inf") if timeout is None else timeout
+
+
+def out_of_time(timeout: Optional[float]) -> GimbalTimeout:
+    return GimbalTimeout(f"it took more than {timeout:g} s", "timeout", 0)
+
+
+def report(operation: _core.Operation, progress: Optional[Callable[..., object]]) -> None:
     if progress is not None and (found := operation.progress()) is not None:
         progress(*found)
 
@@ -136,15 +181,69 @@ class Link:
     @property
     def identity(self) -> Identity:
         """What the board reported about itself on connecting."""
-        board, firmware, serial_number, info = self._link.identity()
-        found = wrap(info)
-        assert isinstance(found, BoardInfo)
-        return Identity(board, firmware, serial_number, found)
+        board, firmware, serial_number, info, details = self._link.identity()
+        more = None if details is None else _as(BoardInfo3, details)
+        return Identity(board, firmware, serial_number, _as(BoardInfo, info), more)
 
     @property
     def description(self) -> str:
         """The line: "serial port /dev/ttyUSB0, 115200 8N1"."""
         return self._link.description()
+
+    @property
+    def is_connected(self) -> bool:
+        """False while the line is lost; see the argument `reconnect` of connect()."""
+        return self._link.is_connected()
+
+    @property
+    def scripts(self) -> list[int]:
+        """The sizes of the scripts by slot, 0 for an empty slot; [] if the board does not tell."""
+        details = self.identity.details
+        if details is None:
+            return []
+        slots = [*details.script_slot_size_raw, *details.script_slot_6_to_10_size_raw]
+        return [int(size) for size in slots]
+
+    def _script(self, slot: int, mode: ScriptMode) -> _core.Operation:
+        if not isinstance(slot, int) or not 1 <= slot <= 255:
+            raise ValueError(f"slot: 1 to 255 are possible, not {slot!r}")
+        sizes = self.scripts
+        if mode == ScriptMode.START and sizes and (slot > len(sizes) or sizes[slot - 1] == 0):
+            raise GimbalError(f"there is no script in slot {slot}", "not_found", 0)
+        request = RunScript(mode=mode, slot=slot - 1)
+        return self._link.call(request._message, None, None, True, True)
+
+    def _write_eeprom(
+        self, address: int, data: Bytes, yes: bool, timeout: float
+    ) -> _core.Operation:
+        size = memoryview(data).nbytes
+        room = self._rest_of_eeprom(address)
+        if room is not None and size > room:
+            raise ValueError(
+                f"data: {size} bytes do not fit: the EEPROM has {room} from address {address} on"
+            )
+        if not yes:
+            raise ValueError(
+                f"{size} bytes of the EEPROM would be overwritten, from address {address} on. It also"
+                " holds the parameters: wrong bytes can make the board unusable. Pass yes=True."
+            )
+        return self._link.upload_eeprom(address, data, timeout)
+
+    def _read_eeprom(self, address: int, size: Optional[int], timeout: float) -> _core.Operation:
+        wanted = self._rest_of_eeprom(address) if size is None else size
+        if wanted is None:
+            raise ValueError("size: the board does not tell the size of its EEPROM")
+        return self._link.download_eeprom(address, wanted, timeout)
+
+    def _rest_of_eeprom(self, address: int) -> Optional[int]:
+        """The number of bytes from the address to the end; None if the board does not tell it."""
+        details = self.identity.details
+        size = 0 if details is None else details.eeprom_size_raw
+        if size == 0:
+            return None
+        if not 0 <= address < size:
+            raise ValueError(f"address: {address} is not in the EEPROM, which has {size} bytes")
+        return size - address
 
     def close(self) -> None:
         """Stop a camera that a call moves, end all calls, and close the line."""
@@ -180,9 +279,15 @@ class Gimbal(Link):
         timeout: Optional[float] = None,
         retries: Optional[int] = None,
         validates: bool = True,
+        expects_confirmation: bool = False,
     ) -> Optional[Message]:
-        """Send a request and return its response or confirmation; None if the protocol has none."""
-        found = finish(self._link.call(request._message, timeout, retries, validates))
+        """Send a request and return its response or confirmation; None if the protocol has none.
+
+        With `expects_confirmation`, wait for one that the board may leave out.
+        """
+        found = finish(
+            self._link.call(request._message, timeout, retries, validates, expects_confirmation)
+        )
         return None if found is None else wrap(found)
 
     def move_to(
@@ -216,13 +321,20 @@ class Gimbal(Link):
         """The same, but return as soon as the camera moves. It stops at the target by itself."""
         return move_of(finish(self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False)))
 
-    def stop(self) -> None:
+    def stop(self, *, timeout: float = 4.0) -> None:
         """Stop the camera, and wait until it stands still."""
-        finish(self._link.stop())
+        finish(self._link.stop(), timeout=timeout)
 
-    def release(self) -> None:
+    def release(self, *, timeout: float = 10.0) -> None:
         """End serial control: the camera obeys RC again."""
-        finish(self._link.release())
+        finish(self._link.release(), timeout=timeout)
+
+    def set_control_timeout(self, seconds: float, *, timeout: float = 10.0) -> None:
+        """Make the board end serial control if it receives no command for this time; 0: never.
+
+        RC takes over then, which is not a stop. It holds until the board restarts, for all ports.
+        """
+        finish(self._link.set_control_timeout(seconds), timeout=timeout)
 
     @contextmanager
     def speed_control(self, silence: float = 0.5) -> Iterator[SpeedControl]:
@@ -253,26 +365,39 @@ class Gimbal(Link):
         queue = finish(self._link.stream(message.__name__, interval, given, None))
         return Stream(queue, self._link, timeout)
 
-    def calibrate_gyroscope(
-        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
-    ) -> None:
-        """Calibrate the gyroscope; the camera must be still. It replaces what is stored.
+    def calibrate(
+        self,
+        request: Message,
+        *,
+        timeout: Optional[float] = None,
+        progress: Optional[Callable[[Calibration], object]] = None,
+    ) -> CalibrationEnd:
+        """Calibrate, for example `msg.CalibGyro()`, and wait for the end. It replaces what is stored.
 
-        `progress(started, seconds)` is called meanwhile. The protocol cannot stop a calibration: an
-        exception ends only the wait.
+        The docstring of the request says how to hold the camera. The protocol cannot stop a
+        calibration: an exception ends only the wait, and the board goes on.
         """
-        finish(self._link.calibrate(True, timeout), progress)
+        tell = None if progress is None else (lambda *found: progress(calibration_of(found)))
+        end: CalibrationEnd = finish(self._link.calibrate(request._message, timeout), tell)
+        return end
 
-    def calibrate_accelerometer(
-        self, *, timeout: Optional[float] = None, progress: Optional[Progress] = None
-    ) -> None:
-        """Calibrate the accelerometer; the camera must be level. As calibrate_gyroscope()."""
-        finish(self._link.calibrate(False, timeout), progress)
-
-    def active_profile(self) -> int:
+    def active_profile(self, *, timeout: float = 10.0) -> int:
         """The profile that the board works with, from 1."""
-        found: int = finish(self._link.active_profile())
+        found: int = finish(self._link.active_profile(), timeout=timeout)
         return found + 1
+
+    def profile_names(self, *, timeout: float = 10.0) -> list[str]:
+        """The names of the profiles."""
+        found: list[str] = finish(self._link.profile_names(), timeout=timeout)
+        return found
+
+    def rename_profile(self, profile: int, name: str, *, timeout: float = 10.0) -> None:
+        """Rename a profile, from 1, and verify it."""
+        finish(self._link.rename_profile(profile_index(profile), name), timeout=timeout)
+
+    def rename_profiles(self, names: Sequence[str], *, timeout: float = 10.0) -> None:
+        """Rename all profiles, and verify the names."""
+        finish(self._link.rename_profiles(list(names)), timeout=timeout)
 
     def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
         """Read the parameters of a profile, from 1, and those of the whole board."""
@@ -292,22 +417,22 @@ class Gimbal(Link):
         if changed:
             finish(self._link.write_parameters(changed, timeout))
 
-    def get_variables(self, *names: str) -> list[float]:
+    def get_variables(self, *names: str, timeout: float = 10.0) -> list[float]:
         """The values of adjustable variables, in their units."""
-        found: list[float] = finish(self._link.get_variables(list(names)))
+        found: list[float] = finish(self._link.get_variables(list(names)), timeout=timeout)
         return found
 
-    def get_variable(self, name: str) -> float:
+    def get_variable(self, name: str, *, timeout: float = 10.0) -> float:
         """The value of an adjustable variable, in its unit."""
-        return self.get_variables(name)[0]
+        return self.get_variables(name, timeout=timeout)[0]
 
-    def set_variables(self, values: Mapping[str, float]) -> None:
+    def set_variables(self, values: Mapping[str, float], *, timeout: float = 10.0) -> None:
         """Set adjustable variables until the board restarts, or until they are saved."""
-        finish(self._link.set_variables(list(values.items())))
+        finish(self._link.set_variables(list(values.items())), timeout=timeout)
 
-    def save_variables(self) -> None:
+    def save_variables(self, *, timeout: float = 10.0) -> None:
         """Save the parameters that the board works with to the active profile."""
-        finish(self._link.save_variables())
+        finish(self._link.save_variables(), timeout=timeout)
 
     def backup(self, *, timeout: float = 60.0, progress: Optional[Progress] = None) -> str:
         """All parameters of the board, as the text of a backup file."""
@@ -317,40 +442,109 @@ class Gimbal(Link):
     def restore(
         self,
         backup: str,
-        save_current: Path,
+        save_current: Optional[Path] = None,
         *,
+        dry_run: bool = False,
         allow_other_model: bool = False,
         allow_other_firmware: bool = False,
+        allow_partial: bool = False,
         timeout: float = 180.0,
         progress: Optional[Progress] = None,
     ) -> str:
         """Set the parameters to those of a backup; return a report.
 
-        The present ones are saved to the new file `save_current` first.
+        The present ones are saved to the new file `save_current` first. A `dry_run`, which needs no
+        file, only reports what would change.
         """
-        operation = self._link.restore(
-            backup, os.fspath(save_current), allow_other_model, allow_other_firmware, timeout
-        )
+        file = None if save_current is None else os.fspath(save_current)
+        allowed = allow_other_model, allow_other_firmware, allow_partial
+        operation = self._link.restore(backup, file, dry_run, *allowed, timeout)
         found: str = finish(operation, progress)
         return found
 
-    def read_eeprom(self, address: int, size: int) -> bytes:
-        """Read a part of the EEPROM."""
-        found: bytes = finish(self._link.download_eeprom(address, size))
+    def read_eeprom(
+        self,
+        address: int = 0,
+        size: Optional[int] = None,
+        *,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> bytes:
+        """Read a part of the EEPROM; without a size, up to its end."""
+        found: bytes = finish(self._read_eeprom(address, size, timeout), progress)
         return found
 
-    def read_file(self, file: int) -> bytes:
+    def write_eeprom(
+        self,
+        address: int,
+        data: Bytes,
+        *,
+        yes: bool = False,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        """Write a part of the EEPROM, read it back and compare.
+
+        It also holds the parameters: wrong bytes can make the board unusable. Without `yes`, nothing
+        is written.
+        """
+        finish(self._write_eeprom(address, data, yes, timeout), progress)
+
+    def file_size(self, file: int, *, timeout: float = 10.0) -> int:
+        """The size of a file of the board in bytes."""
+        found: int = finish(self._link.file_size(file), timeout=timeout)
+        return found
+
+    def read_file(
+        self, file: int, *, timeout: float = 120.0, progress: Optional[Progress] = None
+    ) -> bytes:
         """Read a file of the board."""
-        found: bytes = finish(self._link.download_file(file))
+        found: bytes = finish(self._link.download_file(file, timeout), progress)
         return found
 
-    def write_file(self, file: int, data: Union[bytes, bytearray, memoryview]) -> None:
-        """Write a file of the board, and verify it."""
-        finish(self._link.upload_file(file, data))
+    def write_file(
+        self,
+        file: int,
+        data: Bytes,
+        *,
+        timeout: float = 120.0,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        """Write a file of the board, and verify it. A script is a file as well."""
+        finish(self._link.upload_file(file, data, timeout), progress)
 
-    def delete_file(self, file: int) -> None:
+    def delete_file(self, file: int, *, timeout: float = 10.0) -> None:
         """Delete a file of the board."""
-        finish(self._link.delete_file(file))
+        finish(self._link.delete_file(file), timeout=timeout)
+
+    def delete_all_files(self, *, timeout: float = 10.0) -> None:
+        """Delete all files of the board."""
+        finish(self._link.delete_all_files(), timeout=timeout)
+
+    def read_user_data(self, *, timeout: float = 10.0) -> bytes:
+        """Read the area that the board reserves for user data."""
+        found: bytes = finish(self._link.download_user_data(), timeout=timeout)
+        return found
+
+    def write_user_data(self, offset: int, data: Bytes, *, timeout: float = 10.0) -> None:
+        """Write to this area and verify it; other bytes stay as they are."""
+        finish(self._link.upload_user_data(offset, data), timeout=timeout)
+
+    def run_script(self, slot: int, *, timeout: float = 10.0) -> None:
+        """Start the script in a slot, from 1. It goes on after this call, also if the line is lost."""
+        finish(self._script(slot, ScriptMode.START), timeout=timeout)
+
+    def stop_script(self, slot: int, *, timeout: float = 10.0) -> None:
+        """Stop the script in a slot. What it has set in motion goes on until stop()."""
+        finish(self._script(slot, ScriptMode.STOP), timeout=timeout)
+
+    def wait_until_connected(self, *, timeout: float = 60.0) -> None:
+        """Wait until the board is connected again; see the argument `reconnect` of connect()."""
+        until = time.monotonic() + seconds_of(timeout)
+        while not self.is_connected:
+            if time.monotonic() > until:
+                raise out_of_time(timeout)
+            time.sleep(_SLICE)
 
 
 def target_of(place: Union[str, Board]) -> Union[str, _core.Emulation]:
@@ -358,15 +552,21 @@ def target_of(place: Union[str, Board]) -> Union[str, _core.Emulation]:
 
 
 def connect(
-    place: Union[str, Board], *, timeout: float = 20.0, capture: Optional[Path] = None
+    place: Union[str, Board],
+    *,
+    timeout: float = 20.0,
+    capture: Optional[Path] = None,
+    reconnect: bool = False,
 ) -> Gimbal:
     """Connect to a board: an address such as "/dev/ttyUSB0" or "tcp:host:port", or emulator().
 
-    With a `capture`, record the traffic to this file.
+    With a `capture`, record the traffic to this file. With `reconnect`, a lost line is searched for
+    until it is found: a USB adapter also under another name, and only the same board. Streams go on
+    then; calls meanwhile raise GimbalDisconnected.
     """
     gimbal = Gimbal()
     file = None if capture is None else os.fspath(capture)
-    finish(gimbal._link.connect(target_of(place), timeout, file))
+    finish(gimbal._link.connect(target_of(place), timeout, file, reconnect))
     return gimbal
 
 

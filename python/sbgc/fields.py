@@ -12,7 +12,7 @@ from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, Union, cast, 
 
 from sbgc import _core
 from sbgc.errors import FieldError
-from sbgc.values import UNSET
+from sbgc.values import UNSET, Packed
 
 T = TypeVar("T")
 Get = TypeVar("Get")
@@ -86,9 +86,8 @@ class ValueOf:
         return self._type(message.get(path, True))
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
-        if isinstance(value, Enum) and issubclass(self._type, Enum):
-            if not isinstance(value, self._type):
-                raise TypeError(f"{path}: {self._type.__name__} is needed, not {value!r}")
+        if isinstance(value, (Enum, Packed)) and not isinstance(value, self._type):
+            raise TypeError(f"{path}: {self._type.__name__} is needed, not {value!r}")
         message.set_raw(path, value)
 
 
@@ -329,7 +328,7 @@ class Axes(_ByAxis[T]):
     """A value for each axis of the gimbal. Axes without one keep theirs."""
 
     __slots__ = ()
-    names = ("roll", "pitch", "yaw")
+    names = __match_args__ = ("roll", "pitch", "yaw")
     roll: _Element[T] = _Element()
     pitch: _Element[T] = _Element()
     yaw: _Element[T] = _Element()
@@ -342,7 +341,7 @@ class Xyz(_ByAxis[T]):
     """A value for each axis of space."""
 
     __slots__ = ()
-    names = ("x", "y", "z")
+    names = __match_args__ = ("x", "y", "z")
     x: _Element[T] = _Element()
     y: _Element[T] = _Element()
     z: _Element[T] = _Element()

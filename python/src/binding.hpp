@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,11 @@ void bind_codec(py::module_& module);
 void bind_captures(py::module_& module);
 void bind_client(py::module_& module);
 void bind_emulator(py::module_& module);
+
+class Link;
+using LinkClass = py::class_<Link, std::shared_ptr<Link>>;
+void bind_streams(py::module_& module, LinkClass& link);
+void bind_tasks(py::module_& module, LinkClass& link);
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -48,6 +54,20 @@ auto released(const Use& use) {
 
 inline py::bytes to_bytes(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT(*-reinterpret-cast)
+}
+
+/// Bytes that are not UTF-8 survive.
+inline py::object to_text(std::string_view text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
+}
+
+/// Returns a message of the library as one whose type is known at run time.
+template <class M>
+AnyMessage any_of(const M& message) {
+  AnyMessage result = find_message(Meta<M>::info.name)->make();
+  static_cast<M&>(*result.get_if<M>()) = message;
+  return result;
 }
 
 /// Raises an exception of the package: type(text, *arguments).

@@ -1,10 +1,13 @@
 #include "link.hpp"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
+
+#include "conversation/state.hpp"
 
 namespace sbgc::python {
 
@@ -39,35 +42,66 @@ Link::~Link() {
     return;
   }
   close();
-  if (state_->connecting.joinable()) state_->connecting.join();
+  state_->blocked.clear();  // joins
+  if (state_->reconnecting) state_->reconnecting->finish();
   state_->work.reset();  // what still runs ends soon, because the line is closed
   state_->thread.join();
 }
 
-std::shared_ptr<Operation> Link::connect(detail::Opener opener, const ConnectOptions& options) {
+std::shared_ptr<Operation> Link::connect(const std::string& address, const TransportFactory& make,
+                                         const ConnectOptions& options, bool reconnects) {
   auto operation = std::make_shared<Operation>(state_->bell);
   State& state = *state_;
+  const auto connected = [&state](const auto& place, const auto& made) {
+    const std::scoped_lock lock(state.mutex);
+    state.*place = made;
+    state.is_connected = !state.is_closed;
+  };
+  if (reconnects) {
+    const auto client =
+        std::make_shared<Reconnecting>(address, make, ReconnectOptions{.connection = options});
+    operation->set_cancel([client] { client->close(); });
+    add(operation);
+    block(operation, [&state, client, connected] {
+      state.changes = client->on_change([bell = state.bell](const auto&) { bell->ring(); });
+      const Result<void> result = client->start();
+      if (result) connected(&State::reconnecting, client);
+      return [result] { return to_python(result); };
+    });
+    return operation;
+  }
   operation->set_cancel([&state] {
     const std::scoped_lock lock(state.mutex);
-    state.conversation.close();
+    state.is_closed = true;
+    if (state.conversation) state.conversation.close();
   });
-  state.connecting = std::thread([&state, operation, opener = std::move(opener), options] {
-    auto found = detail::connect(state.executor(), opener, options,
-                                 [&state](const detail::Conversation& begun) {
-                                   const std::scoped_lock lock(state.mutex);
-                                   state.conversation = begun;
-                                 });
-    if (found) {
+  add(operation);
+  block(operation, [&state, address, make, options, connected] {
+    const auto opener =
+        make ? detail::opener_of(make, options) : detail::opener_of(address, options);
+    const auto begun = [&state](const detail::Conversation& conversation) {
       const std::scoped_lock lock(state.mutex);
-      state.is_connected = true;
-    }
+      state.conversation = conversation;
+      if (state.is_closed) conversation.close();
+    };
+    auto found = detail::connect(state.executor(), opener, options, begun);
+    if (found) connected(&State::conversation, *found);
     const Result<void> result = found ? Result<void>() : std::move(found).error();
-    operation->end([result] { return to_python(result); });
+    return [result] { return to_python(result); };
   });
   return operation;
 }
 
-const detail::Conversation& Link::conversation() const {
+void Link::block(const std::shared_ptr<Operation>& operation,
+                 std::function<Operation::Result()> work) {
+  std::erase_if(state_->blocked, [](const std::future<void>& one) {
+    return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
+  state_->blocked.push_back(std::async(
+      std::launch::async, [operation, work = std::move(work)] { operation->end(work()); }));
+}
+
+std::shared_ptr<Reconnecting> Link::reconnecting() const {
   if (process_ != getpid()) {
     raise_client({ErrorCode::invalid, "the client belongs to the process that forked this one"});
   }
@@ -75,12 +109,43 @@ const detail::Conversation& Link::conversation() const {
   if (!state_->is_connected) {
     raise_client({ErrorCode::not_connected, "the client is not connected"});
   }
+  return state_->reconnecting;
+}
+
+detail::Conversation Link::conversation() const {
+  if (const auto client = reconnecting()) {
+    const auto current = client->current({});
+    if (!current) raise_client(current.error());
+    return detail::ClientMaker::conversation(**current);
+  }
+  const std::scoped_lock lock(state_->mutex);
   return state_->conversation;
+}
+
+bool Link::is_connected() const {
+  if (const auto client = reconnecting()) return client->state() == LinkState::connected;
+  return !conversation().state()->end_reason();
+}
+
+BoardIdentity Link::identity() const {
+  const auto client = reconnecting();
+  return client ? client->identity() : conversation().identity();
+}
+
+std::string Link::description() const {
+  const auto client = reconnecting();
+  return client ? client->description() : conversation().description();
 }
 
 std::shared_ptr<Operation> Link::begin() {
   static_cast<void>(conversation());
   return std::make_shared<Operation>(state_->bell, state_->time);
+}
+
+void Link::add(const std::shared_ptr<Operation>& operation) {
+  const std::scoped_lock lock(state_->mutex);
+  std::erase_if(state_->running, [](const auto& one) { return one.expired(); });
+  state_->running.push_back(operation);
 }
 
 std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
@@ -91,11 +156,7 @@ std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, T
     if (const auto running = weak.lock()) running->put(std::move(input));
   };
   operation->set_cancel([put] { put([](TaskMachine& one) { one.cancel(); }); });
-  {
-    const std::scoped_lock lock(state_->mutex);
-    std::erase_if(state_->running, [](const auto& one) { return one.expired(); });
-    state_->running.push_back(operation);
-  }
+  add(operation);
   driver->start();
   return [put] { put([](TaskMachine& one) { one.wake(); }); };
 }
@@ -106,11 +167,14 @@ void Link::close() {
   constexpr Duration patience = seconds(1);
   std::vector<std::weak_ptr<Operation>> running;
   detail::Conversation conversation;
+  std::shared_ptr<Reconnecting> reconnecting;
   {
     const std::scoped_lock lock(state_->mutex);
     state_->is_connected = false;
+    state_->is_closed = true;
     running.swap(state_->running);
     conversation = state_->conversation;
+    reconnecting = state_->reconnecting;
   }
   const Instant until = now() + patience;
   for (const auto& weak : running) {
@@ -119,6 +183,7 @@ void Link::close() {
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->wait_until(until);
   }
+  if (reconnecting) reconnecting->close();
   if (!conversation) return;
   conversation.close();
   // What the board hears last; otherwise, the thread sees to it.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "connect.hpp"
 #include "driving/asio_driver.hpp"
 #include "operation.hpp"
+#include "reconnecting/impl.hpp"
 
 namespace sbgc::python {
 
@@ -29,6 +32,8 @@ inline py::object to_python(const Result<void>& result) {
   return py::none();
 }
 
+using Reconnecting = detail::ReconnectingOver::Impl;
+
 /// Python owns it, and destroys it on any of its threads. In a forked child it has no thread: it
 /// refuses everything there, and leaves its memory alone.
 class Link : public std::enable_shared_from_this<Link> {
@@ -38,8 +43,9 @@ class Link : public std::enable_shared_from_this<Link> {
   Link& operator=(const Link&) = delete;
   ~Link();
 
-  /// Connects, on a thread of its own because that can block.
-  std::shared_ptr<Operation> connect(detail::Opener opener, const ConnectOptions& options);
+  /// Connects to the address, or, with a factory, over its transports.
+  std::shared_ptr<Operation> connect(const std::string& address, const TransportFactory& make,
+                                     const ConnectOptions& options, bool reconnects);
 
   /// Runs a task; `convert(result)` makes its result for Python.
   template <class R, class Convert>
@@ -63,14 +69,22 @@ class Link : public std::enable_shared_from_this<Link> {
   /// Drives a task until `done` is called; returns what wakes it.
   std::function<void()> drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
                               std::function<void()> done);
+  /// Ends an operation with the result of `work`, which can block, on a thread of its own.
+  void block(const std::shared_ptr<Operation>& operation, std::function<Operation::Result()> work);
 
   /// Runs in virtual time; precedes connect().
   void use(VirtualTimePointer time) { state_->time = std::move(time); }
   const VirtualTimePointer& time() const { return state_->time; }
   Instant now() const { return state_->time ? state_->time->now() : io::now(); }
 
-  /// Raises if the line is not open.
-  const detail::Conversation& conversation() const;
+  /// With the board that is connected now; raises if there is none.
+  detail::Conversation conversation() const;
+  /// Null unless the client reconnects. Raises if it is closed, as all below.
+  std::shared_ptr<Reconnecting> reconnecting() const;
+  bool is_connected() const;
+  /// Of the current or the last connection.
+  BoardIdentity identity() const;
+  std::string description() const;
   /// Cancels what runs, which stops a moving camera, and closes the line.
   void close();
   const std::shared_ptr<Bell>& bell() const { return state_->bell; }
@@ -80,12 +94,15 @@ class Link : public std::enable_shared_from_this<Link> {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
     VirtualTimePointer time{};
-    detail::Conversation conversation{};
     std::shared_ptr<Bell> bell = std::make_shared<Bell>();
     std::mutex mutex{};
+    detail::Conversation conversation{};  // also of an attempt to connect
+    std::shared_ptr<Reconnecting> reconnecting{};
+    Subscription changes{};                           // of its state
     std::vector<std::weak_ptr<Operation>> running{};  // the tasks
-    bool is_connected = false;
-    std::thread connecting{};
+    bool is_connected = false;                        // until close()
+    bool is_closed = false;
+    std::vector<std::future<void>> blocked{};
     std::thread thread{};
 
     asio::any_io_executor executor() {
@@ -93,6 +110,8 @@ class Link : public std::enable_shared_from_this<Link> {
       return context.get_executor();
     }
   };
+
+  void add(const std::shared_ptr<Operation>& operation);
 
   pid_t process_;
   std::unique_ptr<State> state_;

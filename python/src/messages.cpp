@@ -81,9 +81,7 @@ py::object value_of(const Leaf& leaf, bool raw) {
     case LeafKind::bytes: return to_bytes(leaf.bytes);
     case LeafKind::text: break;
   }
-  // Bytes that are not UTF-8 survive.
-  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
-      leaf.text.data(), static_cast<Py_ssize_t>(leaf.text.size()), "surrogateescape"));
+  return to_text(leaf.text);
 }
 
 py::object get(const AnyMessage& message, std::string_view path, bool raw) {
@@ -140,6 +138,10 @@ std::string announced_text(const Leaf& leaf, const std::string& number) {
 }
 
 void set_real(AnyMessage& message, std::string_view path, const py::object& value) {
+  // A value of an enum, flags or a packed value has no unit.
+  if (PyLong_Check(value.ptr()) && !PyLong_CheckExact(value.ptr())) {
+    raise_type(path, value, "a number");
+  }
   const double number = PyFloat_AsDouble(value.ptr());
   if (PyErr_Occurred() != nullptr) raise_type(path, value, "a number");
   std::string text = number_text(number);

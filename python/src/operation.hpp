@@ -63,7 +63,7 @@ class Operation {
   }
   /// Ends it soon, as an error; what moves the camera stops it first.
   void cancel() {
-    if (cancel_) cancel_();
+    if (cancel_ && !is_over()) cancel_();
   }
   /// Returns whether it is over by then.
   bool wait_until(Instant time) {

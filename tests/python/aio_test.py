@@ -7,6 +7,7 @@ import inspect
 import random
 import time
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 
 import pytest
 
@@ -15,9 +16,11 @@ from conftest import is_still
 from sbgc import Board, aio, msg
 
 
-def with_gimbal(board: Board, use: Callable[[aio.Gimbal], Awaitable[None]]) -> None:
+def with_gimbal(
+    board: Board, use: Callable[[aio.Gimbal], Awaitable[None]], reconnect: bool = False
+) -> None:
     async def main() -> None:
-        async with aio.connect(board) as gimbal:
+        async with aio.connect(board, reconnect=reconnect) as gimbal:
             await gimbal.call(msg.MotorsOn())
             await use(gimbal)
 
@@ -86,6 +89,41 @@ def test_a_cancelled_speed_stops_the_camera_first(board: Board) -> None:
     with_gimbal(board, use)
 
 
+def test_a_cancelled_calibration_ends_within_a_second(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        calibrating = asyncio.create_task(gimbal.calibrate(msg.CalibPoles()))
+        await asyncio.sleep(0.3)
+        begin = time.monotonic()
+        calibrating.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await calibrating
+        assert time.monotonic() - begin < 1.2
+        with pytest.raises(TimeoutError, match="it took more than 0 s"):
+            await gimbal.read_user_data(timeout=0)
+
+    with_gimbal(board, use)
+
+
+def test_a_lost_line_is_found_again(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        async with await gimbal.stream(msg.RealtimeData4, 0.02, timeout=10) as samples:
+            await anext(samples)
+            board.unplug()
+            with pytest.raises(sbgc.GimbalDisconnected):
+                while True:
+                    await gimbal.call(msg.GetAnglesRequest())
+            await gimbal.wait_until_connected(timeout=10)
+            for _ in range(20):
+                await anext(samples)
+
+    with_gimbal(board, use, reconnect=True)
+
+
+def test_the_search_is_that_of_the_blocking_client(board: Board) -> None:
+    (found,) = asyncio.run(aio.find([board, "/dev/no-such-port"]))
+    assert found.place is board
+
+
 def test_streams_are_asynchronous_iterators(board: Board) -> None:
     async def use(gimbal: aio.Gimbal) -> None:
         taken = []
@@ -124,26 +162,46 @@ def test_a_failed_connection_leaves_nothing_behind() -> None:
     asyncio.run(main())
 
 
-def test_random_interleavings_neither_crash_nor_hang(board: Board) -> None:
-    """Calls that are begun, awaited and cancelled at random times."""
+@pytest.mark.parametrize("reconnect, calls", [(False, 1000), (True, 200)])
+def test_random_interleavings_neither_crash_nor_hang(
+    board: Board, reconnect: bool, calls: int
+) -> None:
+    """Calls that are begun, awaited and cancelled at random times, also while the line is lost."""
     chance = random.Random(1)
 
     async def use(gimbal: aio.Gimbal) -> None:
+        async def stream() -> None:
+            async with await gimbal.stream(msg.RealtimeData4, 0.02) as samples:
+                async for _ in samples:
+                    break
+
+        async def turn() -> None:
+            async with gimbal.speed_control() as control:
+                control.set(yaw=chance.uniform(-20, 20))
+                await asyncio.sleep(chance.uniform(0, 0.01))
+
+        kinds: list[Callable[[], Awaitable[object]]] = [
+            lambda: gimbal.call(msg.GetAnglesRequest()),
+            lambda: gimbal.begin_move(pitch=chance.uniform(-20, 20), speed=30),
+            lambda: gimbal.get_variables("P_PITCH", "P_ROLL"),
+            lambda: gimbal.calibrate(msg.CalibGyro(), timeout=0.01, progress=lambda _: None),
+            lambda: gimbal.read_eeprom(chance.randrange(1000), 10),
+            gimbal.profile_names,
+            stream,
+            turn,
+        ]
+
         async def one() -> None:
-            kind = chance.randrange(4)
-            if kind == 0:
-                await gimbal.call(msg.GetAnglesRequest())
-            elif kind == 1:
-                await gimbal.begin_move(pitch=chance.uniform(-20, 20), speed=30)
-            elif kind == 2:
-                await gimbal.get_variables("P_PITCH", "P_ROLL")
-            else:
-                async with await gimbal.stream(msg.RealtimeData4, 0.02) as samples:
-                    async for _ in samples:
-                        break
+            await chance.choice(kinds)()
 
         running: list[asyncio.Task[None]] = []
-        for _ in range(1000):
+        for number in range(calls):
+            if reconnect and number % 100 == 50:
+                board.unplug()
+                with suppress(sbgc.GimbalDisconnected):
+                    await gimbal.call(msg.GetAnglesRequest())
+            if reconnect and number % 100 == 60:
+                await gimbal.wait_until_connected(timeout=20)
             running.append(asyncio.create_task(one()))
             if chance.random() < 0.5:
                 chance.choice(running).cancel()
@@ -154,4 +212,4 @@ def test_random_interleavings_neither_crash_nor_hang(board: Board) -> None:
         for result in await asyncio.gather(*running, return_exceptions=True):
             assert result is None or isinstance(result, (asyncio.CancelledError, sbgc.GimbalError))
 
-    with_gimbal(board, use)
+    with_gimbal(board, use, reconnect)

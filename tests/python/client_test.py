@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import inspect
 import os
 import signal
 import subprocess
@@ -15,7 +16,7 @@ import pytest
 
 import sbgc
 from conftest import is_still
-from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, msg
+from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, _core, msg, search
 
 
 def test_a_call_returns_the_response(gimbal: Gimbal) -> None:
@@ -121,8 +122,18 @@ def test_closing_stops_a_move_of_another_thread(board: Board, gimbal: Gimbal) ->
         gimbal.call(msg.GetAnglesRequest())
 
 
-def test_the_end_of_the_interpreter_stops_the_camera(tmp_path: Path) -> None:
-    script = """
+def test_ctrl_c_ends_the_wait_for_a_calibration_within_a_second(gimbal: Gimbal) -> None:
+    begin = time.monotonic()
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        gimbal.calibrate(msg.CalibPoles())
+    assert time.monotonic() - begin < 1.5  # of 10 that it takes
+    assert gimbal.call(msg.GetAnglesRequest())
+
+
+@pytest.mark.parametrize("motion", ["gimbal.move_to(pitch=80, speed=20)", "turn()"])
+def test_the_end_of_the_interpreter_stops_the_camera(motion: str) -> None:
+    script = f"""
 import threading, time
 import sbgc
 
@@ -131,18 +142,44 @@ class Telling(sbgc.Gimbal):
         super().close()
         print(max(map(abs, board.speeds)) < 2, flush=True)
 
+def turn():
+    with gimbal.speed_control() as control:
+        while True:
+            control.set(pitch=20)
+            time.sleep(0.1)
+
 board = sbgc.emulator(noise=0)
 gimbal = sbgc.connect(board)
 gimbal.__class__ = Telling
 gimbal.call(sbgc.msg.MotorsOn())
-threading.Thread(target=lambda: gimbal.move_to(pitch=80, speed=20), daemon=True).start()
+threading.Thread(target=lambda: {motion}, daemon=True).start()
 while board.angles.pitch < 3:
     time.sleep(0.01)
 """
+    assert output_of(script) == "True\n"
+
+
+def test_the_end_of_the_interpreter_does_not_wait_for_a_calibration() -> None:
+    script = """
+import threading, time
+import sbgc
+
+board = sbgc.emulator(noise=0)
+gimbal = sbgc.connect(board)
+threading.Thread(target=gimbal.calibrate, args=[sbgc.msg.CalibPoles()], daemon=True).start()
+time.sleep(0.3)
+"""
+    begin = time.monotonic()
+    assert output_of(script) == ""
+    assert time.monotonic() - begin < 8  # of 10 that it takes
+
+
+def output_of(script: str) -> str:
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=30, check=False
     )
-    assert (done.stdout, done.returncode) == ("True\n", 0), done.stderr
+    assert done.returncode == 0, done.stderr
+    return done.stdout
 
 
 def test_streams_are_iterators_of_samples(gimbal: Gimbal) -> None:
@@ -236,16 +273,105 @@ def test_files_are_written_and_read(gimbal: Gimbal) -> None:
     assert len(gimbal.read_eeprom(64, 100)) == 100
 
 
-def test_a_calibration_reports_its_progress(gimbal: Gimbal) -> None:
-    seen: list[tuple[object, ...]] = []
-    gimbal.calibrate_gyroscope(progress=lambda *found: seen.append(found))
-    assert seen and seen[-1][0] is True
+def test_the_eeprom_is_written_only_by_those_who_know_what_they_do(gimbal: Gimbal) -> None:
+    whole = gimbal.read_eeprom()
+    with pytest.raises(ValueError, match="5 bytes .* address 70 on.* Pass yes=True"):
+        gimbal.write_eeprom(70, b"hello")
+    with pytest.raises(ValueError, match="do not fit: the EEPROM has 2 from"):
+        gimbal.write_eeprom(len(whole) - 2, b"hello", yes=True)
+    with pytest.raises(ValueError, match="address: -1 is not in the EEPROM"):
+        gimbal.read_eeprom(-1)
+    assert gimbal.read_eeprom(0, len(whole)) == whole
+    seen: list[object] = []
+    place = len(whole) - 70
+    gimbal.write_eeprom(place, b"hello", yes=True, progress=lambda *found: seen.append(found))
+    assert gimbal.read_eeprom(place, 5) == b"hello" and seen
+
+
+def test_user_data_and_names_of_profiles_are_written_and_read(gimbal: Gimbal) -> None:
+    gimbal.write_user_data(3, b"abc")
+    assert gimbal.read_user_data()[2:7] == b"\xffabc\xff"
+    gimbal.rename_profile(2, "Größe")
+    names = gimbal.profile_names()
+    assert names[1] == "Größe"
+    gimbal.rename_profiles(names[::-1])
+    assert gimbal.profile_names() == names[::-1]
+    with pytest.raises(TypeError):
+        gimbal.rename_profiles(["one"])
+
+
+def test_scripts_are_started_and_stopped(gimbal: Gimbal) -> None:
+    empty = gimbal.scripts.index(0) + 1
+    with pytest.raises(GimbalError, match=f"there is no script in slot {empty}"):
+        gimbal.run_script(empty)
+    with pytest.raises(ValueError, match="slot: 1 to 255"):
+        gimbal.run_script(0)
+    gimbal.stop_script(empty)
+
+
+def test_a_calibration_reports_its_progress_and_its_end(gimbal: Gimbal) -> None:
+    seen: list[sbgc.Calibration] = []
+    assert gimbal.calibrate(msg.CalibGyro(), progress=seen.append) == "finished"
+    last = seen[-1]
+    assert last.has_started and last.state is not None and last.elapsed > 1
+    with pytest.raises(GimbalError, match="MotorsOn is no calibration"):
+        gimbal.calibrate(msg.MotorsOn())
+    with pytest.raises(sbgc.GimbalTimeout):
+        gimbal.calibrate(msg.CalibAcc(), timeout=0.2)
+
+
+def test_every_call_has_a_timeout(gimbal: Gimbal) -> None:
+    for name, method in vars(Gimbal).items():
+        if not name.startswith("_") and name not in ("close", "speed_control"):
+            assert "timeout" in inspect.signature(method).parameters, name
+    with sbgc.emulator(baud_rate=9600) as slow, sbgc.connect(slow) as other:
+        begin = time.monotonic()
+        with pytest.raises(TimeoutError, match="it took more than 0.1 s"):
+            other.profile_names(timeout=0.1)
+        assert time.monotonic() - begin < 1.3
+    with pytest.raises(ValueError, match="timeout: -1"):
+        gimbal.stop(timeout=-1)
+
+
+def test_a_lost_line_is_found_again_and_streams_go_on(board: Board) -> None:
+    with sbgc.connect(board, reconnect=True) as gimbal:
+        with gimbal.stream(msg.RealtimeData4, 0.02, timeout=10) as samples:
+            next(samples)
+            board.unplug()
+            with pytest.raises(GimbalDisconnected, match="no connection to the board|closed"):
+                while True:
+                    gimbal.call(msg.GetAnglesRequest())
+            assert gimbal.identity.firmware == "2.59"
+            gimbal.wait_until_connected(timeout=10)
+            assert gimbal.call(msg.GetAnglesRequest())
+            missed = samples.missed
+            for _ in range(20):
+                next(samples)
+            assert samples.missed == missed
+        assert gimbal.read_profile(1)["pitch.p"]
+    with pytest.raises(GimbalDisconnected):
+        gimbal.wait_until_connected()
+    with pytest.raises(GimbalError, match="no-such-port"):
+        sbgc.connect("/dev/no-such-port", reconnect=True)
+
+
+def test_the_search_finds_the_gimbals_that_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert isinstance(sbgc.ports(), list)
+    with sbgc.emulator(noise=0) as board, sbgc.emulator(lost=1.0) as silent:
+        (found,) = sbgc.find([silent, "/dev/no-such-port", board], timeout=0.5)
+        assert found.place is board and found.identity.firmware == "2.59"
+    usb = (0x0403, 0x6001, "FTDI", "", "A1")
+    listed = [("/dev/ttyS0", "built in", None), ("/dev/no-such-port", "", usb)]
+    monkeypatch.setattr(_core, "list_ports", lambda: listed)
+    assert sbgc.ports()[1].usb == sbgc.Usb(*usb)
+    assert search.searched() == ["/dev/no-such-port"]
+    assert sbgc.find() == []
 
 
 def test_a_client_that_is_forgotten_in_a_call_neither_crashes_nor_hangs(board: Board) -> None:
     for _ in range(20):
         gimbal = sbgc.connect(board)
-        gimbal._link.call(msg.GetAnglesRequest()._message, None, None, True)
+        gimbal._link.call(msg.GetAnglesRequest()._message, None, None, True, False)
         gimbal._link.move_to(1.0, None, None, 0.0, 1.0, 0.5, True)
         del gimbal
         gc.collect()

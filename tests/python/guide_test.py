@@ -11,7 +11,7 @@ import pytest
 
 GUIDE = Path(__file__).resolve().parents[2] / "docs" / "15-python.md"
 PROGRAMS = re.findall(r"^```python\n(.*?)^```$", GUIDE.read_text(), re.DOTALL | re.MULTILINE)
-OUTPUT = ["20", "", "", "int16", "604 20", "axes.pitch.angle: 800 deg does not fit"]
+OUTPUT = ["20", "", "True 1", "", "int16", "604 20", "axes.pitch.angle: 800 deg does not fit"]
 
 
 def test_there_are_programs() -> None:

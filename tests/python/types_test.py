@@ -48,6 +48,27 @@ def test_messages_are_matched_by_their_fields() -> None:
             pytest.fail("no match")
 
 
+def test_axes_are_matched_by_position_too() -> None:
+    match msg.Axes(1, 2, 3):
+        case msg.Axes(1, pitch, 3):
+            assert pitch == 2
+        case _:
+            pytest.fail("no match")
+
+
+def test_values_of_another_type_are_errors() -> None:
+    with pytest.raises(TypeError, match="control_mode: ControlMode is needed, not <ControlFlags"):
+        msg.Control(control_mode=msg.ControlFlags.CONTROL_FLAG_HIGH_RES_SPEED)
+    with pytest.raises(
+        TypeError, match="control_mode: ControlMode is needed, not <FirmwareVersion"
+    ):
+        msg.Control(control_mode=msg.FirmwareVersion(2740))
+    with pytest.raises(TypeError, match="axes.roll.speed: a number is needed, not <ControlMode"):
+        msg.ControlAxis(speed=msg.ControlModeKind.MODE_ANGLE)
+    with pytest.raises(TypeError, match="speed: a number is needed, not True"):
+        msg.ControlAxis(speed=True)
+
+
 def test_unknown_values_and_bits_survive() -> None:
     assert msg.BoardErrorCode(211) == 211
     assert pickle.loads(pickle.dumps(msg.BoardErrorCode(211))) == 211

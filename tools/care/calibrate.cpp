@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/calibration.hpp>
+#include <sbgc/client/calibrations.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "care/calibrations.hpp"
 #include "command/arming.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
@@ -145,7 +145,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
     bar.show(progress_text(progress));
     return !was_interrupted();
   };
-  const auto ended = chosen.form->run(client, chosen.request, chosen.options);
+  const auto ended = client.run_calibration(chosen.request, chosen.options);
   bar.clear();
   if (was_interrupted() && !ended) {
     throw CommandError(

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/client/calibrations.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/reference.hpp>
@@ -20,7 +21,6 @@
 
 #include "board/configuration.hpp"
 #include "board/listed_ports.hpp"
-#include "care/calibrations.hpp"
 #include "command/choices.hpp"
 #include "command/command_error.hpp"
 #include "command/command_line_facts.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <sbgc/client/own_transport.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
@@ -118,6 +119,19 @@ class ReconnectingClient::Impl : public std::enable_shared_from_this<Reconnectin
   Time next_look_{};
 
   std::thread thread_;
+};
+
+/// Makes the client, also for reconnecting_over(), whose types would bring Asio into the class; and
+/// names its implementation for callers that must not wait.
+struct detail::ReconnectingOver {
+  using Impl = ReconnectingClient::Impl;
+
+  static Result<ReconnectingClient> start(const std::string& address, const TransportFactory& make,
+                                          const ReconnectOptions& options) {
+    const auto impl = std::make_shared<Impl>(address, make, options);
+    if (auto started = impl->start(); !started) return std::move(started).error();
+    return ReconnectingClient(impl);
+  }
 };
 
 }  // namespace sbgc

@@ -8,16 +8,6 @@
 
 namespace sbgc {
 
-/// Makes the client, also for reconnecting_over(), whose types would bring Asio into the class.
-struct detail::ReconnectingOver {
-  static Result<ReconnectingClient> start(const std::string& address, const TransportFactory& make,
-                                          const ReconnectOptions& options) {
-    const auto impl = std::make_shared<ReconnectingClient::Impl>(address, make, options);
-    if (auto started = impl->start(); !started) return std::move(started).error();
-    return ReconnectingClient(impl);
-  }
-};
-
 ReconnectingClient::ReconnectingClient(std::shared_ptr<Impl> impl) noexcept
     : impl_(std::move(impl)) {}
 

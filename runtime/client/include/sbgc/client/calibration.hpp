@@ -77,6 +77,9 @@ Task<Result<CalibrationEnd>> run_calibration(M request, const CalibrationOptions
       },
       response_policy(request).is_certain(), options);
 }
+/// The same with a request of calibrations(), see <sbgc/client/calibrations.hpp>. Fails with
+/// ErrorCode::invalid if it is none of them.
+Task<Result<CalibrationEnd>> run_calibration(AnyMessage request, CalibrationOptions options = {});
 
 }  // namespace tasks
 }  // namespace sbgc

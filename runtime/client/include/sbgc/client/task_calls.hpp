@@ -39,7 +39,7 @@ class TaskCalls : public Calls<Self> {
     return self().run(tasks::calibrate(sensor, options));
   }
 
-  template <Message M>
+  template <Callable M>
   Result<CalibrationEnd> run_calibration(const M& request, const CalibrationOptions& options = {}) {
     return self().run(tasks::run_calibration(request, options));
   }
