@@ -7,6 +7,7 @@
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/ports.hpp>
+#include <sbgc/meta/system.hpp>
 
 #include "arguments.hpp"
 #include "emulator.hpp"

@@ -71,11 +71,12 @@ using QueuePointer = std::shared_ptr<SampleQueue>;
 
 /// A message that boards stream.
 struct StreamKind {
-  const char* name;
-  detail::MessageKey key;
+  const char* name = "";
+  detail::MessageKey key{};
   detail::Conversation::StreamRequests (*requests)(const detail::Conversation&,
-                                                   const roles::StreamRequest&, const CallOptions&);
-  AnyMessage (*copy)(const void* sample);
+                                                   const roles::StreamRequest&,
+                                                   const CallOptions&){};
+  AnyMessage (*copy)(const void* sample){};
 };
 
 template <class M>

@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include <sbgc/client/tasks.hpp>
+#include <sbgc/meta/calibration.hpp>
 
 #include "arguments.hpp"
 #include "link.hpp"
