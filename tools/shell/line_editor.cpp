@@ -164,7 +164,7 @@ class LineEditor::Editing {
 
 #endif
 
-LineEditor::LineEditor(std::string prompt, Complete complete)
+LineEditor::LineEditor(std::string prompt, [[maybe_unused]] Complete complete)
     : is_interactive_(is_terminal(stdin)), prompt_(std::move(prompt)) {
 #ifdef SBGC_HAS_LIBEDIT
   if (is_interactive_ && is_terminal(stdout) && !is_dumb_terminal()) {
