@@ -62,7 +62,7 @@ def cost(*command: str) -> tuple[float, int]:
 def check_damaged(folder: Path) -> None:
     file = folder / "damaged"
     file.write_bytes(line(damaged(100_000)))
-    for options in (["-V"], ["-2"], ["-Y", "sbgc.expert"]):
+    for options in (["-V"], ["-2"], ["-Y", "sbgc.expert.range"]):
         tshark(file, *options)
         print(f"no error of Lua in 100,000 damaged frames: tshark {' '.join(options)}", flush=True)
 
