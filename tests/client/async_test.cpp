@@ -406,7 +406,7 @@ TEST_F(Async, RawStreamsHaveTheBytesOfAnyMessage) {
   });
   msg::DataStreamInterval request;
   request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
-  request.interval_ms = msg::Milliseconds(20);
+  request.interval_ms = msg::Milliseconds(100);  // for 258 bytes at 115200 Bd
   std::promise<Frame> first;
   std::atomic<bool> has_one{};
   const auto take = [&](const Frame& frame) {

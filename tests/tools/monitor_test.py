@@ -182,9 +182,10 @@ def test_a_key_records_and_a_key_marks(tmp_path: Path) -> None:
         shell.wait("^ mark 1")
         shell.press("m")
         shell.wait("^ mark 2")
+        (capture,) = tmp_path.glob("monitor-*.capture")
+        shell.wait(lambda _: capture.stat().st_size > 1000)  # with samples
         shell.press("q")
         shell.wait("^sbgc: recorded in monitor-")
-    (capture,) = tmp_path.glob("monitor-*.capture")
     text = run("decode", str(capture)).text
     notes = re.findall(r'note: "(.*)"', text)
     assert notes == [f"TCP connection to {gimbal.address[4:]}", "mark 1", "mark 2"]

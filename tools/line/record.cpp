@@ -354,7 +354,7 @@ void add_record(CLI::App& app, CommandContext& context) {
       "\n"
       "Examples:\n"
       "  sbgc record --stream RealtimeData4 --rate 20 --for 1s capture\n"
-      "  sbgc record --stream 23 --for 1s capture\n"
+      "  sbgc record --stream 23 --for 1s flight\n"
       "  sbgc record --stream RealtimeData4 --pcapng --for 1s capture.pcapng\n"
       "  sbgc record --stream \"RealtimeDataCustom:IMU_ANGLES|RC_DATA\" --for 1s capture");
   command.runs(run_record);
