@@ -84,6 +84,8 @@ def test_direct_includes() -> None:
     wrong = []
     for name in headers():
         for include in direct_includes(name):
+            if include == "the_compiler_stops_here":  # before C++20
+                continue
             if include not in ALLOWED and not (
                 include.startswith("sbgc/") and not HOSTED.match(include)
             ):

@@ -309,6 +309,7 @@ test("the languages of an example are tabs; the choice holds for other pages", a
   await visit(page, second);
   assert.equal(await shown(), "Python");
   await page.locator("nav a[href='#example-command']").click();
+  await page.getByRole("tab", { name: "Command line", selected: true }).waitFor();
   assert.equal(await shown(), "Command line");
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.locator(".tab:visible").count(), 3);
@@ -319,7 +320,7 @@ test("the example of a message opens in the decoder", async () => {
   const page = await browser.newPage({ reducedMotion: "reduce" });
   for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {
     await visit(page, name);
-    const title = await page.locator("h1").textContent();
+    const title = await page.locator("h1 small").textContent();
     await page.locator("a[href*='decoder.html#hex=']").first().click();
     await page.waitForFunction(() => document.querySelector("#summary")?.textContent);
     const names = await page.locator(".opener .what .muted").allTextContents();

@@ -176,7 +176,7 @@ class ValueParser {
       return fitting(number, on_wire(number));
     }
     if (type_.names != nullptr || type_.packed != nullptr) {
-      if (const auto number = integer_of(text)) return fitting(text, number);
+      if (const auto number = on_wire(text)) return fitting(text, number);
       return names(text);
     }
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);

@@ -23,7 +23,7 @@ packed:
 quantities:
   Small: {type: i16, unit: deg, accessor: degrees, scale: 1/2, summary: A small angle.}
 commands:
-  CMD_PACKED:
+  CMD_GET_PACK:
     id: 9
     summary: A packed value.
     from_board:
@@ -46,7 +46,7 @@ def test_part_of_a_packed_value_with_a_unit(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, PACKED)
     read, write = (
         target("cpp").example(example_of(message_of(layout, name), layout))
-        for name in ("Packed", "SetPack")
+        for name in ("GetPack", "SetPack")
     )
     assert read is not None and write is not None
     assert r'std::printf("pack: low %g deg\n", message.pack.low().degrees());' in read.text

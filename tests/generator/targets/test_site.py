@@ -50,7 +50,7 @@ def test_guides_are_pages(tmp_path: Path) -> None:
     files = files_of(tmp_path)
     first, second = (files[f"guides/{name}.html"].decode() for name in ("first", "second"))
     assert '<h2 id="why">Why</h2>' in first and "<table>" in first
-    assert '<a href="first.html#why">the first</a>' in second
+    assert '<a href="../guides/first.html#why">the first</a>' in second
     start = files["index.html"].decode()
     links = re.findall(r'<li><a href="(guides/[a-z]+\.html)">([^<]+)</a></li>', start)
     assert links[:2] == [

@@ -31,7 +31,8 @@ def check(layout: Layout, found: Diagnostics) -> None:
             found.add(message.at, "SBGC022", text, "choose another name, with 'as'")
         for path, kind, at in filters(message):
             name = f"{namespace}.{message.identifier}.{path}"
-            if not _NAME.match(name):
+            # Names with other letters have a finding of their own.
+            if not _NAME.match(name.lower()):
                 found.add(at, "SBGC022", f"'{name}' cannot be a display filter of Wireshark")
             if len(name) > LONGEST_NAME:
                 text = f"the display filter '{name}' has over {LONGEST_NAME} characters"

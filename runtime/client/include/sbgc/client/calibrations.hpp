@@ -22,6 +22,7 @@ struct Calibration {
   const MessageInfo& info() const { return *forms.front().info; }
 };
 
+/// All calibrations, by name.
 const std::vector<Calibration>& calibrations();
 
 }  // namespace sbgc

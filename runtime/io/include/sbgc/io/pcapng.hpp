@@ -21,9 +21,12 @@
 
 namespace sbgc::io::pcapng {
 
+/// A part of a file.
 using Bytes = std::vector<std::uint8_t>;
+/// A time of a packet.
 using Time = std::chrono::sys_time<std::chrono::microseconds>;
 
+/// USER13, which Wireshark leaves to others.
 inline constexpr std::uint16_t link_type = 160;
 /// A file begins with the type of its first block, which is the same in either byte order.
 inline constexpr std::array<std::uint8_t, 4> magic{0x0A, 0x0D, 0x0D, 0x0A};
