@@ -23,7 +23,12 @@ def test_pyright_finds_nothing(tmp_path: Path) -> None:
     # Folders of a project, because it does not check those of libraries.
     (tmp_path / "sbgc").symlink_to(Path(sbgc.__file__).parent)
     (tmp_path / "tests").symlink_to(HERE)
-    settings = {"include": ["sbgc", "tests"], "extraPaths": [".", "tests"], "pythonVersion": "3.11"}
+    (tmp_path / "examples").symlink_to(HERE.parents[1] / "examples/python")
+    settings = {
+        "include": ["sbgc", "tests"],
+        "extraPaths": [".", "tests", "examples"],
+        "pythonVersion": "3.11",
+    }
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))
     command = [str(NODE), str(PYRIGHT), "--warnings", "--pythonpath", sys.executable]
     without = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}

@@ -19,12 +19,16 @@ TaskStep TaskMachine::step(Instant now) {
 bool TaskMachine::is_ready() {
   was_cancelled_ = false;
   if (wait_.until <= now_) return true;
+  // Before the cancellation, which would be lost with the reply that the task gets: it ends the
+  // next wait.
+  const auto call = calls_.find(wait_.call);
+  if (call != calls_.end()) {
+    if (call->second.reply) return true;
+    if (wait_.start_is_enough && call->second.confirmations != 0) return true;
+  }
   was_cancelled_ = std::exchange(is_cancelled_, false);
   if (was_cancelled_) return true;
-  if (wait_.for_wake && std::exchange(is_woken_, false)) return true;
-  const auto call = calls_.find(wait_.call);
-  if (call == calls_.end()) return false;
-  return call->second.reply || (wait_.start_is_enough && call->second.confirmations != 0);
+  return wait_.for_wake && std::exchange(is_woken_, false);
 }
 
 void TaskMachine::replied(CallId id, Result<Reply> reply) {

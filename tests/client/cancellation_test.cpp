@@ -1,0 +1,46 @@
+// A cancellation is not lost, whatever comes with it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/client/motion.hpp>
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/control.hpp>
+
+namespace sbgc::test {
+namespace {
+
+Task<Result<void>> ask_then_wait() {
+  const auto angles = co_await tasks::call(msg::GetAnglesRequest{});
+  if (!angles) co_return ClientError{ErrorCode::invalid, "there was a response"};
+  co_return co_await tasks::wait_until(Instant::never);
+}
+
+TEST(Cancellation, ThatComesWithTheResponseEndsTheNextWait) {
+  auto task = ask_then_wait();
+  TaskMachine& machine = task.begin({});
+  const TaskStep call = machine.step({});
+  ASSERT_EQ(call.kind, TaskStep::Kind::call);
+
+  std::array<std::uint8_t, max_body_size> body{};
+  const WriteResult written = encode(msg::GetAngles{}, body);
+  Reply reply;
+  reply.id = static_cast<std::uint8_t>(msg::GetAngles::command);
+  reply.kind = ReplyKind::answered;
+  reply.body.assign(body.begin(), body.begin() + static_cast<std::ptrdiff_t>(written.size));
+  machine.replied(call.call, std::move(reply));
+  machine.cancel();
+
+  EXPECT_EQ(machine.step({}).kind, TaskStep::Kind::done);
+  const auto result = std::move(task).result();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
+}
+
+}  // namespace
+}  // namespace sbgc::test
