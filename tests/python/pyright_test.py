@@ -23,10 +23,14 @@ def test_pyright_finds_nothing(tmp_path: Path) -> None:
     # Folders of a project, because it does not check those of libraries.
     (tmp_path / "sbgc").symlink_to(Path(sbgc.__file__).parent)
     (tmp_path / "tests").symlink_to(HERE)
-    (tmp_path / "examples").symlink_to(HERE.parents[1] / "examples/python")
+    paths = [
+        ".",
+        "tests",
+        *(str(HERE.parents[1] / name) for name in ("examples/python", "generator")),
+    ]
     settings = {
         "include": ["sbgc", "tests"],
-        "extraPaths": [".", "tests", "examples"],
+        "extraPaths": paths,
         "pythonVersion": "3.11",
     }
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))
