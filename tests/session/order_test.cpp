@@ -222,6 +222,21 @@ TEST(Pacing, AStreamOfControlsIsSentAtItsRate) {
   EXPECT_THAT(line.written, SizeIs(count));
 }
 
+TEST(Pacing, ALineThatWasIdleIsNotLate) {
+  Simulation line({.line = {115200, sbgc::Parity::none}});
+  const auto send_two = [&](int speed) {
+    line.send(turn(speed));
+    line.run_for(Duration{});
+    line.send(turn(speed + 1));
+    line.run();
+    const std::size_t count = line.written.size();
+    return line.written[count - 1].at - line.written[count - 2].at;
+  };
+  const Duration pause = send_two(1);
+  line.run_for(milliseconds(100));
+  EXPECT_EQ(send_two(3), pause);
+}
+
 /// What a board does because of the last request that it got.
 enum class Motion : std::uint8_t { unknown, on, off, turning, still };
 
