@@ -122,7 +122,7 @@ def main() -> int:
             return table
 
         def columns() -> None:
-            assert len(dict(read())) > 50
+            assert len(read().columns()) > 50
 
         part = PARSED * (len(data) // MESSAGES)
 

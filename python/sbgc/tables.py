@@ -23,6 +23,8 @@ _TYPES = {
     **{f"{kind}{8 * size}": f"<{kind}{size}" for kind in "iuf" for size in (1, 2, 4, 8)},
     **{"i24": "(3,)u1", "u24": "(3,)u1"},
 }
+# The rows that columns() converts at a time, whose bytes stay in the cache meanwhile.
+_ROWS = 2048
 
 
 class Table(Mapping[str, "Array"]):
@@ -53,6 +55,10 @@ class Table(Mapping[str, "Array"]):
             self._made[name] = self._columns[name]()
         return self._made[name]
 
+    def columns(self) -> dict[str, Array]:
+        """All columns, which takes less time than to ask for one after the other."""
+        return dict(self)
+
     def _unknown(self, name: str) -> str:
         near = [one for one in self if one.startswith(f"{name}.")]
         near = near or difflib.get_close_matches(name, self)
@@ -80,7 +86,9 @@ class Table(Mapping[str, "Array"]):
         except ImportError as error:
             text = "to_pandas() needs pandas: apt-get install python3-pandas, or pip install pandas"
             raise ImportError(text, name="pandas") from error
-        return pandas.DataFrame({name: _plain(self[name]) for name in self}).set_index("time")
+        return pandas.DataFrame(
+            {name: _plain(column) for name, column in self.columns().items()}
+        ).set_index("time")
 
     def __repr__(self) -> str:
         return f"<{self.message.__name__}: {self.rows} rows, {len(self)} columns>"
@@ -109,19 +117,32 @@ class _FixedTable(Table):
         )
         data = numpy.frombuffer(bodies.bytes, numpy.uint8)
         self._array: Array = data.view(dtype) if len(data) else numpy.zeros(0, dtype)
-        columns = {
-            path: self._maker(path, kind, scale)
+        self._converters: dict[str, Callable[[Array], Array]] = {
+            path: partial(_column, kind=kind, scale=scale)
             for path, kind, _, _, scale, is_reserved in layout
             if not is_reserved
         }
+        columns = {path: partial(self._column, path) for path in self._converters}
         super().__init__(message, {"time": lambda: numpy.array(self._array["time"]), **columns})
 
     @property
     def array(self) -> Array:
         return self._array
 
-    def _maker(self, path: str, kind: str, scale: Optional[_core.Scale]) -> Callable[[], Array]:
-        return lambda: _column(self._array[path], kind, scale)
+    def columns(self) -> dict[str, Array]:
+        rows = len(self._array)
+        missing = [path for path in self._converters if path not in self._made]
+        for start in range(0, rows, _ROWS):
+            block = self._array[start : start + _ROWS]
+            for path in missing:
+                part = self._converters[path](block[path])
+                if start == 0:
+                    self._made[path] = numpy.empty(rows, part.dtype)
+                self._made[path][start : start + len(part)] = part
+        return dict(self)
+
+    def _column(self, path: str) -> Array:
+        return self._converters[path](self._array[path])
 
 
 def _column(raw: Array, kind: str, scale: Optional[_core.Scale]) -> Array:
@@ -140,9 +161,12 @@ def _column(raw: Array, kind: str, scale: Optional[_core.Scale]) -> Array:
     # The order of the operations is that of C++, so that the numbers are the same.
     with numpy.errstate(invalid="ignore"):  # of a number that is none on the wire
         steps: Array = numpy.power(growth, raw) if growth else raw.astype(numpy.float64)
-        steps *= numerator
-        steps /= denominator
-        steps += offset
+        if numerator != 1:
+            steps *= numerator
+        if denominator != 1:
+            steps /= denominator
+        if offset != 0:
+            steps += offset
     return steps
 
 

@@ -98,3 +98,21 @@ def test_the_column_tells_what_happens(tmp_path: Path) -> None:
         "a session begins",
         "> Control moves: MODE_ANGLE, pitch 29.9927 deg down at 10.0101 deg/s",
     ]
+
+
+@pytest.mark.parametrize(("others", "is_known"), [(998, True), (1000, False)])
+def test_the_oldest_conversation_is_forgotten_first(
+    others: int, is_known: bool, tmp_path: Path
+) -> None:
+    ask = encoded("RealtimeDataCustomRequest", '{"flags":"IMU_ANGLES"}')
+    sample = frame(88, struct.pack("<H3h", 7, 100, 200, 300))
+    packets = [
+        Packet(ask, HOST),
+        *(Packet(frame(86), HOST, host=41000 + number) for number in range(others)),
+        Packet(sample, BOARD),
+        Packet(sample, BOARD, host=41000 + others - 1),  # which has asked for something else
+    ]
+    (tmp_path / "packets").write_bytes(CARRIERS["udp"](packets))
+    found = list(shown(tmp_path / "packets", *DECODE_AS, "-Y", "sbgc.direction == 0"))
+    angles = [one.text("sbgc.realtime_data_custom.imu_angles.pitch.raw") for one in found]
+    assert angles == ["200" if is_known else "", ""]
