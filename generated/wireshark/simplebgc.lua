@@ -3854,7 +3854,8 @@ local function dissect(tvb, pinfo, tree, one, to_board)
     side.waiting, side.last = all:sub(rest + 1), number
     if before ~= "" then conversations.note(one, one.before, number, before, #before) end
   end
-  pinfo.cols.protocol = protocol.short
+  local columns = pinfo.cols
+  columns.protocol = protocol.short
   local wants_tree = has_item(tree)
   local joined = wants_tree and before ~= "" and ByteArray.new(all, true):tvb("Bytes of a frame in several packets")
   local function range(at, size)
@@ -3886,7 +3887,7 @@ local function dissect(tvb, pinfo, tree, one, to_board)
   if #found > MOST_LINES then lines[#lines + 1] = #found - MOST_LINES .. " more frames" end
   if skipped > 0 then lines[#lines + 1] = "no frame: " .. skipped .. " bytes" end
   if #found == 0 and rest < #all then lines[#lines + 1] = #all - rest .. " bytes of a frame that goes on" end
-  pinfo.cols.info = (to_board and "> " or "< ") .. table.concat(lines, " | ")
+  columns.info = (to_board and "> " or "< ") .. table.concat(lines, " | ")
 end
 
 -- A recorded line: the flags of a packet say its direction. One without bytes begins a session, which
