@@ -75,10 +75,10 @@ py::object value_of(const MoveProgress& progress) { return move_progress(progres
 py::object value_of(const Memory& bytes) { return to_bytes(bytes); }
 py::object value_of(const ParameterSet& set) { return blocks_of(set); }
 py::object value_of(const Backup& backup) { return py::cast(to_json_text(backup)); }
-py::object value_of(const ProfileNames& names) {
+py::list value_of(const ProfileNames& names) {
   py::list result;
   for (const std::string& one : names) result.append(to_text(one));
-  return std::move(result);
+  return result;
 }
 py::object value_of(CalibrationEnd end) {
   switch (end) {
