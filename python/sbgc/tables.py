@@ -24,7 +24,7 @@ _TYPES = {
     **{"i24": "(3,)u1", "u24": "(3,)u1"},
 }
 # The rows that columns() converts at a time, whose bytes stay in the cache meanwhile.
-_ROWS = 2048
+_ROWS = 1 << 14
 
 
 class Table(Mapping[str, "Array"]):
