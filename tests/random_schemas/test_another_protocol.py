@@ -98,6 +98,19 @@ def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
     trial.compare()
 
 
+@pytest.mark.parametrize("size", [4, 6, 11])
+def test_bodies_may_be_short(tmp_path: Path, size: int) -> None:
+    """No frame fits into such a body; there are vectors for all else."""
+    main_file, lights = blocks("yaml")
+    (tmp_path / "spec").mkdir()
+    main_file = main_file.replace("max_body: 60", f"max_body: {size}")
+    for name, text in (("lamp", main_file), ("lights", lights)):
+        (tmp_path / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    found = outputs(load_protocol(tmp_path / "spec").layout, tmp_path)
+    frames = found["frames.jsonl"].decode()
+    assert f"a body of {size} bytes" in frames and f"a body of {size + 1} bytes" not in frames
+
+
 def test_examples_with_a_part_that_has_a_unit_compile(tmp_path: Path) -> None:
     """As the pages of the site show them."""
     main_file, lights = blocks("yaml")
