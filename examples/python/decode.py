@@ -24,10 +24,11 @@ class Malformed(Exception):
 
 
 class Body:
-    """The bytes of a body that have not been read."""
+    """The bytes of a body, or of an element of a list that grew, that have not been read."""
 
-    def __init__(self, data: bytes) -> None:
+    def __init__(self, data: bytes, is_element: bool = False) -> None:
         self.left = data
+        self.is_element = is_element
 
     def take(self, size: int) -> bytes:
         """The next bytes."""
@@ -115,8 +116,8 @@ class Decoder:
             elif facts.get("fits"):
                 if "" not in self.context:
                     continue
-            elif facts.get("may_be_missing") and not path and not body.left:
-                continue  # inside a group, the key says that the group may be missing
+            elif facts.get("may_be_missing") and not body.left and (not path or body.is_element):
+                continue  # inside another group, the key says that the group may be missing
             if when and when["may_be_missing"] and len(body.left) < size_of(node):
                 continue
             values[name] = self.read(node, facts, body, path + name, levels)
@@ -206,14 +207,27 @@ class Decoder:
                 count = number_in(parts[facts["counted_by_part"]], count)
             if counts != "bytes":
                 count = {"bits": bin(count).count("1"), "minus_1": count + 1}.get(counts, count)
+                if "element_sizes" in facts:
+                    return grown(element, facts["element_sizes"], count, body)
                 return [element(body) for _ in range(count)]
             body = Body(body.take(count))
+        if "element_sizes" in facts:
+            fits = [size for size in facts["element_sizes"] if len(body.left) % size == 0]
+            return grown(element, fits, len(body.left) // min(fits, default=1), body)
         found = []
         while body.left:
             found.append(element(body))
         if len(found) < facts.get("min_count", 0):
             raise Malformed("too few elements")
         return found
+
+
+def grown(element: Callable[[Body], Any], sizes: list[int], count: int, body: Body) -> list[Any]:
+    """Elements that share the rest of the body: all of one of these sizes."""
+    if count and (len(body.left) % count or len(body.left) // count not in sizes):
+        raise Malformed("no firmware has elements of this size")
+    size = len(body.left) // max(1, count)
+    return [element(Body(body.take(size), True)) for _ in range(count)]
 
 
 KEYS_OF_CONDITION = ("has", "any", "has_not", "is", "is_not")

@@ -2602,7 +2602,7 @@ M.register = register
 local function names_of(enum)
   if not enum or enum.is_flags then return nil end
   local names = {}
-  for _, value in ipairs(enum.values) do names[value[1]] = value[2] end
+  for _, value in ipairs(enum.values or {}) do names[value[1]] = value[2] end
   return names
 end
 for _, enum in pairs(protocol.enums) do enum.names = names_of(enum) or {} end
@@ -2887,12 +2887,13 @@ end
 
 local read_fields
 
-local function read_element(node, kids, label, reader, level)
+-- `size` is that of an element of a list that grew.
+local function read_element(node, kids, label, reader, level, size)
   if not node.struct then return read_leaf(node.leaf, reader, level, label) end
   local struct = node.struct
   local inner = {values = {}, outer = level, word = label}
   local asked = struct.is_region and level or inner
-  return group(reader, label, struct.size, function()
+  return group(reader, label, size or struct.size, function()
     read_fields(kids, reader, inner, asked)
     return inner.values
   end)
@@ -2924,8 +2925,11 @@ local function count_of(node, reader, level)
     if count > field.capacity then fail(reader, "too short", field.name) end
     return count
   end
-  if not size then return nil end
-  local count = left(reader) / size
+  if not size and not field.element_sizes then return nil end
+  for _, known in ipairs(field.element_sizes or {}) do
+    if not size and left(reader) % known == 0 then size = known end
+  end
+  local count = left(reader) / (size or field.element_sizes[1])
   if count % 1 ~= 0 or count < (field.min_count or 0) then fail(reader, "too short", field.name) end
   if count > field.capacity then fail(reader, "too long", field.name) end
   return count
@@ -2950,10 +2954,18 @@ local function read_list(node, reader, level)
   end
   local values = {}
   if count and not node.struct then need(reader, count * (size_of(node) or 0), field.name) end
+  local size
+  if field.element_sizes and count > 0 then
+    local is_known = false
+    size = left(reader) / count
+    for _, known in ipairs(field.element_sizes) do is_known = is_known or known == size end
+    if not is_known then fail(reader, "count mismatch", field.name) end
+  end
   local i = 0
   while count and i < count or not count and left(reader) > 0 do
     if not count and i == field.capacity then fail(reader, "too long", field.name) end
-    values[i] = read_element(node, (node.kids or {})[""], field.name .. "[" .. i .. "]", reader, level)
+    values[i] = read_element(node, (node.kids or {})[""], field.name .. "[" .. i .. "]", reader, level,
+                             size)
     i = i + 1
   end
   if i < (field.min_count or 0) then fail(reader, "too short", field.name) end

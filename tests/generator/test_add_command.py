@@ -13,7 +13,7 @@ import pytest
 
 from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
-from sbgcgen.model import Quantity
+from sbgcgen.model import Quantity, Struct
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -171,6 +171,8 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert float(later.type.real(70)) == pytest.approx(5 * 52 ** (70 / 255) - 5)
     assert fields["17.motor"].needs == "EXT_MOTORS" and layout.feature_mask("EXT_MOTORS") == 1 << 34
     assert fields["18.password"].secret and fields["18.password"].fits_rest
+    lamp = fields["19.lamps"].type
+    assert isinstance(lamp, Struct) and lamp.element_sizes == (1, 3)
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former

@@ -295,6 +295,32 @@ class FieldMaker(TypeMaker):
             scope.add(self.said(node), 0, kind.memory * count + 4, False)
         scope.takes_rest = True
 
+    def add_grown(self, scope: Scope, is_counted: bool) -> None:
+        """Adds a list whose elements are longer in later firmware, perhaps with its counter."""
+        name, number = self.field_name(), self.random.choice(UNSIGNED)
+        node: Node = {"struct": self.unique("Grown")}
+        if is_counted:
+            counter = self.field_name()
+            scope.add(self.said({"name": counter, "type": number}), SIZES[number], 0, True)
+            node["name"] = f"{name}[{counter}]"
+            if self.chance(0.2):
+                node["counted_from"] = 1
+            kinds = [Kind("bytes[3]", 3, 3), *(self.number_kind() for _ in range(2))]
+            later = [self.number_kind() for _ in range(self.random.randint(1, 3))]
+        else:  # the sizes have no common multiple in a body
+            node["name"] = f"{name}[]"
+            kinds, later = [Kind("bytes[19]", 19, 19)], [Kind("bytes[2]", 2, 2)]
+        inner = [self.said({"name": self.field_name(), "type": kind.name}) for kind in kinds]
+        firmware = sorted(self.random.choice(("2.90", "2.91")) for _ in later)
+        for kind, version in zip(later, firmware):
+            field_ = self.said({"name": self.field_name(), "type": kind.name})
+            inner.append({**field_, "since": {"firmware": version}})
+        size = sum(kind.least for kind in kinds)
+        memory = MAX_BODY // size * sum(kind.memory + 8 for kind in (*kinds, *later))
+        least = size if "counted_from" in node else 0
+        scope.add(self.said({**node, "fields": inner}), least, memory, False)
+        scope.has_lists = scope.takes_rest = True
+
     def add_list(self, scope: Scope) -> None:
         """Adds a list and the counter before it."""
         kind = self.element_kind(scope)

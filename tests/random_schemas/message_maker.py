@@ -20,7 +20,7 @@ class MessageMaker(FieldMaker):
         for _ in range(self.random.randint(1, 2)):
             self.add_announcement()
         makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
-        makers += [self.add_dependent, self.add_gaps, self.add_settings]
+        makers += [self.add_dependent, self.add_gaps, self.add_records, self.add_settings]
         for maker in makers:
             maker()
         makers += [self.add_command] * 5 + [self.add_undocumented]
@@ -232,6 +232,18 @@ class MessageMaker(FieldMaker):
         name = self.unique("Gaps")
         node[direction] = self.side(direction, name, {"fields": scope.fields})
         self.add_body(name, scope, direction)
+
+    def add_records(self) -> None:
+        """Adds messages that end with a list whose elements grew: one with a counter, and one without."""
+        for is_counted in (True, False):
+            direction = self.either()
+            _, family, node = self.new_command(direction)
+            scope = self.scope(family)
+            self.make_fields(scope, self.random.randint(0, 3))
+            self.add_grown(scope, is_counted)
+            name = self.unique("Records")
+            node[direction] = self.side(direction, name, {"fields": scope.fields})
+            self.add_body(name, scope, direction)
 
     def add_including(self) -> None:
         """Adds a message that includes another."""

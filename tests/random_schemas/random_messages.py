@@ -133,8 +133,11 @@ class RandomMessages:
         return copy.deepcopy(fields)
 
     def end(self) -> str:
-        """Returns a field before which the body of some firmware ends, or ""."""
+        """Returns a field before which the body, or elements, of some firmware end, or ""."""
         appended = [field.name for field in self.message.fields if field.appended]
+        for field in self.message.fields:
+            if isinstance(field.type, Struct) and field.has_grown_elements:
+                appended += [f"{field.name}[].{f.name}" for f in field.type.fields if f.appended]
         return self.random.choice(appended) if appended and self.random.random() < 0.5 else ""
 
     def mutated(self, body: bytes) -> tuple[bytes, str]:

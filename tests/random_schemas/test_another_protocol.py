@@ -61,8 +61,8 @@ def test_the_program_of_the_guide(lamp: Path) -> None:
 
 
 def test_frames_are_as_described_and_both_protocols_fit_into_a_program(lamp: Path) -> None:
-    """The expected bytes are made by hand: start, size, id, their sum, -3000, 1, CRC-8/DVB-S2."""
-    covered = bytes.fromhex("030205" + "48f401")
+    """The expected bytes are made by hand: start, size, id, their sum, -3000, CRC-8/DVB-S2."""
+    covered = bytes.fromhex("020204" + "48f4")
     crc = 0
     for byte in covered:
         crc ^= byte
@@ -81,7 +81,6 @@ int main() {
   std::uint8_t bytes[300];
   lamp::msg::Turn turn;
   turn.tilt = lamp::msg::Tilt(-3000);
-  turn.lit = 1;
   print(bytes, lamp::encode_frame(turn, bytes));
   print(bytes, sbgc::encode_frame(sbgc::msg::GetAnglesRequest{}, bytes));
 }
@@ -96,6 +95,19 @@ def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
     assert messages == 3 and lines > 100
     trial.compile(COMPILER)
     trial.compare()
+
+
+@pytest.mark.parametrize("size", [4, 6, 11])
+def test_bodies_may_be_short(tmp_path: Path, size: int) -> None:
+    """No frame fits into such a body; there are vectors for all else."""
+    main_file, lights = blocks("yaml")
+    (tmp_path / "spec").mkdir()
+    main_file = main_file.replace("max_body: 60", f"max_body: {size}")
+    for name, text in (("lamp", main_file), ("lights", lights)):
+        (tmp_path / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    found = outputs(load_protocol(tmp_path / "spec").layout, tmp_path)
+    frames = found["frames.jsonl"].decode()
+    assert f"a body of {size} bytes" in frames and f"a body of {size + 1} bytes" not in frames
 
 
 def test_examples_with_a_part_that_has_a_unit_compile(tmp_path: Path) -> None:

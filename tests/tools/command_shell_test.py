@@ -77,6 +77,21 @@ def begin(terminal_of_test: Terminal, address: str) -> None:
     terminal_of_test.wait("^sbgc>$")
 
 
+def test_a_line_with_a_password_is_neither_run_nor_kept(tmp_path: Path, history: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as screen:
+        begin(screen, gimbal.address)
+        screen.type("send CMD_PASS_PROTECT_WRITE new_password=Sesam77")
+        screen.press("Enter")
+        screen.wait("^sbgc: new_password is secret")
+        screen.type("describe bat_level")
+        screen.press("Enter")
+        screen.wait("Battery voltage")
+        screen.press("C-d")
+        screen.wait(r"^sbgc> \^D\n\$")
+    kept = history.read_text("utf-8")
+    assert "describe" in kept and "Sesam" not in kept
+
+
 def test_keys_on_a_terminal(tmp_path: Path, history: Path) -> None:
     (tmp_path / "some file").touch()
     with emulated_gimbal() as gimbal, terminal(tmp_path) as screen:

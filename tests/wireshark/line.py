@@ -55,9 +55,10 @@ class Shown:
         return {n.rpartition(".")[2] for n in names if n.startswith("sbgc.expert.")}
 
 
-def shown(file: Path, *options: str) -> Iterator[Shown]:
+def shown(file: Path, *options: str, dissector: Path = DISSECTOR) -> Iterator[Shown]:
     """What tshark shows of each frame, in order."""
-    for number, packet in enumerate(xml.fromstring(tshark(file, "-T", "pdml", *options)), 1):
+    out = tshark(file, "-T", "pdml", *options, dissector=dissector)
+    for number, packet in enumerate(xml.fromstring(out), 1):
         for proto in packet.iter("proto"):
             if proto.get("name") == "sbgc":
                 yield Shown(number, [one for one in proto.iter("field")])

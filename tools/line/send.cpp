@@ -25,6 +25,7 @@
 #include "command/wording.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/frame_text.hpp"
+#include "line/secret_words.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
 #include "values/effect_text.hpp"
@@ -102,13 +103,7 @@ void read_secrets(const MessageType& type, std::vector<Assignment>& assignments)
     const bool is_secret =
         !found.empty() && found.front().type->info != nullptr && found.front().type->info->secret;
     if (!is_secret || one.value.empty()) continue;
-    if (one.value.front() != '@') {
-      throw CommandError(
-          fmt::format("{0} is secret, but others on this machine see the command line: write "
-                      "{0}=@FILE, with a file of mode 0600, or {0}=@- to be asked",
-                      one.name),
-          wrong_usage);
-    }
+    if (one.value.front() != '@') refuse_secret(one.name);
     one.value = read_password(one.value.substr(1), one.name);
   }
 }

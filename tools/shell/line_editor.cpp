@@ -105,11 +105,14 @@ class LineEditor::Editing {
     }
     std::string line(typed, static_cast<std::size_t>(size));
     while (line.ends_with('\n') || line.ends_with('\r')) line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos) return line;
+    return line;
+  }
+
+  void keep(const std::string& line) {
+    if (line.find_first_not_of(" \t") == std::string::npos) return;
     history(history_.get(), &event_, H_ENTER, line.c_str());
     // At once, because a signal may end the program. libedit makes the mode 0600.
     if (!file_.empty()) history(history_.get(), &event_, H_SAVE, file_.c_str());
-    return line;
   }
 
  private:
@@ -160,6 +163,7 @@ class LineEditor::Editing {
  public:
   Editing(std::string, const Complete&) {}
   static std::optional<std::string> read() { return std::nullopt; }
+  static void keep(const std::string&) {}
 };
 
 #endif
@@ -174,6 +178,10 @@ LineEditor::LineEditor(std::string prompt, [[maybe_unused]] Complete complete)
 }
 
 LineEditor::~LineEditor() = default;
+
+void LineEditor::keep(const std::string& line) {
+  if (editing_) editing_->keep(line);
+}
 
 std::optional<std::string> LineEditor::read() {
   if (editing_) return editing_->read();

@@ -29,6 +29,9 @@ class LineEditor {
   /// empty.
   std::optional<std::string> read();
 
+  /// Adds a line to the history.
+  void keep(const std::string& line);
+
  private:
   class Editing;
 

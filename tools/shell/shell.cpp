@@ -21,6 +21,7 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "line/secret_words.hpp"
 #include "motion/guard.hpp"
 #include "shell/completion.hpp"
 #include "shell/line_editor.hpp"
@@ -171,6 +172,8 @@ class CommandShell {
       int status = success;
       try {
         Words words = split_words(*line);
+        refuse_secrets(words.words);  // before the history or another process has them
+        editor.keep(*line);
         if (!words.is_complete) throw CommandError("a quote has no end", wrong_usage);
         if (!words.words.empty() && words.words.front() == "sbgc") {
           words.words.erase(words.words.begin());

@@ -58,7 +58,8 @@ class Struct:
 
     A tagged union (`is_region`) has a fixed size, whichever of its conditional fields are present;
     its last field keeps the bytes that they do not use. Its conditions refer to fields of the
-    enclosing message.
+    enclosing message. `element_sizes` are those that the elements of a list have had in any firmware, if
+    it grew: all elements of a body have the same one.
     """
 
     name: str
@@ -70,6 +71,7 @@ class Struct:
     is_region: bool = False
     kind: str = "struct"
     rules: tuple[FieldRule, ...] = ()
+    element_sizes: tuple[int, ...] = ()
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @cached_property
@@ -191,7 +193,7 @@ class Field:
     variable part. `role` is the field's role in a parameter set: "copy" (selects one of several
     copies), "general" (the same in all copies), "state" (not a parameter), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
-    `since` ends the body before the field. `fits`: present only if the body has no end without the
+    `since` ends the body, or the element of a list, before the field. `fits`: present only if the body has no end without the
     field, but with it; a text of varying size only if it is all that is left of the body, not empty, and
     without control characters.
     `secret`: text and JSON hide the value. `counting` is how the counter of a list counts:
@@ -283,6 +285,11 @@ class Field:
     def has_hidden_counter(self) -> bool:
         """True if the size of the list implies its counter, which is no member then."""
         return bool(self.counter) and self.counting != "bits" and self.counter_part is None
+
+    @cached_property
+    def has_grown_elements(self) -> bool:
+        """True for a list whose elements have another size in older firmware."""
+        return isinstance(self.type, Struct) and bool(self.type.element_sizes)
 
     def counted(self, counter: int) -> int:
         """The number that the value of a visible counter stands for."""

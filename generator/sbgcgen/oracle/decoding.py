@@ -153,6 +153,8 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
     if isinstance(field.type, Announced):
         return _read_announced(context.get(field.type.context, []), reader, field)
     count = _count(field, reader, values)
+    if field.has_grown_elements:
+        return _read_grown(field, count, reader)
     if is_bytes(field):
         return reader.take(count, field.name).hex()
     if count < 0:
@@ -185,6 +187,20 @@ def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
     return elements
 
 
+def _element_sizes(field: Field) -> tuple[int, ...]:
+    return field.type.element_sizes if isinstance(field.type, Struct) else ()
+
+
+def _read_grown(field: Field, count: int, reader: _Reader) -> list[Any]:
+    """Elements that share the rest of the body, and have the size of some firmware."""
+    assert isinstance(field.type, Struct)
+    size = reader.left() // count if count else 0
+    if count and (size * count != reader.left() or size not in _element_sizes(field)):
+        raise CodecError("count_mismatch", field.name, reader.at)
+    elements = [_Reader(reader.take(size, field.name)) for _ in range(count)]
+    return [_read_fields(field.type, element, {}) for element in elements]
+
+
 def _count(field: Field, reader: _Reader, values: Fields) -> int:
     if field.dim == "fixed":
         return field.count
@@ -193,9 +209,13 @@ def _count(field: Field, reader: _Reader, values: Fields) -> int:
         if count > field.capacity:  # no body has room for this many elements
             raise CodecError("too_short", field.name, reader.at)
         return count
-    if not is_bytes(field) and size_of(field.type) is None:
+    if field.has_grown_elements:
+        fitting = [size for size in _element_sizes(field) if reader.left() % size == 0]
+        size = fitting[0] if fitting else _element_sizes(field)[0]
+    elif not is_bytes(field) and size_of(field.type) is None:
         return -1  # elements that end by themselves
-    size = 1 if is_bytes(field) else _size_of(field.type)
+    else:
+        size = 1 if is_bytes(field) else _size_of(field.type)
     if reader.left() % size or reader.left() // size < field.min_count:
         raise CodecError("too_short", field.name, len(reader.body))
     if reader.left() // size > field.capacity:

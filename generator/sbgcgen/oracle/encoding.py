@@ -28,6 +28,16 @@ class _Writer:
             raise CodecError("buffer_too_small", field, self.at)
         self.data += data
 
+    def end(self) -> None:
+        """Check that nothing can be mistaken for a missing value.
+
+        The bytes after it must be too few to be decoded as that value; after an appended one, there must
+        be none.
+        """
+        for end, at, name in sorted(self.missing, key=lambda entry: entry[0])[:1]:
+            if self.at >= end:
+                raise CodecError("presence_mismatch", name, at)
+
     def put_number(self, scalar: Scalar, value: Any, field: str) -> None:
         size = scalar.size
         try:
@@ -50,11 +60,7 @@ def encode(message: Message, fields: Fields) -> bytes:
     tail = str(given.pop("tail", "")) if may_have_tail else ""
     _write_fields(message.body, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
-    # The bytes after a missing value must be too few to be decoded as that value; after an appended
-    # one, there must be none.
-    for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
-        if writer.at >= end:
-            raise CodecError("presence_mismatch", name, at)
+    writer.end()
     if tail and message.takes_surplus and writer.at <= message.max_size:
         raise CodecError("presence_mismatch", "tail", writer.at - len(tail) // 2)
     return bytes(writer.data)
@@ -167,9 +173,26 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
             writer.put(bytes(map(int, value)), name)
         except (OverflowError, ValueError):
             raise CodecError("value_out_of_range", name, writer.at) from None
+    elif field.has_grown_elements:
+        _check_count(field, len(value), name, writer)
+        _write_grown(field, value, writer, name)
     else:
         _check_count(field, len(value), name, writer)
         _write_all(field, value, writer, name)
+
+
+def _write_grown(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
+    """Write elements that all have the size of the same firmware."""
+    assert isinstance(field.type, Struct)
+    size = None
+    for element in elements:
+        inner = _Writer(writer.limit - len(writer.data), writer.at)
+        _write_fields(field.type, element, inner, "")
+        inner.end()
+        size = len(inner.data) if size is None else size
+        if len(inner.data) != size or size not in field.type.element_sizes:
+            raise CodecError("presence_mismatch", name, writer.at)
+        writer.put(bytes(inner.data), name)
 
 
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:

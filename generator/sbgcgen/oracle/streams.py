@@ -24,7 +24,8 @@ def stream_lines(layout: Layout) -> Iterator[str]:
         if vector.body is not None and message.id:
             yield _written(layout.framing, message.id, vector.body, f"a frame of {message.name}")
     for framing in layout.framings:
-        for size in (0, 1, 2, 7, 8, 9, 15, 16, 17, framing.max_body):
+        sizes = (0, 1, 2, 7, 8, 9, 15, 16, 17)
+        for size in (*(size for size in sizes if size < framing.max_body), framing.max_body):
             yield _written(framing, 1, counting(size), f"a body of {size} bytes")
         for stream, why in _broken(framing):
             yield _line([framing], stream, why)
@@ -36,17 +37,18 @@ def stream_lines(layout: Layout) -> Iterator[str]:
 
 def _mixed(framings: Sequence[Framing]) -> Iterator[tuple[bytes, str]]:
     """Streams with frames of all framings."""
-    good = [write_frame(framing, 86, counting(5)) for framing in framings]
+    good = [_short_frame(framing) for framing in framings]
     yield b"".join(good), "a frame of each framing"
     yield b"".join(bytes((f.start,)) for f in framings) + b"".join(
         good
     ), "start bytes before frames"
     for one, other in zip(framings, (*framings[1:], framings[0])):
-        frame = write_frame(other, 86, counting(5))
-        inner = write_frame(one, 2, frame)
-        yield inner, f"a frame of {other.name} as the body of one of {one.name}"
-        broken = inner[:-1] + bytes(((inner[-1] + 1) % 256,))
-        yield broken, f"a frame of {other.name} in the body of a broken one of {one.name}"
+        frame = _short_frame(other)
+        if len(frame) <= one.max_body:
+            inner = write_frame(one, 2, frame)
+            yield inner, f"a frame of {other.name} as the body of one of {one.name}"
+            broken = inner[:-1] + bytes(((inner[-1] + 1) % 256,))
+            yield broken, f"a frame of {other.name} in the body of a broken one of {one.name}"
         yield frame[:-1] + write_frame(one, 1, b""), f"{other.name} without its last byte"
         swapped = bytes((one.start,)) + frame[1:]
         yield swapped + frame, f"a frame of {other.name} with the start byte of {one.name}"
@@ -55,7 +57,7 @@ def _mixed(framings: Sequence[Framing]) -> Iterator[tuple[bytes, str]]:
 def _broken(framing: Framing) -> Iterator[tuple[bytes, str]]:
     """Streams with noise and damaged frames, mostly followed by a valid frame."""
     start = bytes((framing.start,))
-    good = write_frame(framing, 86, counting(5))
+    good = _short_frame(framing)
     yield b"", "no bytes"
     yield good + good, "two frames"
     yield b"\x00\xff" + good + b"\x7f", "noise around a frame"
@@ -70,9 +72,14 @@ def _broken(framing: Framing) -> Iterator[tuple[bytes, str]]:
     yield good[:-1], "the last byte is missing"
     yield header_of(framing, 0, 0) + bytes(framing.trailer_size) + good, "no command has the id 0"
     yield header_of(framing, 1, framing.max_body) + good, "a header without its body, then a frame"
-    inner = write_frame(framing, 2, good)
-    yield inner, "a frame as the body of another"
-    yield inner[:-1] + bytes(((inner[-1] + 1) % 256,)), "a frame in the body of a broken one"
+    if len(good) <= framing.max_body:
+        inner = write_frame(framing, 2, good)
+        yield inner, "a frame as the body of another"
+        yield inner[:-1] + bytes(((inner[-1] + 1) % 256,)), "a frame in the body of a broken one"
+
+
+def _short_frame(framing: Framing) -> bytes:
+    return write_frame(framing, 86, counting(min(5, framing.max_body)))
 
 
 def _written(framing: Framing, id: int, body: bytes, why: str) -> str:

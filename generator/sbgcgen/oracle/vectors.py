@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Optional
 
-from sbgcgen.model import Blob, Condition, Field, Message, conditions, satisfying, value_at
+from sbgcgen.model import Blob, Condition, Field, Message, Struct, conditions, satisfying, value_at
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import (
     Choice,
@@ -172,8 +172,22 @@ class _Maker:
                 there = compose(self.message, self.choice())
                 there.pop(field.name)
                 self.add_refused(there, f"{field.name} is missing, what follows it is not")
+            if field.has_grown_elements:
+                self.elements(field)
         if self.message.contexts:
             self.add(self.choice(context=full_context(self.message)))
+
+    def elements(self, of: Field) -> None:
+        """Elements of every size that they have had, and elements of different sizes in one list."""
+        assert isinstance(of.type, Struct)
+        there = compose(self.message, self.choice())
+        for field in (field for field in of.type.fields if field.appended):
+            path = f"{of.name}[].{field.name}"
+            self.add(self.choice(ends_before=path), f"firmware whose elements end before {path}")
+            mixed = copy.deepcopy(there)
+            if len(mixed[of.name]) > 1:
+                mixed[of.name][0].pop(field.name)
+                self.add_refused(mixed, f"the first element lacks {field.name}, the others do not")
 
     def lengths(self) -> None:
         """Lists and texts of length 0, 1, the minimum, the documented and the possible maximum."""

@@ -11,7 +11,11 @@ import jsonschema
 import pytest
 
 from sbgcgen.cli import main
-from support import GENERATOR, PROJECT, write_spec
+from sbgcgen.model.export.messages import message_json
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.decoding import decode
+from sbgcgen.oracle.encoding import encode
+from support import GENERATOR, PROJECT, layout_of, message_of, probe, write_spec
 
 EXAMPLE = PROJECT / "examples/python/decode.py"
 MODEL: dict[str, Any] = json.loads((PROJECT / "generated/simplebgc.json").read_text("utf-8"))
@@ -114,6 +118,58 @@ def test_the_example_decodes_conditions_of_every_kind(tmp_path: Path) -> None:
         "k",
         *"abcdefg",
     }, "each occurs"
+
+
+GROWN = """        - {name: NUM, type: u8, summary: How many.}
+        - name: LAMPS[NUM]
+          struct: Lamp
+          summary: Lamps.
+          fields:
+            - {name: LEVEL, type: u8, summary: Brightness.}
+            - {name: COLOR, type: u16, since: {firmware: 2.70}, summary: Color.}
+            - {name: X, type: u8, since: {firmware: 2.73}, summary: Place.}
+            - {name: Y, type: u8, since: {firmware: 2.73}, summary: Place.}
+"""
+UNCOUNTED = """        - name: LAMPS[]
+          struct: Lamp
+          summary: Lamps.
+          fields:
+            - {name: NAME, type: "text[19]", summary: Name.}
+            - {name: COLOR, type: u16, since: {firmware: 2.70}, summary: Color.}
+"""
+
+
+@pytest.mark.parametrize(
+    "fields, hex_, wanted",
+    [
+        (GROWN, "020105", [{"level": 1}, {"level": 5}]),
+        (GROWN, "02010203040506", [{"level": 1, "color": 0x302}, {"level": 4, "color": 0x605}]),
+        (GROWN, "010102030405", [{"level": 1, "color": 0x302, "x": 4, "y": 5}]),
+        (GROWN, "0101020304", "count_mismatch"),  # 4 bytes, which no firmware sends
+        (GROWN, "02010203", "count_mismatch"),
+        (GROWN, "00", []),
+        (UNCOUNTED, "41" + 18 * "00" + "0201", [{"name": "A", "color": 0x102}]),
+        (UNCOUNTED, 2 * ("41" + 18 * "00"), [{"name": "A"}, {"name": "A"}]),
+        (UNCOUNTED, 20 * "41", "too_short"),
+    ],
+)
+def test_elements_that_grew(tmp_path: Path, fields: str, hex_: str, wanted: Any) -> None:
+    layout = layout_of(tmp_path, probe(fields))
+    message = message_of(layout, "Probe")
+    model = json.loads(json.dumps(message_json(message, layout)))
+    schema = json.loads((GENERATOR / "schema/simplebgc.schema.json").read_text("utf-8"))
+    jsonschema.validate(model, {"$defs": schema["$defs"], "$ref": "#/$defs/message"})
+    decoder = example().Decoder({"messages": [model], "enums": [], "packed": []})
+    body = bytes.fromhex(hex_)
+    if isinstance(wanted, str):
+        with pytest.raises(CodecError, match=wanted):
+            decode(message, body)
+        with pytest.raises(Exception, match="size|short"):
+            decoder.decode(model, body, {})
+        return
+    said = decode(message, body)
+    assert said["lamps"] == wanted and encode(message, said) == body
+    assert decoder.decode(model, body, {}) == said
 
 
 def test_the_model_has_a_schema() -> None:

@@ -318,7 +318,8 @@ struct AdjVarsInfoRequest {
   static constexpr Availability since{.firmware = 2730};
   using Response = AdjVarsInfo;
 
-  /// First variable to describe.
+  /// First variable to describe; for the next page, the last one that came, plus 1. The last page
+  /// is empty.
   VariableId start_id{};
 
   bool operator==(const AdjVarsInfoRequest&) const = default;

@@ -597,7 +597,7 @@ struct AutoPidRequest {
 };
 
 /// Tune the PID controllers automatically, in later firmware. The configuration is part of the
-/// requests that start the tuning or save it.
+/// requests that start the tuning or save it. After the end, the board sends the tuned parameters.
 ///
 /// CMD_AUTO_PID2 (108), to the board; 11 to 73 bytes. Effect: stores, moves. Since firmware 2.73.
 /// Source: Later firmware.
@@ -791,7 +791,8 @@ struct BodeTestData {
   static constexpr std::size_t max_size = 97;
   static constexpr Availability since{.features = 0x08};
 
-  /// Index of the first sample, modulo 256.
+  /// Index of the first sample, modulo 256; the next message begins where this one ends, unless
+  /// samples are lost.
   std::uint8_t sample_counter{};
   /// Input of raw value 0.
   float input_min{};

@@ -77,7 +77,8 @@ struct DebugVarsInfo3Request {
   static constexpr Availability since{.board = 30};
   using Response = DebugVarsInfo3;
 
-  /// First variable to describe. Since firmware 2.72; before, the body ends here.
+  /// First variable to describe, if there are several pages; the last one is empty. Since firmware
+  /// 2.72; before, the body ends here.
   Optional<std::uint8_t> start_idx{};
 
   bool operator==(const DebugVarsInfo3Request&) const = default;

@@ -167,7 +167,7 @@ struct TransparentSapiRequest {
   static constexpr Availability since{.firmware = 2720, .board = 36};
   using Response = void;
 
-  /// Device and port that receive the data.
+  /// Device and port that receive the data. Unconfirmed.
   TransparentTarget target{};
   /// The data.
   BoundedBytes<254> payload{};
@@ -278,7 +278,7 @@ struct UdrvDeviceScan {
 
 /// Connect two serial ports of the board. Afterwards each port passes its bytes to the other one
 /// and no longer speaks this protocol. No source says how to end that. There is no response; an
-/// error is possible. Both ports must be enabled for this protocol.
+/// error is possible. The ports must differ, and be enabled for this protocol.
 ///
 /// CMD_SET_TRANSP_PROXY (143), to the board; 2 bytes. Effect: sets, disconnects. Since firmware
 /// 2.74.5. Source: Vendor's code of 2026.

@@ -115,7 +115,8 @@ struct SystemStatus {
       &SystemStatus::reserved>;
 };
 
-/// Distances of each axis to its software limits.
+/// Distances to the software limits, in Euler axes or, in servo mode, in those of the motors;
+/// imprecise for large angles.
 struct SoftLimitDistances {
   /// For dist: not set or unknown.
   static constexpr std::int16_t unknown_distance{32767};
@@ -506,13 +507,14 @@ struct RealtimeDataCustom {
   /// Raw values of the analog inputs, averaged over 8 ms. Range: 0 to 4096. Present if flags has
   /// ADC_CH_RAW.
   Optional<std::array<std::uint16_t, 4>> adc_ch_raw{};
-  /// Distances of each axis to its software limits. Present if flags has SW_LIMITS_DIST.
+  /// Distances to the software limits, in Euler axes or, in servo mode, in those of the motors;
+  /// imprecise for large angles. Present if flags has SW_LIMITS_DIST.
   Optional<Axes<SoftLimitDistances>> sw_limits_dist{};
   /// Distance to the neutral point of the follow mode, or 0 without it. Unit: deg. Present if flags
   /// has FOLLOW_DIST.
   Optional<Axes<Angle14>> follow_dist{};
-  /// Lower limits of an external target; equal ones are none. Unit: deg. Present if flags has
-  /// EXT_TARGET_LIMIT. Unconfirmed.
+  /// Lower limits of an external target, such as an angle of CMD_CONTROL, in follow mode as well;
+  /// if both are 0, there are none. Unit: deg. Present if flags has EXT_TARGET_LIMIT. Unconfirmed.
   Optional<Axes<LongAngle14>> ext_target_limit_min{};
   /// Upper limits of an external target. Unit: deg. Present if flags has EXT_TARGET_LIMIT.
   /// Unconfirmed.

@@ -431,7 +431,7 @@ struct Meta<msg::AdjVarsInfoRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "start_id",
        .spec_name = "START_ID",
-       .summary = "First variable to describe."},
+       .summary = "First variable to describe; for the next page, the last one that came, plus 1. The last page is empty."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -1108,7 +1108,7 @@ struct Meta<msg::BodeTestData> {
   static constexpr FieldInfo fields[] = {
       {.name = "sample_counter",
        .spec_name = "SAMPLE_COUNTER",
-       .summary = "Index of the first sample, modulo 256."},
+       .summary = "Index of the first sample, modulo 256; the next message begins where this one ends, unless samples are lost."},
       {.name = "input_min",
        .spec_name = "INPUT_MIN",
        .summary = "Input of raw value 0."},

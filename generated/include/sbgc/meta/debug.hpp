@@ -86,7 +86,7 @@ struct Meta<msg::DebugVarsInfo3Request> {
   static constexpr FieldInfo fields[] = {
       {.name = "start_idx",
        .spec_name = "START_IDX",
-       .summary = "First variable to describe.",
+       .summary = "First variable to describe, if there are several pages; the last one is empty.",
        .since = {.firmware = 2720}},
   };
 

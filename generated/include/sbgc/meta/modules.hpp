@@ -205,7 +205,8 @@ struct Meta<msg::TransparentSapiRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "target",
        .spec_name = "TARGET",
-       .summary = "Device and port that receive the data."},
+       .summary = "Device and port that receive the data.",
+       .unconfirmed = true},
       {.name = "payload",
        .spec_name = "PAYLOAD",
        .summary = "The data."},

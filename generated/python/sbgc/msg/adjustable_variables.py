@@ -381,7 +381,9 @@ class AdjVarsInfoRequest(Message):
     __slots__ = ()
 
     start_id: Field[VariableId, VariableId] = Field(ValueOf(VariableId))
-    """First variable to describe."""
+    """First variable to describe; for the next page, the last one that came, plus 1. The last page
+    is empty.
+    """
 
     def __init__(self, *, start_id: VariableId = UNSET, tail: Bytes = UNSET) -> None:
         self._start(start_id=start_id, tail=tail)

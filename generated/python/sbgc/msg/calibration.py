@@ -844,7 +844,8 @@ class AutoPidRequest(Message):
 class AutoPid2(Message):
     """Tune the PID controllers automatically, in later firmware.
 
-    The configuration is part of the requests that start the tuning or save it.
+    The configuration is part of the requests that start the tuning or save it. After the end,
+    the board sends the tuned parameters.
 
     CMD_AUTO_PID2 (108), to the board; 11 to 73 bytes. Effect: stores, moves. Since firmware
     2.73. Source: Later firmware.
@@ -1088,7 +1089,9 @@ class BodeTestData(Message):
     __slots__ = ()
 
     sample_counter: Field[int, int] = Field(RAW)
-    """Index of the first sample, modulo 256."""
+    """Index of the first sample, modulo 256; the next message begins where this one ends, unless
+    samples are lost.
+    """
     input_min: Field[float, float] = Field(REAL)
     """Input of raw value 0."""
     output_min: Field[float, float] = Field(REAL)

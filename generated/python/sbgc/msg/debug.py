@@ -79,7 +79,9 @@ class DebugVarsInfo3Request(Message):
     __slots__ = ()
 
     start_idx: Field[Optional[int], Optional[int]] = Field(RAW, optional=True)
-    """First variable to describe. Since firmware 2.72; before, the body ends here."""
+    """First variable to describe, if there are several pages; the last one is empty. Since firmware
+    2.72; before, the body ends here.
+    """
 
     def __init__(self, *, start_idx: Optional[int] = UNSET, tail: Bytes = UNSET) -> None:
         self._start(start_idx=start_idx, tail=tail)

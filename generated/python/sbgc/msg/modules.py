@@ -179,7 +179,7 @@ class TransparentSapiRequest(Message):
     __slots__ = ()
 
     target: Field[TransparentTarget, int] = Field(ValueOf(TransparentTarget))
-    """Device and port that receive the data."""
+    """Device and port that receive the data. Unconfirmed."""
     payload: Field[bytes, Bytes] = Field(BYTES)
     """The data."""
 
@@ -302,8 +302,8 @@ class SetTranspProxy(Message):
     """Connect two serial ports of the board.
 
     Afterwards each port passes its bytes to the other one and no longer speaks this protocol.
-    No source says how to end that. There is no response; an error is possible. Both ports must
-    be enabled for this protocol.
+    No source says how to end that. There is no response; an error is possible. The ports must
+    differ, and be enabled for this protocol.
 
     CMD_SET_TRANSP_PROXY (143), to the board; 2 bytes. Effect: sets, disconnects. Since firmware
     2.74.5. Source: Vendor's code of 2026.

@@ -230,7 +230,9 @@ class SystemStatus(Structure):
 
 
 class SoftLimitDistances(Structure):
-    """Distances of each axis to its software limits."""
+    """Distances to the software limits, in Euler axes or, in servo mode, in those of the motors;
+    imprecise for large angles.
+    """
 
     __slots__ = ()
     _home = ("RealtimeDataCustom", "sw_limits_dist.roll")
@@ -1027,7 +1029,9 @@ class RealtimeDataCustom(Message):
         AxesOf(GroupOf(SoftLimitDistances)),
         optional=True,
     )
-    """Distances of each axis to its software limits. Present if flags has SW_LIMITS_DIST."""
+    """Distances to the software limits, in Euler axes or, in servo mode, in those of the motors;
+    imprecise for large angles. Present if flags has SW_LIMITS_DIST.
+    """
     follow_dist: Field[Optional[Axes[float]], Optional[Axes[float]]] = Field(
         AxesOf(REAL),
         optional=True,
@@ -1045,9 +1049,10 @@ class RealtimeDataCustom(Message):
         AxesOf(REAL),
         optional=True,
     )
-    """Lower limits of an external target; equal ones are none. Unit: deg. Positive pitch is down,
-    negative up; positive yaw is right, negative left; for roll it is not known. Present if
-    flags has EXT_TARGET_LIMIT. Unconfirmed.
+    """Lower limits of an external target, such as an angle of CMD_CONTROL, in follow mode as well;
+    if both are 0, there are none. Unit: deg. Positive pitch is down, negative up; positive
+    yaw is right, negative left; for roll it is not known. Present if flags has
+    EXT_TARGET_LIMIT. Unconfirmed.
     """
     ext_target_limit_min_raw: Field[Optional[Axes[int]], Optional[Axes[int]]] = Field(
         AxesOf(RAW),

@@ -265,6 +265,7 @@ def _group(path: str, field: Field) -> dict[str, Any]:
         path=path,
         when=_condition(field.when),
         may_be_missing=field.appended or None,
+        element_sizes=_element_sizes(field),
         counted_by=field.counter or None,
         counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
@@ -289,6 +290,11 @@ def _leaf_in(leaf: Leaf, groups: list[tuple[str, Field]]) -> dict[str, Any]:
             result["counted_by"] = group.counter
             result.update(given(counted_by_part=part, counted_in=_counted_in(group)))
     return result
+
+
+def _element_sizes(field: Field) -> list[int] | None:
+    """The sizes that the elements of a list have had, if it grew."""
+    return list(field.type.element_sizes) or None if isinstance(field.type, Struct) else None
 
 
 def _form(name: str | None) -> str | None:

@@ -29,6 +29,7 @@ def lint_bodies(layout: Layout, found: Diagnostics) -> None:
         for struct in family.structs:
             _check_list(struct.fields, found)
             _check_struct(struct, found)
+    _check_grown_elements(layout, found)
     _check_families(layout, found)
     for message in layout.messages:
         _check_list(message.fields, found)
@@ -159,6 +160,22 @@ def _check_struct(struct: Struct, found: Diagnostics) -> None:
         if struct.is_region and field.name == "rest" and not field.optional:
             text = "'rest' is a member of every struct with its own size"
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+
+
+def _check_grown_elements(layout: Layout, found: Diagnostics) -> None:
+    """A struct whose size grew has the same sizes in all lists, and no other place."""
+    structs = {s.name: s for family in layout.families for s in family.structs}
+    for fields in (*(m.fields for m in layout.messages), *(s.fields for s in structs.values())):
+        for field in fields:
+            struct = structs.get(field.type.name) if isinstance(field.type, Struct) else None
+            if struct is None or not struct.element_sizes:
+                continue
+            is_list = field.dim in ("counted", "rest") and field is fields[-1]
+            if field.type != struct or not is_list:
+                text = (
+                    f"elements of '{struct.name}' grew, so it is only for lists of these elements"
+                )
+                found.add(field.at, "SBGC071", text, "write its fields out again")
 
 
 def _check_regions(message: Message, found: Diagnostics) -> None:

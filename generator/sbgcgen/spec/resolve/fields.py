@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 from sbgcgen.model import (
     SCALARS,
     Announced,
+    Availability,
     Blob,
     Context,
     Enum,
@@ -29,6 +30,7 @@ from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_ad
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
+from sbgcgen.spec.resolve.elements import grown
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.later import LaterResolver
 from sbgcgen.spec.resolve.limits import LimitResolver
@@ -118,6 +120,13 @@ class FieldResolver:
                 at=at,
             )
         return self.structs[name]
+
+    def grown(self, struct: Struct, since: Availability) -> Struct:
+        """The struct of a list's elements with all sizes that they have had; see elements.py."""
+        result = grown(struct, since)
+        known = self.structs[struct.name]
+        self.structs[struct.name] = known if known == result else result
+        return self.structs[struct.name]
 
     def rules(self, node: Map, fields: tuple[Field, ...]) -> tuple[FieldRule, ...]:
         """The rules across fields of a struct or message."""
@@ -366,13 +375,7 @@ class FieldResolver:
             dim = "rest"
         if dim == "fixed" and index and "min_count" in node:  # a variable number of named elements
             dim, count, max_count = "rest", 0, count
-        before = sum(f.size or 0 for f in earlier if not f.is_variable)
-        capacity = max(0, (self.max_body - before) // max(1, min_size_of(type_)))
-        if counting == "bits":
-            flags = next(f.type for f in earlier if f.name == counter)
-            capacity = min(capacity, 8 * (size_of(flags) or 0))
-        if part is not None:
-            capacity = min(capacity, part.limits[1] + (counting == "minus_1"))
+        capacity = self.capacity(type_, earlier, counting, counter, part)
         return {
             "dim": dim,
             "count": count,
@@ -385,6 +388,27 @@ class FieldResolver:
             "min_count": int(node.get("min_count", counting == "minus_1")),
             "max_count": max_count,
         }
+
+    def capacity(
+        self,
+        type_: Type,
+        earlier: Sequence[Field],
+        counting: str,
+        counter: str,
+        part: Part | None,
+    ) -> int:
+        """The most elements that fit into a body after the fields before them."""
+        most = self.room(earlier) // max(1, min_size_of(type_))
+        if counting == "bits":
+            flags = next(f.type for f in earlier if f.name == counter)
+            most = min(most, 8 * (size_of(flags) or 0))
+        if part is not None:
+            most = min(most, part.limits[1] + (counting == "minus_1"))
+        return most
+
+    def room(self, earlier: Sequence[Field]) -> int:
+        """The most bytes of a body that are left after these fields."""
+        return max(0, self.max_body - sum(f.size or 0 for f in earlier if not f.is_variable))
 
     def _default(self, node: Map, type_: Type, text: str) -> int:
         """The raw value in a new message."""

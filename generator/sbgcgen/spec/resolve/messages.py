@@ -21,6 +21,7 @@ from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
 from sbgcgen.spec.resolve.effects import EffectResolver
+from sbgcgen.spec.resolve.elements import confused, may_grow
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.leaves import leaves
 from sbgcgen.spec.resolve.sizes import max_size, min_size, total_size
@@ -167,7 +168,10 @@ class MessageResolver:
                 f"the body of {draft.name} has {body.min_size} bytes; {limit} fit into a frame"
             )
             self.found.add(draft.at, "SBGC013", message, "split it into several messages")
-        open_ended = any(f.dim == "rest" and f.type.kind != "announced" for f in body.fields)
+        open_ended = any(
+            (f.dim == "rest" and f.type.kind != "announced") or f.has_grown_elements
+            for f in body.fields
+        )
         self.done[key] = Message(
             name=draft.name,
             command=draft.command.name,
@@ -351,6 +355,7 @@ class MessageResolver:
         if "size" in draft.node:
             self._check_size(draft, fields)
             return fields
+        fields = self._with_grown_elements(fields, since)
         for field in fields:
             if field.dim in ("counted", "rest") and isinstance(field.type, Struct):
                 self._check_elements(field, field.type, field.since.later(since))
@@ -373,12 +378,36 @@ class MessageResolver:
                 hint = "move it to the end, or give the message a 'size' if they were reserved"
                 self.found.add(field.at, "SBGC071", text, hint)
 
+    def _with_grown_elements(
+        self, fields: tuple[Field, ...], since: Availability
+    ) -> tuple[Field, ...]:
+        """The fields, with all sizes of the elements if the last one is a list that grew."""
+        last = fields[-1] if fields else None
+        if last is None or not may_grow(last) or not isinstance(last.type, Struct):
+            return fields
+        struct = self.fields.grown(last.type, last.since.later(since))
+        if not struct.element_sizes:
+            return fields
+        capacity = self.fields.capacity(
+            struct, fields[:-1], last.counting, last.counter, last.counter_part
+        )
+        room = self.fields.room(fields[:-1])
+        problem = confused(struct.element_sizes, room) if last.dim == "rest" else None
+        if problem is not None:
+            one, other, size = problem
+            text = f"{size} bytes of '{last.name}' are elements of {one} or of {other} bytes"
+            self.found.add(last.at, "SBGC071", text, "count the elements: NAME[COUNT]")
+        return (*fields[:-1], replace(last, type=struct, size=None, capacity=capacity))
+
     def _check_elements(self, of: Field, struct: Struct, since: Availability) -> None:
-        """Report members of a list's elements that came later: a decoder knows one size only."""
+        """Report members of elements that came later, and that a decoder cannot tell apart."""
         for field in struct.fields:
-            if field.since.is_after(since) and not field.when:
+            if field.since.is_after(since) and not (field.when or field.appended):
                 text = f"older elements of '{of.name}' may have no bytes for '{field.name}'"
-                hint = "all elements have one size: make longer ones another form, or leave 'since' out"
+                hint = (
+                    "append it, in the order of the firmware and with one size, to the elements of a"
+                    " list without condition that ends the message, or leave 'since' out"
+                )
                 self.found.add(field.at, "SBGC071", text, hint)
             if isinstance(field.type, Struct):
                 self._check_elements(of, field.type, since)

@@ -45,7 +45,7 @@ def min_size(fields: tuple[Field, ...]) -> int:
 
 def _min_field(field: Field) -> int:
     if field.dim in ("counted", "rest"):
-        return field.min_count * (size_of(field.type) or 1)
+        return field.min_count * (min_size_of(field.type) or 1)
     return min_size_of(field.type) * field.count
 
 

@@ -46,7 +46,7 @@ _MESSAGE = frozenset(
 )
 # Types that messages have inside.
 _INNER_TYPES = frozenset(("Context", "Response"))
-_STRUCT = frozenset(("wire_size", *_MEMBERS))
+_STRUCT = frozenset(("wire_size", "element_sizes", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
 _QUANTITY = frozenset(
     ("raw", "real", "unit", "from_real", "growth", "raw_type", "unit_type", "number_type")

@@ -184,8 +184,8 @@ def _range(field: Field) -> str:
     return " to ".join(f"{float(limit):.6g}" for limit in limits)
 
 
-def field_doc(field: Field) -> str:
-    """What a user of a field needs to know."""
+def field_doc(field: Field, whole: str = "body") -> str:
+    """What a user of a field of a body, or of an element, needs to know."""
     unit = field.type.unit or "" if isinstance(field.type, Quantity) else ""
     limits = _range(field)
     said = [field.summary]
@@ -205,7 +205,7 @@ def field_doc(field: Field) -> str:
     said.append(f"Present if {field.when.words}." if field.when else "")
     said.append("The same in all copies." if field.role == "general" else "")
     if field.since:
-        before = "; before, the body ends here" if field.appended else ""
+        before = f"; before, the {whole} ends here" if field.appended else ""
         said.append(f"Since {versions(field.since)}{before}.")
     said.append(f"Always {field.default}." if field.constant else "")
     said.append("Unconfirmed." if field.unconfirmed else "")

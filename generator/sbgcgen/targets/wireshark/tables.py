@@ -283,6 +283,7 @@ def _field(one: Field, names: Names) -> Table:
         "reserved": one.reserved,
         "secret": one.secret,
         "appended": one.appended,
+        "element_sizes": isinstance(one.type, Struct) and one.type.element_sizes,
         "fits": one.fits and not one.fits_rest,
         "fits_rest": one.fits_rest,
         "when": one.when and _condition(one.when),

@@ -34,6 +34,22 @@ concept TaggedUnion = requires {
   T::wire_size;
 };
 
+/// A struct whose size on the wire grew with a firmware; all elements of a list have one of its
+/// `element_sizes`.
+template <class T>
+concept GrownElement = requires {
+  T::element_sizes;
+};
+
+/// Returns true if elements of the struct have this size in some firmware.
+template <GrownElement T>
+constexpr bool is_element_size(std::size_t size) noexcept {
+  for (const std::size_t known : T::element_sizes) {
+    if (known == size) return true;
+  }
+  return false;
+}
+
 template <class Struct, class T>
 T type_of_member(T Struct::*);
 

@@ -100,6 +100,8 @@ class Reader {
     if (!out.resize_for_overwrite(count)) return fail(Code::too_short, field);
     if constexpr (std::is_same_v<T, std::uint8_t>) {
       if (take(count, field)) detail::copy(body_.data() + at_ - count, out.data(), count);
+    } else if constexpr (GrownElement<T>) {
+      grown(out, field);
     } else {
       for (std::size_t i = 0; i < count && status_; ++i) value(out[i], field);
     }
@@ -149,10 +151,10 @@ class Reader {
   /// of elements or hold fewer than `least`.
   template <class T, std::size_t n>
   constexpr void rest(BoundedArray<T, n>& out, const char* field, std::size_t least = 0) noexcept {
-    constexpr std::size_t element = wire_size<T>;
-    if constexpr (element == 0) {
+    if constexpr (wire_size<T> == 0 && !GrownElement<T>) {
       rest_that_ends(out, field, least);
     } else {
+      const std::size_t element = element_size<T>();
       const std::size_t left = body_.size() - at_;
       if (status_ && (left % element != 0 || left / element < least)) {
         at_ = body_.size();
@@ -198,6 +200,36 @@ class Reader {
     for (std::size_t i = at_ - length; i < at_; ++i) {
       if (!out.push_back(static_cast<char>(body_[i]))) return fail(Code::text_too_long, field);
     }
+  }
+
+  /// Returns the size of the elements that the rest of the body consists of. At most one of several
+  /// sizes fits, as lint assures.
+  template <class T>
+  constexpr std::size_t element_size() const noexcept {
+    if constexpr (GrownElement<T>) {
+      for (const std::size_t size : T::element_sizes) {
+        if ((body_.size() - at_) % size == 0) return size;
+      }
+      return T::element_sizes[0];
+    } else {
+      return wire_size<T>;
+    }
+  }
+
+  /// Reads elements that share the rest of the body, and have the size of some firmware.
+  template <class T, std::size_t n>
+  constexpr void grown(BoundedArray<T, n>& out, const char* field) noexcept {
+    if (out.empty()) return;
+    const auto body = body_;
+    const std::size_t size = (body.size() - at_) / out.size();
+    if (size * out.size() != body.size() - at_ || !is_element_size<T>(size)) {
+      return fail(Code::count_mismatch, field);
+    }
+    for (T& element : out) {
+      body_ = body.first(at_ + size);
+      value(element, field);
+    }
+    body_ = body;
   }
 
   /// Reads elements whose size varies, up to the end of the body.

@@ -114,6 +114,8 @@ class Writer {
       if (take(in.size(), field)) {
         detail::copy(in.data(), out_.data() + at_ - in.size(), in.size());
       }
+    } else if constexpr (GrownElement<T>) {
+      grown(in, field);
     } else {
       for (std::size_t i = 0; i < in.size() && status_; ++i) value(in[i], field);
     }
@@ -176,6 +178,26 @@ class Writer {
   }
 
  private:
+  /// Writes elements that all have the size of the same firmware.
+  template <class T, std::size_t n>
+  constexpr void grown(const BoundedArray<T, n>& in, const char* field) noexcept {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < in.size() && status_; ++i) {
+      Writer element(out_, at_);
+      element.value(in[i], field);
+      const WriteResult end = element.end();
+      if (!end) {
+        at_ = element.at_;
+        status_ = end.status;
+        return;
+      }
+      if (i == 0) size = end.size - at_;
+      if (end.size - at_ != size || !is_element_size<T>(size)) {
+        return fail(Code::presence_mismatch, field);
+      }
+      at_ = end.size;
+    }
+  }
   /// Notes that a value is missing, which `size` following bytes would be mistaken for.
   constexpr void miss(std::size_t size, const char* field) noexcept {
     if (at_ + size >= missing_end_) return;
