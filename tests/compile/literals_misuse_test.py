@@ -21,6 +21,7 @@ struct Both {
 """
 TEST_IT = r"a number known at run time may not fit: test it, .* then use \*angle"
 DOES_NOT_FIT = "this physical value does not fit into the number of the quantity on the wire"
+NO_UNIT = "a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees"
 NO_MESSAGE = "accepts no message: let it take one as in"
 VISIT = """
 void use(const Frame& frame) { visit(frame, Direction::to_board, %s); }
@@ -43,7 +44,15 @@ WRONG = {
         "Both both{.ours = 12.6_V};",
         r"Physical<.*unit::V.*Optional<(sbgc::)?msg::Angle14>",
     ),
-    "no unit": ("msg::Angle14 angle = 45;", r"from .*int.* to .*Angle14"),
+    "no unit": ("msg::Angle14 angle = -30;", NO_UNIT),
+    "no unit and decimals": ("msg::Angle14 angle = -30.5;", NO_UNIT),
+    "no unit in a message": ("msg::Control control{.axes = {.yaw = {.angle = -30}}};", NO_UNIT),
+    "no unit in an argument": ("void go(msg::Angle14); void use() { go(-30); }", NO_UNIT),
+    "no unit in an optional field": ("Both both{.ours = -30};", NO_UNIT),
+    "no unit in a standard optional": (
+        "Both both{.standard = -30};",
+        r"from .*int.* to .*optional<.*Angle14>",
+    ),
     "not decimal": (
         "msg::Angle14 angle = 0x10_deg;",
         "write the number of a physical value in decimal",
@@ -90,6 +99,9 @@ Both both{.ours = 45_deg, .standard = -45_deg};
 void use(double x, msg::Control& control) {
   if (const auto angle = msg::Angle14::from_degrees(x)) control.axes.yaw.angle = *angle;
 }
+constexpr msg::Angle14 counts(5);
+static_assert(counts.raw() == 5 && msg::Angle14{-5}.raw() == -5);
+static_assert(!std::is_convertible_v<int, msg::Angle14>);
 """
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import csv
+import json
 import os
 import re
 import shlex
+import socket
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -53,3 +55,19 @@ def test_the_table_has_the_columns_of_the_recipes(folder: Path) -> None:
     times = [float(row[0]) for row in rows]
     assert times == sorted(times), "and times that do not fall"
     assert all(float(cell) is not None for row in rows for cell in row if cell)
+
+
+def test_live_json_over_udp(folder: Path) -> None:
+    with emulated_gimbal() as gimbal, socket.socket(type=socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        receiver.settimeout(20)
+        (command,) = recipe("bash").splitlines()
+        assert command.startswith("sbgc stream ") and command.endswith("/127.0.0.1/9870")
+        command = command.replace("9870", str(receiver.getsockname()[1]))
+        command = command.replace("sbgc", f"./sbgc -p {shlex.quote(gimbal.address)}")
+        command = command.replace(" >", " --for 1s >")
+        subprocess.run(["bash", "-c", command], cwd=folder, check=True)
+        messages = [json.loads(receiver.recv(65536)) for _ in range(5)]
+    times = [message["time"] for message in messages]
+    assert times == sorted(set(times))
+    assert all("pitch" in message["fields"]["angle"] for message in messages)

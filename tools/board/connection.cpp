@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <future>
 #include <optional>
 #include <vector>
@@ -115,6 +116,11 @@ std::string find_gimbal_port(const ConnectOptions& options) {
 }
 
 }  // namespace
+
+std::string line_to_gimbal(const std::string& own) {
+  const char* const behind = std::getenv(shell_line_variable);
+  return behind != nullptr ? behind : own;
+}
 
 void require_address(const std::string& address) {
   const io::AddressResult parsed = io::parse_address(address);

@@ -35,6 +35,11 @@ LineChoice choose_line(const GimbalOptions& given, Wrap wrap = {});
 /// Connects to the gimbal. Throws CommandError.
 Client connect(const GimbalOptions& options, Wrap wrap = {});
 
+/// The variable in which `sbgc shell` tells its commands of the line behind their own.
+inline constexpr const char* shell_line_variable = "SBGC_SHELL_LINE";
+/// Describes the line to the gimbal; `own` describes that of this command.
+std::string line_to_gimbal(const std::string& own);
+
 /// Ends the command with the message of the error, and with the status `interrupted` if that is the
 /// cause.
 [[noreturn]] void fail(const ClientError& error);

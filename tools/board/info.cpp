@@ -94,7 +94,9 @@ std::vector<std::string> unsupported_commands(const Availability& versions) {
 Info collect(const CommandContext& context) {
   const auto start = Clock::now();
   Client client = connect(context.gimbal);
-  Info info{.board = client.identity(), .line = client.description(), .test = test_line(client)};
+  Info info{.board = client.identity(),
+            .line = line_to_gimbal(client.description()),
+            .test = test_line(client)};
   info.statistics = client.statistics();
   info.open_s = std::chrono::duration<double>(Clock::now() - start).count();
   const msg::BoardInfo& board = info.board.info;

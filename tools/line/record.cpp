@@ -228,7 +228,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   std::vector<Subscription> running;
   running.reserve(streams.size());
   for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
-  if (!to_stdout) fmt::print("{}\n", printable(client.description()));
+  if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
   std::fflush(stdout);
   const auto end = options.time ? std::chrono::steady_clock::now() + *options.time
                                 : std::chrono::steady_clock::time_point::max();

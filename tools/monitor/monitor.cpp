@@ -105,7 +105,9 @@ class Monitor {
       if (Clock::now() > view.message_end) view.message.clear();
       draw(screen, view, gimbal, line());
       const std::optional<int> pressed = screen.wait_for_key(refresh);
-      if (pressed && !press(*pressed, view, gimbal, recording_, client_.description())) return;
+      if (pressed &&
+          !press(*pressed, view, gimbal, recording_, line_to_gimbal(client_.description())))
+        return;
     }
   }
 
@@ -118,7 +120,7 @@ class Monitor {
     was_connected_ = is_connected;
     const BoardIdentity board = client_.identity();
     return {fmt::format("{}, firmware {}", board.board_version(), board.firmware_version()),
-            client_.description(), client_.statistics(), connections,
+            line_to_gimbal(client_.description()), client_.statistics(), connections,
             std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - since_)};
   }
 

@@ -76,6 +76,29 @@ void keep_changed(std::vector<ShownParameter>& parameters,
   std::erase_if(parameters, is_default);
 }
 
+/// Returns the parameters that are listed under a topic.
+std::vector<const ShownParameter*> parameters_of(const TopicReference& topic,
+                                                 const std::vector<ShownParameter>& parameters) {
+  std::vector<const ShownParameter*> result;
+  for (const ShownParameter& parameter : parameters) {
+    if (!parameter.topics.empty() && parameter.topics.front() == &topic) {
+      result.push_back(&parameter);
+    }
+  }
+  return result;
+}
+
+/// Names the messages that the parameters are part of.
+std::string messages_of(const std::vector<const ShownParameter*>& parameters) {
+  std::vector<std::string> names;
+  for (const ShownParameter* const parameter : parameters) {
+    if (std::ranges::find(names, parameter->message) == names.end()) {
+      names.push_back(parameter->message);
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string table_of(const std::vector<ShownParameter>& parameters) {
   std::string result;
   const Colors colors(stdout);
@@ -87,18 +110,17 @@ std::string table_of(const std::vector<ShownParameter>& parameters) {
   const bool is_below = width + 4 + least_room > line_width();
   const std::size_t column = is_below ? 6 : width + 4;
   for (const TopicReference& topic : topic_references) {
-    bool is_first = true;
-    for (const ShownParameter& parameter : parameters) {
-      if (parameter.topics.empty() || parameter.topics.front() != &topic) continue;
-      if (std::exchange(is_first, false)) {
-        result += wrapped(fmt::format("{}: {}", colors(Color::bold, topic.name), topic.summary),
-                          line_width());
-        result += '\n';
-      }
-      std::string text = parameter.short_text();
-      if (!parameter.other_default.empty()) text += " (default " + parameter.other_default + ")";
+    const std::vector<const ShownParameter*> listed = parameters_of(topic, parameters);
+    if (listed.empty()) continue;
+    result += wrapped(fmt::format("{}: {} ({})", colors(Color::bold, topic.name), topic.summary,
+                                  messages_of(listed)),
+                      line_width());
+    result += '\n';
+    for (const ShownParameter* const parameter : listed) {
+      std::string text = parameter->short_text();
+      if (!parameter->other_default.empty()) text += " (default " + parameter->other_default + ")";
       result +=
-          fmt::format("  {:<{}}{}{}\n", parameter.path, is_below ? 0 : width,
+          fmt::format("  {:<{}}{}{}\n", parameter->path, is_below ? 0 : width,
                       is_below ? "\n      " : "  ", wrapped(text, line_width(), column, column));
     }
   }

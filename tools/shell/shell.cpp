@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "board/connect_options.hpp"
+#include "board/connection.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -82,13 +83,20 @@ struct Ended {
   bool is_killed = false;
 };
 
-/// Runs this program with these arguments. With `has_input`, it reads the input of the shell.
-Ended run_command(const std::vector<std::string>& arguments, bool has_input) {
+/// Runs this program with these arguments. With `has_input`, it reads the input of the shell. It
+/// describes its line as `line`, unless that is empty.
+Ended run_command(const std::vector<std::string>& arguments, bool has_input,
+                  const std::string& line = "") {
   std::string name = "sbgc";
   std::vector<std::string> copies = arguments;
   std::vector<char*> pointers{name.data()};
   for (std::string& copy : copies) pointers.push_back(copy.data());
   pointers.push_back(nullptr);
+  std::string line_variable = fmt::format("{}={}", shell_line_variable, line);
+  std::vector<char*> environment;
+  if (!line.empty()) environment.push_back(line_variable.data());
+  for (char** one = environ; *one != nullptr; ++one) environment.push_back(*one);
+  environment.push_back(nullptr);
   posix_spawn_file_actions_t files{};
   posix_spawn_file_actions_init(&files);
   if (!has_input) posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -102,8 +110,8 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   const SignalsOfCommand signals;
   pid_t process = -1;
-  const int error =
-      ::posix_spawn(&process, "/proc/self/exe", &files, &attributes, pointers.data(), environ);
+  const int error = ::posix_spawn(&process, "/proc/self/exe", &files, &attributes, pointers.data(),
+                                  environment.data());
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) {
@@ -229,7 +237,7 @@ class CommandShell {
       if (!line_->hand_line_to(*guard)) guard.reset();
     }
     line_->set_running(true);
-    const Ended ended = run_command(arguments, has_input);
+    const Ended ended = run_command(arguments, has_input, line_->line());
     line_->close_place(ended.is_killed);
     line_->set_running(false);
     return ended.status;

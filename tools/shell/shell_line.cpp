@@ -60,8 +60,8 @@ SharedLine::Settings ShellLine::settings() {
 
 std::string ShellLine::description() {
   const BoardIdentity board = line_.client().identity();
-  return fmt::format("{}: board {}, firmware {}", line_.client().description(),
-                     board.board_version(), board.firmware_version());
+  return fmt::format("{}: board {}, firmware {}", line(), board.board_version(),
+                     board.firmware_version());
 }
 
 bool ShellLine::wait_until_connected() {

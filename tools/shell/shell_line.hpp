@@ -30,6 +30,8 @@ class ShellLine {
 
   /// For example "serial port /dev/ttyUSB0, 115200 8N1: board 3.6, firmware 2.70".
   std::string description();
+  /// For example "serial port /dev/ttyUSB0, 115200 8N1".
+  std::string line() { return line_.client().description(); }
   bool is_connected() { return line_.client().is_connected(); }
   /// Waits for a moment until the connection is back. Returns false if it is not.
   bool wait_until_connected();

@@ -3,6 +3,10 @@
 /// The physical quantities of the protocol. Each is a distinct type over the exact number on the
 /// wire, so that units cannot be mixed by mistake. The functions that convert it from and to its unit
 /// are named by the unit, as in Angle14::from_degrees(45.0); literals.hpp has them.
+///
+/// A number does not convert to a quantity: the deleted constructor names the reason. It is a
+/// template, so that the compiler prefers the one of the whole number of the wire where both are
+/// possible; g++ 12 would not see that it is deleted if the quantities inherited it.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +23,10 @@ class Angle14
       public unit::deg::Accessors<Angle14> {
  public:
   using Quantity::Quantity;
+  constexpr Angle14() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Angle14(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle, 16384 counts per turn, accumulated over full turns.
@@ -28,6 +36,10 @@ class LongAngle14
       public unit::deg::Accessors<LongAngle14> {
  public:
   using Quantity::Quantity;
+  constexpr LongAngle14() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongAngle14(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in whole degrees.
@@ -37,6 +49,10 @@ class Degrees
       public unit::deg::Accessors<Degrees> {
  public:
   using Quantity::Quantity;
+  constexpr Degrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Degrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Small angle in whole degrees.
@@ -46,6 +62,10 @@ class SmallDegrees
       public unit::deg::Accessors<SmallDegrees> {
  public:
   using Quantity::Quantity;
+  constexpr SmallDegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SmallDegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Small signed angle in whole degrees.
@@ -55,6 +75,10 @@ class SignedDegrees
       public unit::deg::Accessors<SignedDegrees> {
  public:
   using Quantity::Quantity;
+  constexpr SignedDegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SignedDegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in steps of 3 degrees.
@@ -64,6 +88,10 @@ class EncoderLimit
       public unit::deg::Accessors<EncoderLimit> {
  public:
   using Quantity::Quantity;
+  constexpr EncoderLimit() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr EncoderLimit(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in tenths of a degree.
@@ -73,6 +101,10 @@ class TenthDegrees
       public unit::deg::Accessors<TenthDegrees> {
  public:
   using Quantity::Quantity;
+  constexpr TenthDegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TenthDegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle between an estimated and a reference vector, in tenths of a degree.
@@ -82,6 +114,10 @@ class AngleError
       public unit::deg::Accessors<AngleError> {
  public:
   using Quantity::Quantity;
+  constexpr AngleError() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr AngleError(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed of commands and targets: full scale is 4000 deg/s.
@@ -91,6 +127,10 @@ class ControlSpeed
       public unit::deg_per_s::Accessors<ControlSpeed> {
  public:
   using Quantity::Quantity;
+  constexpr ControlSpeed() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ControlSpeed(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed for extremely slow motion, in thousandths of a degree per second.
@@ -100,6 +140,10 @@ class FineSpeed
       public unit::deg_per_s::Accessors<FineSpeed> {
  public:
   using Quantity::Quantity;
+  constexpr FineSpeed() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FineSpeed(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed from the gyroscope: full scale is 2000 deg/s.
@@ -109,6 +153,10 @@ class GyroRate
       public unit::deg_per_s::Accessors<GyroRate> {
  public:
   using Quantity::Quantity;
+  constexpr GyroRate() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr GyroRate(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular acceleration in steps of 5 deg/s^2.
@@ -118,6 +166,10 @@ class AngularAcceleration
       public unit::deg_per_s2::Accessors<AngularAcceleration> {
  public:
   using Quantity::Quantity;
+  constexpr AngularAcceleration() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr AngularAcceleration(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular acceleration in whole deg/s^2.
@@ -127,6 +179,10 @@ class PlainAngularAcceleration
       public unit::deg_per_s2::Accessors<PlainAngularAcceleration> {
  public:
   using Quantity::Quantity;
+  constexpr PlainAngularAcceleration() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr PlainAngularAcceleration(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Linear acceleration; 512 counts are 1 g.
@@ -136,6 +192,10 @@ class Acceleration
       public unit::g::Accessors<Acceleration> {
  public:
   using Quantity::Quantity;
+  constexpr Acceleration() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Acceleration(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Time stamp that wraps after 65.536 s.
@@ -145,6 +205,10 @@ class MillisecondClock
       public unit::ms::Accessors<MillisecondClock> {
  public:
   using Quantity::Quantity;
+  constexpr MillisecondClock() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr MillisecondClock(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in milliseconds.
@@ -154,6 +218,10 @@ class Milliseconds
       public unit::ms::Accessors<Milliseconds> {
  public:
   using Quantity::Quantity;
+  constexpr Milliseconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Milliseconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in microseconds.
@@ -163,6 +231,10 @@ class Microseconds
       public unit::us::Accessors<Microseconds> {
  public:
   using Quantity::Quantity;
+  constexpr Microseconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Microseconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in steps of 10 ms.
@@ -172,6 +244,10 @@ class TensOfMilliseconds
       public unit::ms::Accessors<TensOfMilliseconds> {
  public:
   using Quantity::Quantity;
+  constexpr TensOfMilliseconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TensOfMilliseconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Length of a servo pulse; values up to 0 are special.
@@ -181,6 +257,10 @@ class ServoPulse
       public unit::us::Accessors<ServoPulse> {
  public:
   using Quantity::Quantity;
+  constexpr ServoPulse() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ServoPulse(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Length of a note in steps of 8 ms.
@@ -190,6 +270,10 @@ class NoteLength
       public unit::ms::Accessors<NoteLength> {
  public:
   using Quantity::Quantity;
+  constexpr NoteLength() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr NoteLength(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Pitch of a note.
@@ -199,6 +283,10 @@ class NoteFrequency
       public unit::Hz::Accessors<NoteFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr NoteFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr NoteFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// PWM frequency in steps of 10 Hz.
@@ -208,6 +296,10 @@ class ServoRate
       public unit::Hz::Accessors<ServoRate> {
  public:
   using Quantity::Quantity;
+  constexpr ServoRate() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ServoRate(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency in whole hertz.
@@ -217,6 +309,10 @@ class Frequency
       public unit::Hz::Accessors<Frequency> {
  public:
   using Quantity::Quantity;
+  constexpr Frequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Frequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Low frequency in whole hertz.
@@ -226,6 +322,10 @@ class SmallFrequency
       public unit::Hz::Accessors<SmallFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr SmallFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SmallFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency in steps of 2 Hz.
@@ -235,6 +335,10 @@ class EvenFrequency
       public unit::Hz::Accessors<EvenFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr EvenFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr EvenFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency in steps of 10 Hz.
@@ -244,6 +348,10 @@ class CoarseFrequency
       public unit::Hz::Accessors<CoarseFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr CoarseFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr CoarseFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency in hundredths of a hertz.
@@ -253,6 +361,10 @@ class FineFrequency
       public unit::Hz::Accessors<FineFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr FineFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FineFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Voltage in hundredths of a volt.
@@ -262,6 +374,10 @@ class Voltage
       public unit::V::Accessors<Voltage> {
  public:
   using Quantity::Quantity;
+  constexpr Voltage() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Voltage(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Voltage in hundredths of a volt; a negative value switches the function off.
@@ -271,6 +387,10 @@ class VoltageThreshold
       public unit::V::Accessors<VoltageThreshold> {
  public:
   using Quantity::Quantity;
+  constexpr VoltageThreshold() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr VoltageThreshold(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric current.
@@ -280,6 +400,10 @@ class Current
       public unit::mA::Accessors<Current> {
  public:
   using Quantity::Quantity;
+  constexpr Current() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Current(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Temperature.
@@ -289,6 +413,10 @@ class Temperature
       public unit::degC::Accessors<Temperature> {
  public:
   using Quantity::Quantity;
+  constexpr Temperature() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Temperature(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number in hundredths.
@@ -298,6 +426,10 @@ class Hundredths
       public unit::value::Accessors<Hundredths> {
  public:
   using Quantity::Quantity;
+  constexpr Hundredths() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Hundredths(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number in hundredths, with a wide range.
@@ -307,6 +439,10 @@ class LongHundredths
       public unit::value::Accessors<LongHundredths> {
  public:
   using Quantity::Quantity;
+  constexpr LongHundredths() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongHundredths(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number in thousandths.
@@ -316,6 +452,10 @@ class Thousandths
       public unit::value::Accessors<Thousandths> {
  public:
   using Quantity::Quantity;
+  constexpr Thousandths() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Thousandths(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number with eight integer and eight fractional bits.
@@ -325,6 +465,10 @@ class FixedPoint8
       public unit::value::Accessors<FixedPoint8> {
  public:
   using Quantity::Quantity;
+  constexpr FixedPoint8() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FixedPoint8(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Factor on the gains of a PID controller; 0 counts are 0.1.
@@ -334,6 +478,10 @@ class PidGain
       public unit::value::Accessors<PidGain> {
  public:
   using Quantity::Quantity;
+  constexpr PidGain() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr PidGain(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Gain of a PID controller, 0 to 255, in fine steps where it is small.
@@ -343,6 +491,10 @@ class LogarithmicGain
       public unit::value::Accessors<LogarithmicGain> {
  public:
   using Quantity::Quantity;
+  constexpr LogarithmicGain() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LogarithmicGain(raw_type) = delete;  // NOLINT(google-explicit-constructor)
   /// The factor between adjacent values.
   static constexpr double growth = 1.0156157445197571;
 };
@@ -354,6 +506,10 @@ class Decibels
       public unit::dB::Accessors<Decibels> {
  public:
   using Quantity::Quantity;
+  constexpr Decibels() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Decibels(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Share of a whole.
@@ -363,6 +519,10 @@ class Percent
       public unit::percent::Accessors<Percent> {
  public:
   using Quantity::Quantity;
+  constexpr Percent() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Percent(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Tenths of the gyroscope's native unit.
@@ -372,6 +532,10 @@ class GyroDeadband
       public unit::gyro_unit::Accessors<GyroDeadband> {
  public:
   using Quantity::Quantity;
+  constexpr GyroDeadband() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr GyroDeadband(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Thousandths of the gyroscope's native unit.
@@ -381,6 +545,10 @@ class GyroOffset
       public unit::gyro_unit::Accessors<GyroOffset> {
  public:
   using Quantity::Quantity;
+  constexpr GyroOffset() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr GyroOffset(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// RC pulse width, or an analog signal normalized to the same range.
@@ -390,6 +558,10 @@ class RcSignal
       public unit::us::Accessors<RcSignal> {
  public:
   using Quantity::Quantity;
+  constexpr RcSignal() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr RcSignal(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// High-resolution RC signal; the normal range is -1 to 1.
@@ -399,6 +571,10 @@ class FineRcSignal
       public unit::fraction::Accessors<FineRcSignal> {
  public:
   using Quantity::Quantity;
+  constexpr FineRcSignal() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FineRcSignal(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// RC signal relative to its center; the normal range is -1 to 1.
@@ -408,6 +584,10 @@ class CentredRcSignal
       public unit::fraction::Accessors<CentredRcSignal> {
  public:
   using Quantity::Quantity;
+  constexpr CentredRcSignal() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr CentredRcSignal(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Motor power needed to hold the camera: 0 is perfect balance, 512 counts are 100 %.
@@ -417,6 +597,10 @@ class BalanceError
       public unit::percent::Accessors<BalanceError> {
  public:
   using Quantity::Quantity;
+  constexpr BalanceError() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr BalanceError(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number of bytes.
@@ -426,6 +610,10 @@ class ByteCount
       public unit::byte::Accessors<ByteCount> {
  public:
   using Quantity::Quantity;
+  constexpr ByteCount() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ByteCount(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Small number of bytes.
@@ -435,6 +623,10 @@ class SmallByteCount
       public unit::byte::Accessors<SmallByteCount> {
  public:
   using Quantity::Quantity;
+  constexpr SmallByteCount() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SmallByteCount(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Large number of bytes.
@@ -444,6 +636,10 @@ class LongByteCount
       public unit::byte::Accessors<LongByteCount> {
  public:
   using Quantity::Quantity;
+  constexpr LongByteCount() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongByteCount(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Long duration in whole seconds.
@@ -453,6 +649,10 @@ class LongSeconds
       public unit::ms::Accessors<LongSeconds> {
  public:
   using Quantity::Quantity;
+  constexpr LongSeconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongSeconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric energy.
@@ -462,6 +662,10 @@ class WattHours
       public unit::Wh::Accessors<WattHours> {
  public:
   using Quantity::Quantity;
+  constexpr WattHours() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr WattHours(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric current in amperes.
@@ -471,6 +675,10 @@ class AverageCurrent
       public unit::mA::Accessors<AverageCurrent> {
  public:
   using Quantity::Quantity;
+  constexpr AverageCurrent() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr AverageCurrent(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Temperature from 0 up.
@@ -480,6 +688,10 @@ class PositiveTemperature
       public unit::degC::Accessors<PositiveTemperature> {
  public:
   using Quantity::Quantity;
+  constexpr PositiveTemperature() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr PositiveTemperature(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Linear acceleration in steps of 1/16 g.
@@ -489,6 +701,10 @@ class AccelerationPeak
       public unit::g::Accessors<AccelerationPeak> {
  public:
   using Quantity::Quantity;
+  constexpr AccelerationPeak() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr AccelerationPeak(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number of pages of 32 KB.
@@ -498,6 +714,10 @@ class FlashSize
       public unit::byte::Accessors<FlashSize> {
  public:
   using Quantity::Quantity;
+  constexpr FlashSize() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FlashSize(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in whole seconds.
@@ -507,6 +727,10 @@ class Seconds
       public unit::ms::Accessors<Seconds> {
  public:
   using Quantity::Quantity;
+  constexpr Seconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Seconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in steps of 100 ms.
@@ -516,6 +740,10 @@ class HundredsOfMilliseconds
       public unit::ms::Accessors<HundredsOfMilliseconds> {
  public:
   using Quantity::Quantity;
+  constexpr HundredsOfMilliseconds() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr HundredsOfMilliseconds(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in hundredths of a degree.
@@ -525,6 +753,10 @@ class HundredthDegrees
       public unit::deg::Accessors<HundredthDegrees> {
  public:
   using Quantity::Quantity;
+  constexpr HundredthDegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr HundredthDegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric current in steps of 10 mA.
@@ -534,6 +766,10 @@ class TensOfMilliamperes
       public unit::mA::Accessors<TensOfMilliamperes> {
  public:
   using Quantity::Quantity;
+  constexpr TensOfMilliamperes() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TensOfMilliamperes(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric resistance in tenths of an ohm.
@@ -543,6 +779,10 @@ class TenthOhms
       public unit::ohm::Accessors<TenthOhms> {
  public:
   using Quantity::Quantity;
+  constexpr TenthOhms() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TenthOhms(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Share of a whole in steps of 0.2 %.
@@ -552,6 +792,10 @@ class FifthPercent
       public unit::percent::Accessors<FifthPercent> {
  public:
   using Quantity::Quantity;
+  constexpr FifthPercent() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FifthPercent(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Number in steps of 0.05.
@@ -561,6 +805,10 @@ class Twentieths
       public unit::value::Accessors<Twentieths> {
  public:
   using Quantity::Quantity;
+  constexpr Twentieths() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Twentieths(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Offset of an RC signal; 1 is half its range.
@@ -570,6 +818,10 @@ class SignalOffset
       public unit::fraction::Accessors<SignalOffset> {
  public:
   using Quantity::Quantity;
+  constexpr SignalOffset() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SignalOffset(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Factor on an RC signal; 0 counts are 80 %.
@@ -579,6 +831,10 @@ class SignalScale
       public unit::percent::Accessors<SignalScale> {
  public:
   using Quantity::Quantity;
+  constexpr SignalScale() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SignalScale(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Small angle in tenths of a degree.
@@ -588,6 +844,10 @@ class TenthDegreesWidth
       public unit::deg::Accessors<TenthDegreesWidth> {
  public:
   using Quantity::Quantity;
+  constexpr TenthDegreesWidth() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TenthDegreesWidth(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric current in steps of 0.5 A.
@@ -597,6 +857,10 @@ class CoarseCurrent
       public unit::mA::Accessors<CoarseCurrent> {
  public:
   using Quantity::Quantity;
+  constexpr CoarseCurrent() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr CoarseCurrent(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric resistance in hundredths of an ohm.
@@ -606,6 +870,10 @@ class HundredthOhms
       public unit::ohm::Accessors<HundredthOhms> {
  public:
   using Quantity::Quantity;
+  constexpr HundredthOhms() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr HundredthOhms(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Inverse quality factor of a filter; 0 counts are 0.2.
@@ -615,6 +883,10 @@ class InverseQuality
       public unit::value::Accessors<InverseQuality> {
  public:
   using Quantity::Quantity;
+  constexpr InverseQuality() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr InverseQuality(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency of a shake in steps of 0.05 Hz; 0 counts are 0.3 Hz.
@@ -624,6 +896,10 @@ class ShakeFrequency
       public unit::Hz::Accessors<ShakeFrequency> {
  public:
   using Quantity::Quantity;
+  constexpr ShakeFrequency() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ShakeFrequency(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency of a resonance in steps of 0.1 Hz; 0 counts are 0.3 Hz.
@@ -633,6 +909,10 @@ class ShakeResonance
       public unit::Hz::Accessors<ShakeResonance> {
  public:
   using Quantity::Quantity;
+  constexpr ShakeResonance() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ShakeResonance(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Factor in steps of 0.1; 0 counts are 1.5.
@@ -642,6 +922,10 @@ class ShakeFactor
       public unit::value::Accessors<ShakeFactor> {
  public:
   using Quantity::Quantity;
+  constexpr ShakeFactor() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ShakeFactor(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Duration in steps of 20 ms; 0 counts are 500 ms.
@@ -651,6 +935,10 @@ class ShakePause
       public unit::ms::Accessors<ShakePause> {
  public:
   using Quantity::Quantity;
+  constexpr ShakePause() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ShakePause(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Gain in steps of 0.2 dB.
@@ -660,6 +948,10 @@ class FifthDecibels
       public unit::dB::Accessors<FifthDecibels> {
  public:
   using Quantity::Quantity;
+  constexpr FifthDecibels() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr FifthDecibels(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Electric current in either direction.
@@ -669,6 +961,10 @@ class SignedCurrent
       public unit::mA::Accessors<SignedCurrent> {
  public:
   using Quantity::Quantity;
+  constexpr SignedCurrent() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr SignedCurrent(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Share of the largest current: 32768 counts are 100 %.
@@ -678,6 +974,10 @@ class CurrentShare
       public unit::percent::Accessors<CurrentShare> {
  public:
   using Quantity::Quantity;
+  constexpr CurrentShare() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr CurrentShare(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed in revolutions per minute; one is 6 deg/s.
@@ -687,6 +987,10 @@ class RevolutionsPerMinute
       public unit::rpm::Accessors<RevolutionsPerMinute> {
  public:
   using Quantity::Quantity;
+  constexpr RevolutionsPerMinute() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr RevolutionsPerMinute(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in radians.
@@ -696,6 +1000,10 @@ class Radians
       public unit::rad::Accessors<Radians> {
  public:
   using Quantity::Quantity;
+  constexpr Radians() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Radians(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Size of an angle in thousandths of a degree.
@@ -705,6 +1013,10 @@ class Millidegrees
       public unit::deg::Accessors<Millidegrees> {
  public:
   using Quantity::Quantity;
+  constexpr Millidegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Millidegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed in thousandths of a degree per second, with a wide range.
@@ -714,6 +1026,10 @@ class LongFineSpeed
       public unit::deg_per_s::Accessors<LongFineSpeed> {
  public:
   using Quantity::Quantity;
+  constexpr LongFineSpeed() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongFineSpeed(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Maximum angular speed, in the unit of ControlSpeed.
@@ -723,6 +1039,10 @@ class ControlSpeedLimit
       public unit::deg_per_s::Accessors<ControlSpeedLimit> {
  public:
   using Quantity::Quantity;
+  constexpr ControlSpeedLimit() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ControlSpeedLimit(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed in radians per second.
@@ -732,6 +1052,10 @@ class RadianRate
       public unit::rad_per_s::Accessors<RadianRate> {
  public:
   using Quantity::Quantity;
+  constexpr RadianRate() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr RadianRate(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle, 1048576 counts per turn, accumulated over full turns.
@@ -741,6 +1065,10 @@ class Angle20
       public unit::deg::Accessors<Angle20> {
  public:
   using Quantity::Quantity;
+  constexpr Angle20() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Angle20(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular acceleration in whole deg/s^2, with a wide range.
@@ -750,6 +1078,10 @@ class LongAngularAcceleration
       public unit::deg_per_s2::Accessors<LongAngularAcceleration> {
  public:
   using Quantity::Quantity;
+  constexpr LongAngularAcceleration() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr LongAngularAcceleration(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Time in which an acceleration rises to its limit, in steps of 20 ms.
@@ -759,6 +1091,10 @@ class JerkTime
       public unit::ms::Accessors<JerkTime> {
  public:
   using Quantity::Quantity;
+  constexpr JerkTime() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr JerkTime(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Component of a packed quaternion; 524287 counts are the square root of 1/2.
@@ -768,6 +1104,10 @@ class QuaternionPart
       public unit::value::Accessors<QuaternionPart> {
  public:
   using Quantity::Quantity;
+  constexpr QuaternionPart() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr QuaternionPart(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Maximum angular speed of an external motor, in steps of 2 deg/s.
@@ -777,6 +1117,10 @@ class ExtMotorSpeedLimit
       public unit::deg_per_s::Accessors<ExtMotorSpeedLimit> {
  public:
   using Quantity::Quantity;
+  constexpr ExtMotorSpeedLimit() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ExtMotorSpeedLimit(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Maximum angular acceleration of an external motor, in steps of 2 deg/s^2.
@@ -786,6 +1130,10 @@ class ExtMotorAccelerationLimit
       public unit::deg_per_s2::Accessors<ExtMotorAccelerationLimit> {
  public:
   using Quantity::Quantity;
+  constexpr ExtMotorAccelerationLimit() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr ExtMotorAccelerationLimit(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angular speed in millionths of a radian per second.
@@ -795,6 +1143,10 @@ class MicroradianRate
       public unit::rad_per_s::Accessors<MicroradianRate> {
  public:
   using Quantity::Quantity;
+  constexpr MicroradianRate() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr MicroradianRate(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Voltage in thousandths of a volt.
@@ -804,6 +1156,10 @@ class Millivolts
       public unit::V::Accessors<Millivolts> {
  public:
   using Quantity::Quantity;
+  constexpr Millivolts() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Millivolts(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Frequency in steps of 2 Hz.
@@ -813,6 +1169,10 @@ class TwoHertz
       public unit::Hz::Accessors<TwoHertz> {
  public:
   using Quantity::Quantity;
+  constexpr TwoHertz() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TwoHertz(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Angle in whole degrees, without a sign.
@@ -822,6 +1182,10 @@ class WideDegrees
       public unit::deg::Accessors<WideDegrees> {
  public:
   using Quantity::Quantity;
+  constexpr WideDegrees() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr WideDegrees(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Low frequency in tenths of a hertz.
@@ -831,6 +1195,10 @@ class TenthHertz
       public unit::Hz::Accessors<TenthHertz> {
  public:
   using Quantity::Quantity;
+  constexpr TenthHertz() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TenthHertz(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Gain in tenths of a decibel.
@@ -840,6 +1208,10 @@ class TenthDecibels
       public unit::dB::Accessors<TenthDecibels> {
  public:
   using Quantity::Quantity;
+  constexpr TenthDecibels() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr TenthDecibels(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Size in 32-bit words.
@@ -849,6 +1221,10 @@ class WordCount
       public unit::byte::Accessors<WordCount> {
  public:
   using Quantity::Quantity;
+  constexpr WordCount() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr WordCount(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 /// Offset in pages of 64 bytes.
@@ -858,6 +1234,10 @@ class Pages
       public unit::byte::Accessors<Pages> {
  public:
   using Quantity::Quantity;
+  constexpr Pages() = default;
+  template <class =
+                detail::a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees>
+  constexpr Pages(raw_type) = delete;  // NOLINT(google-explicit-constructor)
 };
 
 }  // namespace sbgc::msg

@@ -1,7 +1,6 @@
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 #include <asio/post.hpp>
 #include <asio/thread_pool.hpp>
@@ -9,36 +8,27 @@
 #include <sbgc/client/async_client.hpp>
 
 #include "connect.hpp"
-#include "driving/asio_driver.hpp"
+#include "driving/running_tasks.hpp"
 
 namespace sbgc {
 
-class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl> {
+class AsyncClient::Impl : public detail::AsyncOperations,
+                          public std::enable_shared_from_this<AsyncClient::Impl> {
  public:
   explicit Impl(asio::any_io_executor executor) : executor_(std::move(executor)) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
-  ~Impl() {
-    close(true);
+  ~Impl() override {
+    end(true);
     worker_.join();
   }
 
-  const asio::any_io_executor& executor() const noexcept { return executor_; }
-
-  /// Null before the first connect; not necessarily connected.
-  detail::Conversation conversation() const {
-    const std::lock_guard lock(mutex_);
-    return conversation_;
-  }
-  bool is_connected() const {
-    const std::lock_guard lock(mutex_);
-    return is_connected_;
-  }
+  const asio::any_io_executor& executor() const noexcept override { return executor_; }
 
   void connect(const detail::Opener& opener, const ConnectOptions& options,
                const Completion<Result<void>>& done) {
     asio::post(worker_, [this, opener, options, done] {
-      close(false);
+      end(false);
       auto conversation =
           detail::connect(executor_, opener, options, [this](const auto& begun) { adopt(begun); });
       if (!conversation) return done(std::move(conversation).error());
@@ -49,50 +39,82 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
       done({});
     });
   }
-
-  Stop run(const detail::Conversation& conversation, TaskMachine& task,
-           std::function<void()> done) {
-    const auto driver =
-        std::make_shared<detail::AsioDriver>(executor_, conversation, task, std::move(done));
-    {
-      const std::lock_guard lock(mutex_);
-      std::erase_if(drivers_, [](const auto& one) { return one.expired(); });
-      drivers_.push_back(driver);
-    }
-    driver->start();
-    return [weak = std::weak_ptr(driver)] {
-      if (const auto running = weak.lock()) running->put(cancel);
+  detail::Stop closer() {
+    return [weak = weak_from_this()] {
+      if (const auto impl = weak.lock()) impl->end(false);
     };
   }
 
-  void close(bool for_good) noexcept {
+  detail::Stop call(const Prepare& prepare, const CallOptions& options,
+                    const detail::Completion<Result<Reply>>& done) override {
+    const auto conversation = connected();
+    if (!conversation) return done(conversation.error()), detail::Stop{};
+    return stop_of(*conversation, conversation->start(prepare(*conversation), options, done));
+  }
+  detail::Stop stream(const PrepareStream& prepare, detail::MessageKey key,
+                      detail::Conversation::MessageHandler handler, std::chrono::microseconds,
+                      const CallOptions& options,
+                      const detail::Completion<Result<Subscription>>& done) override {
+    const auto conversation = connected();
+    if (!conversation) return done(conversation.error()), detail::Stop{};
+    return stop_of(*conversation, conversation->start_stream(prepare(*conversation), key,
+                                                             std::move(handler), options, done));
+  }
+  detail::Stop run(const BeginTask& begin,
+                   const detail::Completion<std::optional<ClientError>>& done) override {
+    const auto conversation = connected();
+    if (!conversation) return done(conversation.error()), detail::Stop{};
+    return tasks_.run(executor_, *conversation, begin(conversation->identity()),
+                      [done] { done(std::nullopt); });
+  }
+
+  Subscription subscribe(detail::MessageKey key,
+                         detail::Conversation::MessageHandler handler) override {
+    const auto conversation = connected();
+    return conversation ? conversation->subscribe(key, std::move(handler)) : Subscription();
+  }
+  Subscription on_notice(std::function<void(const Notice&)> handler) override {
+    const auto conversation = connected();
+    return conversation ? conversation->on_notice(std::move(handler)) : Subscription();
+  }
+
+  bool is_connected() const override { return bool(connected()); }
+  BoardIdentity identity() const override {
+    const auto conversation = connected();
+    return conversation ? conversation->identity() : BoardIdentity{};
+  }
+  std::string description() const override {
+    const auto conversation = connected();
+    return conversation ? conversation->description() : std::string();
+  }
+  ClientStatistics statistics() const override {
+    const auto conversation = connected();
+    return conversation ? conversation->statistics() : ClientStatistics{};
+  }
+  void close() noexcept override { end(false); }
+
+ private:
+  static detail::Stop stop_of(const detail::Conversation& conversation, CallId id) {
+    return [conversation, id] { conversation.cancel(id); };
+  }
+
+  Result<detail::Conversation> connected() const {
+    const std::lock_guard lock(mutex_);
+    if (is_connected_) return conversation_;
+    return ClientError{ErrorCode::not_connected, "the client is not connected"};
+  }
+
+  void end(bool for_good) noexcept {
     detail::Conversation conversation;
-    std::vector<std::weak_ptr<detail::AsioDriver>> drivers;
     {
       const std::lock_guard lock(mutex_);
       is_connected_ = false;
       is_closed_ = is_closed_ || for_good;
       conversation = conversation_;
-      drivers.swap(drivers_);
     }
     conversation.close();
-    for (const auto& weak : drivers) {
-      if (const auto driver = weak.lock()) driver->put(cancel);
-    }
+    tasks_.cancel_all();
   }
-
-  Stop closer() {
-    return [weak = weak_from_this()] {
-      if (const auto impl = weak.lock()) impl->close(false);
-    };
-  }
-
-  static ClientError not_connected() {
-    return {ErrorCode::not_connected, "the client is not connected"};
-  }
-
- private:
-  static void cancel(TaskMachine& task) { task.cancel(); }
 
   void adopt(const detail::Conversation& begun) {
     bool is_closed = false;
@@ -107,66 +129,29 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   asio::any_io_executor executor_;
   mutable std::mutex mutex_;
   detail::Conversation conversation_;
-  std::vector<std::weak_ptr<detail::AsioDriver>> drivers_;  // of the running tasks
+  detail::RunningTasks tasks_;
   bool is_connected_ = false;
   bool is_closed_ = false;       // permanently: the client is being destroyed
   asio::thread_pool worker_{1};  // opening a line can block
 };
 
 AsyncClient::AsyncClient(const asio::any_io_executor& executor)
-    : impl_(std::make_shared<Impl>(executor)) {}
+    : AsyncClient(std::make_shared<Impl>(executor)) {}
 
-asio::any_io_executor AsyncClient::executor() const { return impl_->executor(); }
+AsyncClient::AsyncClient(const std::shared_ptr<Impl>& impl) : AsyncCalls(impl), impl_(impl) {}
 
 auto AsyncClient::begin_connect(Impl& impl, const std::string& address,
                                 const ConnectOptions& options, const Completion<Result<void>>& done)
-    -> Stop {
+    -> detail::Stop {
   impl.connect(detail::opener_of(address, options), options, done);
   return impl.closer();
 }
 
 auto AsyncClient::begin_connect(Impl& impl, const TransportFactory& make,
                                 const ConnectOptions& options, const Completion<Result<void>>& done)
-    -> Stop {
+    -> detail::Stop {
   impl.connect(detail::opener_of(make, options), options, done);
   return impl.closer();
 }
-
-Result<detail::Conversation> AsyncClient::conversation_of(const Impl& impl) {
-  if (!impl.is_connected()) return Impl::not_connected();
-  return impl.conversation();
-}
-
-auto AsyncClient::run(Impl& impl, const detail::Conversation& conversation, TaskMachine& task,
-                      std::function<void()> done) -> Stop {
-  return impl.run(conversation, task, std::move(done));
-}
-
-Subscription AsyncClient::subscribe_to(detail::MessageKey key,
-                                       detail::Conversation::MessageHandler handler) {
-  if (!is_connected()) return {};
-  return impl_->conversation().subscribe(key, std::move(handler));
-}
-
-Subscription AsyncClient::on_notice(std::function<void(const Notice&)> handler) {
-  if (!is_connected()) return {};
-  return impl_->conversation().on_notice(std::move(handler));
-}
-
-bool AsyncClient::is_connected() const { return impl_->is_connected(); }
-
-BoardIdentity AsyncClient::identity() const {
-  return is_connected() ? impl_->conversation().identity() : BoardIdentity{};
-}
-
-std::string AsyncClient::description() const {
-  return is_connected() ? impl_->conversation().description() : std::string();
-}
-
-ClientStatistics AsyncClient::statistics() const {
-  return is_connected() ? impl_->conversation().statistics() : ClientStatistics{};
-}
-
-void AsyncClient::close() noexcept { impl_->close(false); }
 
 }  // namespace sbgc

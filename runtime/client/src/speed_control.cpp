@@ -1,12 +1,19 @@
+#include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
 
+#include <asio/any_io_executor.hpp>
+
+#include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
+#include <sbgc/io/detail/timer.hpp>
 
 #include "connect.hpp"
+#include "driving/asio_driver.hpp"
 #include "driving/task_driver.hpp"
 #include "tasks/hold_speed.hpp"
 
@@ -14,17 +21,29 @@ namespace sbgc {
 
 using detail::DeadMansSwitch;
 
-/// Owns the thread that drives the task.
+/// Drives the task: on a thread of its own or, with an executor, there.
 class SpeedControl::Worker {
  public:
-  Worker(Client& client, const SpeedControlOptions& options)
-      : clock_(options.clock),
-        speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
+  Worker(Client& client, const SpeedControlOptions& options,
+         const asio::any_io_executor& executor = {})
+      : speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
             milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
-        task_(detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead))),
-        driver_(std::make_shared<detail::TaskDriver>(detail::ClientMaker::conversation(client),
-                                                     task_.begin(client.identity()))),
-        thread_([this] { driver_->run(clock_); }) {}
+        task_(std::make_shared<Task<Result<void>>>(
+            detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead)))) {
+    const detail::Conversation& conversation = detail::ClientMaker::conversation(client);
+    TaskMachine& machine = task_->begin(client.identity());
+    if (executor) {
+      now_ = [clock = io::detail::ExecutorClock(executor)] { return clock.now(); };
+      const auto driver =
+          std::make_shared<detail::AsioDriver>(executor, conversation, machine, [task = task_] {});
+      driver->start();
+      driver_ = driver;
+    } else {
+      now_ = [&clock = options.clock] { return io::from_chrono(clock.now()); };
+      driver_ = std::make_shared<detail::TaskDriver>(conversation, machine);
+      thread_ = std::thread([this, &clock = options.clock] { driver_->run(clock); });
+    }
+  }
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   Worker(Worker&&) = delete;
@@ -32,10 +51,10 @@ class SpeedControl::Worker {
   ~Worker() {
     speed_->close();
     wake();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
   }
 
-  /// Changes the rules with `change(rules)` and wakes the thread.
+  /// Changes the rules with `change(rules)` and wakes the task.
   template <class Change>
   Result<void> with(const Change& change) {
     Result<void> changed = speed_->with(change);
@@ -46,16 +65,16 @@ class SpeedControl::Worker {
     return speed_->wait([this] { return now(); });
   }
   State state() const { return speed_->state(); }
-  Instant now() { return io::from_chrono(clock_.now()); }
+  Instant now() const { return now_(); }
 
  private:
   void wake() {
     driver_->put([](TaskMachine& task) { task.wake(); });
   }
 
-  Clock& clock_;
   std::shared_ptr<detail::HeldSpeed> speed_;
-  Task<Result<void>> task_;
+  std::shared_ptr<Task<Result<void>>> task_;
+  std::function<Instant()> now_;  // the time of the task
   std::shared_ptr<detail::TaskDriver> driver_;
   std::thread thread_;
 };
@@ -64,7 +83,16 @@ SpeedControl::SpeedControl(Client& client, const SpeedControlOptions& options)
     : options_(options), worker_(std::make_shared<Worker>(client, options)) {}
 
 SpeedControl::SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options)
-    : options_(options), reconnecting_(&client) {}
+    : options_(options),
+      connected_([&client] { return client.connected(); }),
+      make_worker_([this](Client& one) { return std::make_shared<Worker>(one, options_); }) {}
+
+SpeedControl::SpeedControl(AsyncReconnectingClient& client, const SpeedControlOptions& options)
+    : options_(options),
+      connected_([&client] { return client.connected(); }),
+      make_worker_([this, executor = client.executor()](Client& one) {
+        return std::make_shared<Worker>(one, options_, executor);
+      }) {}
 
 SpeedControl::~SpeedControl() = default;
 
@@ -74,12 +102,12 @@ std::shared_ptr<SpeedControl::Worker> SpeedControl::worker() const {
 }
 
 Result<void> SpeedControl::renew() {
-  if (reconnecting_ == nullptr) return {};
-  auto client = reconnecting_->current({.timeout = std::chrono::milliseconds(0)});
+  if (!connected_) return {};
+  auto client = connected_();
   if (!client) return std::move(client).error();
   const std::scoped_lock one_at_a_time(renewing_);
   if (client_ == *client) return {};
-  auto renewed = std::make_shared<Worker>(**client, options_);
+  auto renewed = make_worker_(**client);
   const std::scoped_lock lock(mutex_);
   client_ = *std::move(client);
   worker_.swap(renewed);

@@ -52,15 +52,20 @@ using KeptHandlers = Handlers<int, void(const void*)>;
 
 /// One handler: how to register it with a connection, and its registration with the current one.
 struct KeptHandler {
-  using Begin = std::function<Result<Subscription>(Client&, const std::function<void(const void*)>&,
-                                                   const CallOptions&)>;
+  /// Registers the function with a connection.
+  using Begin = std::function<Result<Subscription>(
+      const Conversation&, const Conversation::MessageHandler&, const CallOptions&)>;
   using Time = std::chrono::steady_clock::time_point;
 
-  Begin begin{};
+  KeptHandler(Begin begun, Conversation::MessageHandler handler)
+      : begin(std::move(begun)), membership(handlers->add({}, std::move(handler))) {}
+
+  Begin begin;
   CallOptions options{};                                                      // of `begin`
   std::shared_ptr<KeptHandlers> handlers = std::make_shared<KeptHandlers>();  // with one handler
-  std::chrono::microseconds interval{};  // of a data stream, else 0
-  std::atomic<std::int64_t> messages{};  // received
+  std::unique_ptr<Subscription::Registration> membership;  // of the handler; the owner releases it
+  std::chrono::microseconds interval{};                    // of a data stream, else 0
+  std::atomic<std::int64_t> messages{};                    // received
 
   // Guarded by the mutex of the client.
   Subscription current{};

@@ -17,6 +17,10 @@ namespace detail {
 template <class>
 inline constexpr bool always_false = false;
 
+/// Names the reason of an error of the compiler: see the quantities.
+// NOLINTNEXTLINE(readability-identifier-naming): a sentence
+struct a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees {};
+
 /// Called if a number that does not fit is used without a test: a compile error in a constant
 /// expression, a trap at run time.
 [[noreturn]] inline void the_number_does_not_fit_into_the_quantity() noexcept { trap(); }

@@ -251,11 +251,12 @@ class Optional {
   constexpr Optional() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
   constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
-  /// From anything that converts to T, such as the literal of a quantity.
+  /// From anything that converts to T, such as the literal of a quantity. T itself refuses numbers
+  /// that it does not take.
   template <class U>
-    requires(!std::is_arithmetic_v<U> && std::convertible_to<const U&, T>)
+    requires(std::is_arithmetic_v<U> ? std::is_class_v<T> : std::convertible_to<const U&, T>)
   // NOLINTNEXTLINE(google-explicit-constructor): see above
-  constexpr Optional(const U& value) noexcept : value_(value), present_(true) {}
+  constexpr Optional(const U& value) noexcept : value_(converted(value)), present_(true) {}
 
   [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
   constexpr explicit operator bool() const noexcept { return present_; }
@@ -278,6 +279,11 @@ class Optional {
   }
 
  private:
+  template <class U>
+  static constexpr T converted(const U& value) noexcept {
+    return value;
+  }
+
   T value_{};
   bool present_{};
 };

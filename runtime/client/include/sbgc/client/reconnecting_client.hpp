@@ -20,8 +20,9 @@
 namespace sbgc {
 
 namespace detail {
-struct ReconnectingOver;
-}
+class Reconnection;
+struct ReconnectingMaker;
+}  // namespace detail
 
 /// A Client whose connection is restored after the line was lost, the board restarted, or a data
 /// stream fell silent because the board lost its power.
@@ -69,22 +70,10 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   /// Like Client::subscribe(), also during an outage.
   template <Message M>
   Subscription subscribe(std::function<void(const M&)> handler) {
-    return keep(
-        [](Client& client, const MessageHandler& pass_on,
-           const CallOptions&) -> Result<Subscription> {
-          return client.subscribe<M>([pass_on](const M& message) { pass_on(&message); });
-        },
-        detail::typed_handler<M>(std::move(handler)));
+    return keep(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
   }
   /// Like Client::on_frame(), also during an outage.
-  Subscription on_frame(std::function<void(const BoardFrame&)> handler) {
-    return keep(
-        [](Client& client, const MessageHandler& pass_on,
-           const CallOptions&) -> Result<Subscription> {
-          return client.on_frame([pass_on](const BoardFrame& frame) { pass_on(&frame); });
-        },
-        detail::typed_handler<BoardFrame>(std::move(handler)));
-  }
+  Subscription on_frame(std::function<void(const BoardFrame&)> handler);
   /// Like Client::on_notice(), also during an outage.
   Subscription on_notice(std::function<void(const Notice&)> handler);
   /// Calls `handler` with each change of the state of the connection.
@@ -104,14 +93,12 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
-                                                    roles::stream_interval(request).raw());
     return keep_stream(
-        [request](Client& client, const MessageHandler& pass_on, const CallOptions& left) {
-          return client.stream<M, Request>(
-              request, [pass_on](const M& message) { pass_on(&message); }, left);
+        [request, options](const detail::Conversation& conversation) {
+          return detail::stream_requests<M>(conversation, request, options);
         },
-        detail::typed_handler<M>(std::move(handler)), interval, options);
+        detail::key_of<M>, detail::typed_handler<M>(std::move(handler)),
+        detail::stream_interval(request), options);
   }
 
   /// Like Client::stream_raw().
@@ -119,14 +106,12 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
-    const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
-                                                    roles::stream_interval(request).raw());
     return keep_stream(
-        [request](Client& client, const MessageHandler& pass_on, const CallOptions& left) {
-          return client.stream_raw<Request>(
-              request, [pass_on](const Frame& frame) { pass_on(&frame); }, left);
+        [request, options](const detail::Conversation& conversation) {
+          return detail::stream_requests(conversation, request, options);
         },
-        detail::typed_handler<Frame>(std::move(handler)), interval, options);
+        detail::raw_key(request), detail::typed_handler<Frame>(std::move(handler)),
+        detail::stream_interval(request), options);
   }
 
   /// Like Client::run(). A task ends with the connection on which it began.
@@ -157,26 +142,28 @@ class ReconnectingClient : public TaskCalls<ReconnectingClient> {
   void close() noexcept;
 
  private:
-  class Impl;
-  friend struct detail::ReconnectingOver;
+  friend struct detail::ReconnectingMaker;
   friend class SpeedControl;
   using MessageHandler = detail::Conversation::MessageHandler;
-  /// Registers a handler, which takes a pointer to its message, with a new connection.
-  using Begin =
-      std::function<Result<Subscription>(Client&, const MessageHandler&, const CallOptions&)>;
+  /// Prepares the requests of a data stream for a new connection.
+  using PrepareStream =
+      std::function<detail::Conversation::StreamRequests(const detail::Conversation&)>;
 
-  explicit ReconnectingClient(std::shared_ptr<Impl> impl) noexcept;
+  explicit ReconnectingClient(std::shared_ptr<detail::Reconnection> reconnection) noexcept;
 
-  /// Returns the connected client, if need be after waiting.
+  /// Returns the client of the current connection, without waiting.
+  Result<std::shared_ptr<Client>> connected() const;
+  /// The same, if need be after waiting.
   Result<std::shared_ptr<Client>> current(const CallOptions& options) const;
   /// Calls `call` with the connected client and the time that is left.
   Result<Reply> use(const CallOptions& options,
                     const std::function<Result<Reply>(Client&, const CallOptions&)>& call) const;
-  Subscription keep(Begin begin, MessageHandler handler);
-  Result<Subscription> keep_stream(Begin begin, MessageHandler handler,
-                                   std::chrono::microseconds interval, const CallOptions& options);
+  Subscription keep(detail::MessageKey key, MessageHandler handler);
+  Result<Subscription> keep_stream(PrepareStream prepare, detail::MessageKey key,
+                                   MessageHandler handler, std::chrono::microseconds interval,
+                                   const CallOptions& options);
 
-  std::shared_ptr<Impl> impl_;
+  std::shared_ptr<detail::Reconnection> reconnection_;
 };
 
 }  // namespace sbgc

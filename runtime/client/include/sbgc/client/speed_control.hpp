@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -12,6 +13,7 @@
 
 namespace sbgc {
 
+class AsyncReconnectingClient;
 class Client;
 class ReconnectingClient;
 
@@ -61,9 +63,14 @@ struct SpeedControlOptions {
 /// and returns at once: a separate thread does the sending. Its errors are returned by the next
 /// call.
 ///
-/// Over a ReconnectingClient, the loss of the line ends the motion, too: nothing turns again by
+/// Over a client that reconnects, the loss of the line ends the motion, too: nothing turns again by
 /// itself when the line is back. Then set() works again; until then it fails with
 /// ErrorCode::not_connected.
+///
+/// Over an AsyncReconnectingClient, its executor does the sending instead of a thread. Destruction
+/// begins to stop the camera, and does not wait for it; if the client is destroyed before the stop
+/// is sent, SpeedControlOptions::bound ends the motion. Do not call wait() on a thread that the
+/// executor needs. SpeedControlOptions::clock has no effect.
 class SpeedControl {
  public:
   enum class State : std::uint8_t {
@@ -76,6 +83,7 @@ class SpeedControl {
   /// `client` must outlive this object.
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});
   explicit SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options = {});
+  explicit SpeedControl(AsyncReconnectingClient& client, const SpeedControlOptions& options = {});
   SpeedControl(const SpeedControl&) = delete;
   SpeedControl& operator=(const SpeedControl&) = delete;
   SpeedControl(SpeedControl&&) = delete;
@@ -96,17 +104,20 @@ class SpeedControl {
 
  private:
   class Worker;
+  using ClientPointer = std::shared_ptr<Client>;
 
-  /// The thread of the last connection for which set() was called; null before.
+  /// The worker of the last connection for which set() was called; null before.
   std::shared_ptr<Worker> worker() const;
-  /// Replaces the thread of a connection that was lost.
+  /// Replaces the worker of a connection that was lost.
   Result<void> renew();
 
   const SpeedControlOptions options_;
-  ReconnectingClient* const reconnecting_ = nullptr;
+  /// If the client reconnects: return its current connection, and make a worker for one.
+  const std::function<Result<ClientPointer>()> connected_;
+  const std::function<std::shared_ptr<Worker>(Client&)> make_worker_;
   std::mutex renewing_;
   mutable std::mutex mutex_;
-  std::shared_ptr<Client> client_;  // that of the thread, if it reconnects
+  ClientPointer client_;  // that of the worker, if it reconnects
   std::shared_ptr<Worker> worker_;
 };
 

@@ -1,4 +1,4 @@
-/// Typed wrappers of requests and replies, for Client and AsyncClient.
+/// Typed wrappers of requests and replies, for all clients.
 #pragma once
 
 #include <chrono>
@@ -99,6 +99,13 @@ void choose_stream(Request& request) noexcept {
   }
 }
 
+/// Returns the interval of the data stream that `request` starts.
+template <Message Request>
+std::chrono::microseconds stream_interval(Request request) noexcept {
+  return std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
+                                   roles::stream_interval(request).raw());
+}
+
 /// Returns the key of the frames of the data stream that `request` selects.
 template <Message Request>
 MessageKey raw_key(Request request) noexcept {
@@ -126,9 +133,7 @@ Conversation::StreamRequests stream_requests(const Conversation& conversation, R
   using Poll = typename roles::Poll<M>::type;
   if constexpr (!std::is_void_v<Poll>) {
     if (!requests.start && requests.start.error().code == ErrorCode::unsupported) {
-      const auto interval = std::chrono::microseconds(std::int64_t{roles::stream_interval_us} *
-                                                      roles::stream_interval(request).raw());
-      requests.polling = {interval, requests.start.error().message};
+      requests.polling = {stream_interval(request), requests.start.error().message};
       requests.start = conversation.prepare(Poll{}, options);
     }
   }

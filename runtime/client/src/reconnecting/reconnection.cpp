@@ -1,0 +1,731 @@
+#include "reconnecting/reconnection.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <asio/error.hpp>
+#include <asio/execution/outstanding_work.hpp>
+#include <asio/post.hpp>
+#include <asio/prefer.hpp>
+
+#include "conversation/state.hpp"
+
+namespace sbgc::detail {
+
+namespace {
+
+/// A board that announces its restart is not connected to before it has restarted.
+constexpr std::chrono::milliseconds restart_time{roles::reset_delay_ms + 500};
+/// How often the data streams are looked at.
+constexpr std::chrono::milliseconds look_interval{500};
+/// How long a silent board has to give a sign of life.
+constexpr std::chrono::milliseconds sign_of_life_time{1'000};
+/// The pause before a stream that was not confirmed is started once more.
+constexpr std::chrono::milliseconds stream_pause{500};
+
+template <class T>
+std::function<void(const void*)> untyped(std::function<void(const T&)> handler) {
+  return
+      [handler = std::move(handler)](const void* item) { handler(*static_cast<const T*>(item)); };
+}
+
+}  // namespace
+
+/// Keeps a handler registered as long as it lives.
+class Reconnection::Hold : public Subscription::Registration {
+ public:
+  Hold(std::weak_ptr<Reconnection> reconnection, Kept kept)
+      : reconnection_(std::move(reconnection)), kept_(std::move(kept)) {}
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+  ~Hold() override {
+    kept_->membership.reset();  // from now on the handler does not run
+    if (const auto reconnection = reconnection_.lock()) reconnection->drop(kept_);
+  }
+
+ private:
+  std::weak_ptr<Reconnection> reconnection_;
+  Kept kept_;
+};
+
+/// A call of an asynchronous client.
+struct Reconnection::PendingCall {
+  PendingCall(Prepare prepares, const CallOptions& with, Time last,
+              Completion<Result<Reply>> completes)
+      : prepare(std::move(prepares)), options(with), deadline(last), done(std::move(completes)) {}
+
+  Prepare prepare;
+  CallOptions options;
+  Time deadline;
+  Completion<Result<Reply>> done;
+  CurrentStop stop{};
+};
+
+Reconnection::Reconnection(std::string address, TransportFactory make, ReconnectOptions options,
+                           const asio::any_io_executor& executor)
+    : options_(std::move(options)),
+      address_(std::move(address)),
+      make_(std::move(make)),
+      executor_(executor),
+      adapter_(address_, options_.list_ports) {
+  if (executor_) strand_.emplace(executor_);
+}
+
+Result<void> Reconnection::start() {
+  if (auto connected = connect_first(); !connected) return connected;
+  thread_ = std::thread([self = shared_from_this()] { self->run(); });
+  return {};
+}
+
+void Reconnection::start(std::shared_ptr<Reconnection> previous,
+                         const Completion<Result<void>>& done) {
+  // What the thread has posted, and the closing of a line, need the context.
+  auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
+  thread_ = std::thread(
+      [self = shared_from_this(), previous = std::move(previous), work = std::move(work), done] {
+        if (previous) previous->finish();
+        Result<void> connected = self->connect_first();
+        const bool is_connected = bool(connected);
+        done(std::move(connected));
+        if (is_connected) self->run();
+      });
+}
+
+/// Makes the first connection, which nobody searches for.
+Result<void> Reconnection::connect_first() {
+  auto client = dial();
+  if (client) adapter_.remember();
+  Lock lock(mutex_);
+  if (!client || is_closing_) {
+    if (!is_closing_) {
+      problem_ = client.error().message;
+      state_ = LinkState::given_up;
+    }
+    announce_change();
+    if (!client) return std::move(client).error();
+    return ClientError{ErrorCode::cancelled, "the client was closed"};
+  }
+  adopt(lock, *std::move(client));
+  state_ = LinkState::connected;
+  announce_change();
+  return {};
+}
+
+void Reconnection::close() noexcept {
+  ClientPointer client;
+  Conversation dialling;
+  {
+    const std::lock_guard lock(mutex_);
+    is_closing_ = true;
+    state_ = LinkState::closed;
+    client = client_;
+    dialling = dialling_;
+    announce_change();
+  }
+  dialling.close();
+  if (client) client->close();
+  tasks_.cancel_all();
+}
+
+void Reconnection::finish() noexcept {
+  close();
+  if (!thread_.joinable()) return;
+  const bool is_blocked = [this] {
+    const std::lock_guard lock(mutex_);
+    return is_opening_;
+  }();
+  // A handler cannot wait for the thread that may wait for it, and opening cannot be interrupted.
+  if (is_blocked || turn_->runs_in_this_thread()) return thread_.detach();
+  thread_.join();
+}
+
+/// Wakes everyone who waits for a change; requires the lock.
+void Reconnection::announce_change() {
+  changed_.notify_all();
+  std::erase_if(awaited_, [](const auto& weak) {
+    const auto awaited = weak.lock();
+    if (awaited) awaited->look_again();
+    return !awaited;
+  });
+}
+
+// Calls.
+
+Reconnection::Time Reconnection::call_deadline(const CallOptions& options) const {
+  return Clock::TimePoint::clock::now() +
+         options.timeout.value_or(options_.connection.queue_timeout);
+}
+
+CallOptions Reconnection::with_time_left(CallOptions options, Time deadline) {
+  if (options.timeout) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Time::clock::now());
+    options.timeout = std::clamp(left, std::chrono::milliseconds(0), *options.timeout);
+  }
+  return options;
+}
+
+ClientError Reconnection::no_connection() const {
+  if (state_ == LinkState::closed) return {ErrorCode::not_connected, "the client is closed"};
+  std::string text = "no connection to the board";
+  if (!problem_.empty()) text += ": " + problem_;
+  return {ErrorCode::not_connected, text};
+}
+
+/// Returns the client of the current connection, or why there will be none; nothing if an operation
+/// should wait. Requires the lock.
+std::optional<Result<Reconnection::ClientPointer>> Reconnection::decision() const {
+  if (client_ && !loss_ && !is_closing_) return client_;
+  const bool is_final = is_closing_ || state_ == LinkState::given_up;
+  if (is_final || options_.calls == OutagePolicy::fail) return no_connection();
+  return std::nullopt;
+}
+
+Result<Reconnection::ClientPointer> Reconnection::connected() const {
+  const std::lock_guard lock(mutex_);
+  if (client_ && !loss_ && !is_closing_) return client_;
+  return no_connection();
+}
+
+Result<Reconnection::ClientPointer> Reconnection::wait_for_client(Time deadline) {
+  if (turn_->runs_in_this_thread()) return handler_waits_error();
+  Lock lock(mutex_);
+  std::optional<Result<ClientPointer>> decided;
+  changed_.wait_until(lock, deadline, [&] { return (decided = decision()).has_value(); });
+  return decided ? *std::move(decided) : no_connection();
+}
+
+/// Like wait_for_client(), without a thread that waits. `stop` ends the wait.
+void Reconnection::await_client(Time deadline, CurrentStop& stop, const AwaitedClient::Use& use) {
+  Lock lock(mutex_);
+  if (auto decided = decision()) {
+    lock.unlock();
+    return use(*std::move(decided));
+  }
+  const auto look = [self = shared_from_this()] {
+    const std::lock_guard again(self->mutex_);
+    return self->decision();
+  };
+  const auto too_late = [self = shared_from_this()] {
+    const std::lock_guard again(self->mutex_);
+    return self->no_connection();
+  };
+  const auto awaited = std::make_shared<AwaitedClient>(*strand_, look, too_late, use);
+  awaited_.push_back(awaited);
+  lock.unlock();
+  stop.set([weak = std::weak_ptr(awaited)] {
+    if (const auto waiting = weak.lock()) waiting->cancel();
+  });
+  const auto left = std::chrono::ceil<std::chrono::microseconds>(deadline - Time::clock::now());
+  awaited->start(Duration{std::max<std::int64_t>(left.count(), 0)});
+}
+
+Result<Reconnection::ClientPointer> Reconnection::current(const CallOptions& options) {
+  return wait_for_client(call_deadline(options));
+}
+
+/// True if the line was lost before the request could be sent, so that it may be sent over the next
+/// one.
+bool Reconnection::may_begin_again(const Result<Reply>& reply, const ClientPointer& client,
+                                   Time deadline) {
+  if (reply || reply.error().code != ErrorCode::not_connected) return false;
+  if (options_.calls == OutagePolicy::fail || Time::clock::now() >= deadline) return false;
+  // The thread that connects may not know of the loss yet.
+  const std::lock_guard lock(mutex_);
+  if (client_ == client && !loss_) {
+    loss_ = reply.error().message;
+    announce_change();
+  }
+  return true;
+}
+
+Result<Reply> Reconnection::use(
+    const CallOptions& options,
+    const std::function<Result<Reply>(Client&, const CallOptions&)>& call) {
+  const Time deadline = call_deadline(options);
+  while (true) {
+    const Result<ClientPointer> client = wait_for_client(deadline);
+    if (!client) return client.error();
+    Result<Reply> reply = call(**client, with_time_left(options, deadline));
+    if (!may_begin_again(reply, *client, deadline)) return reply;
+  }
+}
+
+Stop Reconnection::start(const Prepare& prepare, const CallOptions& options,
+                         const Completion<Result<Reply>>& done) {
+  const auto call = std::make_shared<PendingCall>(prepare, options, call_deadline(options), done);
+  begin(call);
+  return [call] { call->stop.stop(); };
+}
+
+void Reconnection::begin(const std::shared_ptr<PendingCall>& call) {
+  await_client(call->deadline, call->stop, [self = shared_from_this(), call](const auto& client) {
+    if (!client) return call->done(client.error());
+    const Conversation& conversation = ClientMaker::conversation(**client);
+    const CallId id = next_call_id();
+    call->stop.set([conversation, id] { conversation.cancel(id); });
+    conversation.state()->start(id, call->prepare(conversation),
+                                with_time_left(call->options, call->deadline),
+                                [self, call, used = *client](Result<Reply> reply) {
+                                  if (self->may_begin_again(reply, used, call->deadline)) {
+                                    return self->begin(call);
+                                  }
+                                  call->done(std::move(reply));
+                                });
+    call->stop.check();
+  });
+}
+
+Stop Reconnection::run(const AsyncOperations::BeginTask& begin,
+                       const Completion<std::optional<ClientError>>& done) {
+  const auto stop = std::make_shared<CurrentStop>();
+  await_client(
+      call_deadline({}), *stop, [self = shared_from_this(), stop, begin, done](const auto& client) {
+        if (!client) return done(client.error());
+        stop->set(self->tasks_.run(self->executor_, ClientMaker::conversation(**client),
+                                   begin((*client)->identity()), [done] { done(std::nullopt); }));
+      });
+  return [stop] { stop->stop(); };
+}
+
+void Reconnection::start_raw(RawRequest request, const CallOptions& options,
+                             std::function<void(const Result<Reply>&)> handler) {
+  const Result<ClientPointer> client = connected();
+  if (!client) return handler(client.error());
+  (*client)->start_raw(std::move(request), options, std::move(handler));
+}
+
+// Handlers.
+
+/// Returns the function that a connection calls with each message for this handler.
+auto Reconnection::passer_to(const Kept& kept) -> MessageHandler {
+  return [turn = turn_, kept](const void* message) {
+    ++kept->messages;
+    turn->take([&] {
+      KeptHandlers::call(kept->handlers->with_key({}),
+                         [&](const auto& handler) { handler(message); });
+    });
+  };
+}
+
+Subscription Reconnection::hold(const Kept& kept) {
+  return Subscription(std::make_unique<Hold>(weak_from_this(), kept));
+}
+
+void Reconnection::drop(const Kept& kept) noexcept {
+  const std::lock_guard lock(mutex_);
+  kept_.drop(kept);
+  announce_change();
+}
+
+/// Registers a handler that needs no request with the current connection.
+void Reconnection::subscribe(const Kept& kept) {
+  auto begun = kept->begin(ClientMaker::conversation(*client_), passer_to(kept), {});
+  if (begun) kept->current = *std::move(begun);
+  kept->connection = connections_;
+}
+
+Subscription Reconnection::keep(KeptHandler::Begin begin, MessageHandler handler) {
+  const auto kept = std::make_shared<KeptHandler>(std::move(begin), std::move(handler));
+  const std::lock_guard lock(mutex_);
+  if (client_) subscribe(kept);
+  kept_.add(kept);
+  return hold(kept);
+}
+
+Subscription Reconnection::keep(MessageKey key, MessageHandler handler) {
+  return keep([key](const Conversation& conversation, const MessageHandler& pass_on,
+                    const CallOptions&) { return conversation.subscribe(key, pass_on); },
+              std::move(handler));
+}
+
+Subscription Reconnection::keep_frames(MessageHandler handler) {
+  return keep(
+      [](const Conversation& conversation, const MessageHandler& pass_on, const CallOptions&) {
+        return conversation.on_frame([pass_on](const BoardFrame& frame) { pass_on(&frame); });
+      },
+      std::move(handler));
+}
+
+auto Reconnection::kept_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
+                               std::chrono::microseconds interval, const CallOptions& options)
+    -> Kept {
+  const auto kept = std::make_shared<KeptHandler>(
+      [prepare, key](const Conversation& conversation, const MessageHandler& pass_on,
+                     const CallOptions& with) {
+        return conversation.stream(prepare(conversation), key, pass_on, with);
+      },
+      std::move(handler));
+  kept->interval = interval;
+  kept->options = options;
+  return kept;
+}
+
+Result<Subscription> Reconnection::keep_begun(const Kept& kept, Result<Subscription> begun,
+                                              const ClientPointer& client) {
+  if (!begun) return begun;
+  const std::lock_guard lock(mutex_);
+  // If the connection was lost meanwhile, the stream is started again with the next one.
+  const std::uint64_t connection = client_ == client ? connections_ : 0;
+  kept_.set(kept, *std::move(begun), connection, options_.clock->now());
+  kept_.add(kept);
+  announce_change();
+  return hold(kept);
+}
+
+Result<Subscription> Reconnection::keep_stream(const PrepareStream& prepare, MessageKey key,
+                                               MessageHandler handler,
+                                               std::chrono::microseconds interval,
+                                               const CallOptions& options) {
+  const Kept kept = kept_stream(prepare, key, std::move(handler), interval, options);
+  const Time deadline = call_deadline(options);
+  const Result<ClientPointer> client = wait_for_client(deadline);
+  if (!client) return client.error();
+  auto begun = kept->begin(ClientMaker::conversation(**client), passer_to(kept),
+                           with_time_left(options, deadline));
+  return keep_begun(kept, std::move(begun), *client);
+}
+
+Stop Reconnection::start_stream(const PrepareStream& prepare, MessageKey key,
+                                MessageHandler handler, std::chrono::microseconds interval,
+                                const CallOptions& options,
+                                const Completion<Result<Subscription>>& done) {
+  const Kept kept = kept_stream(prepare, key, std::move(handler), interval, options);
+  const Time deadline = call_deadline(options);
+  const auto stop = std::make_shared<CurrentStop>();
+  await_client(deadline, *stop, [=, self = shared_from_this()](const auto& client) {
+    if (!client) return done(client.error());
+    const Conversation& conversation = ClientMaker::conversation(**client);
+    const CallId id = next_call_id();
+    stop->set([conversation, id] { conversation.cancel(id); });
+    conversation.state()->start_stream(
+        id, prepare(conversation), key, self->passer_to(kept), with_time_left(options, deadline),
+        [self, kept, done, used = *client](Result<Subscription> begun) {
+          done(self->keep_begun(kept, std::move(begun), used));
+        });
+    stop->check();
+  });
+  return [stop] { stop->stop(); };
+}
+
+Subscription Reconnection::on_notice(std::function<void(const Notice&)> handler) {
+  return Subscription(notices_->add({}, untyped(std::move(handler))));
+}
+
+Subscription Reconnection::on_change(std::function<void(const LinkChange&)> handler) {
+  return Subscription(changes_->add({}, untyped(std::move(handler))));
+}
+
+void Reconnection::check() {
+  const std::lock_guard lock(mutex_);
+  if (!client_ || loss_) return;
+  is_check_wanted_ = true;
+  announce_change();
+}
+
+// Facts.
+
+LinkState Reconnection::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+std::uint64_t Reconnection::connections() const {
+  const std::lock_guard lock(mutex_);
+  return connections_;
+}
+
+BoardIdentity Reconnection::identity() const {
+  const std::lock_guard lock(mutex_);
+  return board_;
+}
+
+std::string Reconnection::description() const {
+  const std::lock_guard lock(mutex_);
+  return description_;
+}
+
+ClientStatistics Reconnection::statistics() const {
+  const std::lock_guard lock(mutex_);
+  return client_ ? client_->statistics() : statistics_;
+}
+
+// Losing the connection.
+
+void Reconnection::noticed(const Notice& notice, std::uint64_t connection) {
+  show(notice);
+  // After a restart, the board has no streams, and may have other firmware.
+  if (notice.kind == NoticeKind::link_lost) lose(notice.message, connection, false);
+  if (notice.kind == NoticeKind::board_reset) lose(notice.message, connection, true);
+}
+
+void Reconnection::show(const Notice& notice) {
+  turn_->take([&] {
+    KeptHandlers::call(notices_->with_key({}), [&](const auto& handler) { handler(&notice); });
+  });
+}
+
+void Reconnection::lose(const std::string& reason, std::uint64_t connection, bool is_restarting) {
+  const std::lock_guard lock(mutex_);
+  if (connection != connections_ || loss_) return;
+  loss_ = reason;
+  is_restarting_ = is_restarting;
+  announce_change();
+}
+
+// The thread that connects.
+
+void Reconnection::run() {
+  Lock lock(mutex_);
+  while (!is_closing_ && state_ != LinkState::given_up) {
+    release_dropped(lock);
+    if (is_closing_) break;
+    if (loss_) {
+      recover(lock);
+    } else if (const Kept kept = kept_.next_to_restore(connections_)) {
+      begin_again(lock, kept, false);
+    } else if (is_check_wanted_) {
+      shows_life(lock);
+    } else if (options_.clock->now() >= next_look_) {
+      look_after_streams(lock);
+    } else if (options_.longest_silence.count() != 0 && !kept_.empty()) {
+      options_.clock->wait_until(lock, changed_, next_look_);
+    } else {
+      changed_.wait(lock);
+    }
+  }
+  const bool is_given_up = state_ == LinkState::given_up;
+  disconnect(lock);
+  lock.unlock();
+  if (!is_given_up) tell({LinkState::closed, "the client is closed", {}});
+}
+
+void Reconnection::release_dropped(Lock& lock) {
+  for (auto dropped = kept_.take_dropped(); !dropped.empty(); dropped = kept_.take_dropped()) {
+    lock.unlock();
+    dropped.clear();
+    lock.lock();
+  }
+}
+
+/// Registers a handler with the current connection. If it is registered already, it stays so if
+/// that fails.
+void Reconnection::begin_again(Lock& lock, const Kept& kept, bool is_running) {
+  const ClientPointer client = client_;
+  const std::uint64_t connection = connections_;
+  lock.unlock();
+  Result<Subscription> begun =
+      kept->begin(ClientMaker::conversation(*client), passer_to(kept), kept->options);
+  if (!begun && !is_running) {
+    const ErrorCode code = begun.error().code;
+    const bool is_refused = code != ErrorCode::timeout && code != ErrorCode::link_lost &&
+                            code != ErrorCode::not_connected && code != ErrorCode::cancelled &&
+                            code != ErrorCode::board_reset;
+    if (is_refused) {
+      deliver([this, notice = Notice{NoticeKind::stream_ended, begun.error().message}] {
+        show(notice);
+      });
+    }
+    lock.lock();
+    if (is_refused) {
+      kept->refused = connection;
+    } else if (code == ErrorCode::timeout) {
+      pause(lock, stream_pause);
+    } else if (connection == connections_ && !loss_) {
+      loss_ = begun.error().message;
+    }
+    return;
+  }
+  lock.lock();
+  kept->changed = options_.clock->now();
+  // Both exist for a moment, so that the board does not end a running stream.
+  if (begun) kept_.set(kept, *std::move(begun), connection, kept->changed);
+}
+
+/// Asks for a sign of life if a data stream is silent. Power that fails for a moment ends the
+/// streams, but not the line of an adapter.
+void Reconnection::look_after_streams(Lock& lock) {
+  const Time now = options_.clock->now();
+  next_look_ = now + look_interval;
+  if (options_.longest_silence.count() == 0 || !client_) return;
+  const Kept silent = kept_.silent_stream(connections_, options_.longest_silence, now);
+  if (!silent) return;
+  if (shows_life(lock)) begin_again(lock, silent, true);
+}
+
+/// Asks for a sign of life. Without one, the connection counts as lost.
+bool Reconnection::shows_life(Lock& lock) {
+  is_check_wanted_ = false;
+  const ClientPointer client = client_;
+  lock.unlock();
+  const auto sign = client->call(roles::IntroductionRequest{}, {.timeout = sign_of_life_time});
+  lock.lock();
+  if (client != client_ || loss_ || is_closing_) return false;
+  if (!sign) loss_ = "the board does not respond any more";
+  return bool(sign);
+}
+
+/// Waits until the time has come or the client is closed; returns false if it is closed.
+bool Reconnection::pause(Lock& lock, std::chrono::milliseconds time) {
+  const Time end = options_.clock->now() + time;
+  while (!is_closing_ && options_.clock->now() < end) {
+    options_.clock->wait_until(lock, changed_, end);
+  }
+  return !is_closing_;
+}
+
+void Reconnection::recover(Lock& lock) {
+  problem_ = *loss_;
+  const bool is_restarting = is_restarting_;
+  enter(lock, {LinkState::lost, problem_, {}});
+  disconnect(lock);
+  if (is_restarting && !pause(lock, restart_time)) return;
+  enter(lock, {LinkState::searching, "searching for the board", {}});
+  if (is_closing_ || search(lock) || is_closing_) return;
+  enter(lock, {LinkState::given_up,
+               "gave up after " + std::to_string(options_.attempts) + " attempts: " + problem_,
+               {}});
+}
+
+/// Releases the current connection and everything that belongs to it.
+void Reconnection::disconnect(Lock& lock) {
+  std::vector<Subscription> old = kept_.take_all();
+  ClientPointer client = std::move(client_);
+  if (client) statistics_ = client->statistics();
+  Subscription notices = std::move(client_notices_);
+  lock.unlock();
+  // Close first: there is nobody to tell that the streams end, if the line is lost.
+  if (client) client->close();
+  old.clear();
+  notices.cancel();
+  client.reset();
+  lock.lock();
+}
+
+bool Reconnection::search(Lock& lock) {
+  Search search(options_);
+  while (!is_closing_) {
+    lock.unlock();
+    Result<Client> found = dial_same_board(search);
+    lock.lock();
+    if (is_closing_) return false;
+    if (found) {
+      adopt(lock, *std::move(found));
+      enter(lock, {LinkState::connected, description_, board_});
+      return true;
+    }
+    problem_ = found.error().message;
+    const auto wait = search.failed();
+    if (!wait || !pause(lock, *wait)) return false;
+  }
+  return false;
+}
+
+Result<Client> Reconnection::dial() {
+  std::string address = address_;
+  if (!make_) {
+    const bool is_board_known = connections_ != 0 && board_.details.has_value();
+    auto found = adapter_.find(is_board_known);
+    if (!found) return std::move(found).error();
+    address = *std::move(found);
+  }
+  const ConnectOptions& options = options_.connection;
+  Opener opener = make_ ? opener_of(make_, options) : opener_of(address, options);
+  opener.open = [this, open = std::move(opener.open)](const asio::any_io_executor& executor,
+                                                      std::chrono::milliseconds timeout) {
+    // Once the client is closed, nobody waits for this thread while it opens the line, and nothing
+    // of the user may be called afterwards.
+    const auto set_opening = [this](bool is_opening) {
+      const std::lock_guard lock(mutex_);
+      is_opening_ = is_opening && !make_ && !strand_ && !is_closing_;
+      return !is_closing_;
+    };
+    const auto closed = [] {
+      return io::OpenResult{nullptr, {asio::error::operation_aborted, "The client is closed."}};
+    };
+    if (!set_opening(true)) return closed();
+    io::OpenResult opened = open(executor, timeout);
+    if (!set_opening(false)) return closed();
+    if (!opened && !opened.error) {
+      opened.error = {io::Errc::no_such_port, "There is no line to the board now."};
+    }
+    return opened;
+  };
+  auto client = connect_to(opener);
+  const std::lock_guard lock(mutex_);
+  dialling_ = {};
+  if (client && !make_) adapter_.move_to(address);
+  return client;
+}
+
+Result<Client> Reconnection::connect_to(const Opener& opener) {
+  const auto on_begun = [this](const Conversation& conversation) {
+    const std::lock_guard lock(mutex_);
+    dialling_ = conversation;
+    if (is_closing_) conversation.close();
+  };
+  if (!strand_) return connect_client(opener, options_.connection, on_begun);
+  auto conversation = connect(executor_, opener, options_.connection, on_begun);
+  if (!conversation) return std::move(conversation).error();
+  const std::shared_ptr<const void> closer(nullptr,
+                                           [open = *conversation](const void*) { open.close(); });
+  return ClientMaker::make(closer, *std::move(conversation));
+}
+
+Result<Client> Reconnection::dial_same_board(Search& search) {
+  Result<Client> client = dial();
+  if (!client) return client;
+  const BoardIdentity& board = client->identity();
+  if (is_same_board(board, board_)) return client;
+  const std::string text =
+      "found another board, " + words_for(board) + ", instead of " + words_for(board_);
+  if (search.is_news(board)) tell({LinkState::other_board, text, board});
+  if (options_.other_board == OtherBoard::accept) return client;
+  return ClientError{ErrorCode::mismatch, text};
+}
+
+void Reconnection::adopt(Lock&, Client client) {
+  ++connections_;
+  loss_.reset();
+  is_check_wanted_ = false;
+  is_restarting_ = false;
+  problem_.clear();
+  board_ = client.identity();
+  description_ = client.description();
+  client_ = std::make_shared<Client>(std::move(client));
+  next_look_ = options_.clock->now() + look_interval;
+  client_notices_ = client_->on_notice(
+      [weak = weak_from_this(), connection = connections_](const Notice& notice) {
+        if (const auto self = weak.lock()) self->noticed(notice, connection);
+      });
+  // Before anyone knows of the connection, so that they miss no answer; streams follow in run().
+  for (const Kept& kept : kept_.without_request()) subscribe(kept);
+  // A loss before there was a handler for it.
+  if (const auto ended = ClientMaker::conversation(*client_).state()->end_reason()) {
+    loss_ = ended->message;
+  }
+}
+
+void Reconnection::enter(Lock& lock, const LinkChange& change) {
+  if (is_closing_) return;
+  state_ = change.state;
+  announce_change();
+  lock.unlock();
+  tell(change);
+  lock.lock();
+}
+
+void Reconnection::tell(const LinkChange& change) {
+  deliver([this, change] {
+    turn_->take([&] {
+      KeptHandlers::call(changes_->with_key({}), [&](const auto& handler) { handler(&change); });
+    });
+  });
+}
+
+/// Calls handlers where they belong.
+void Reconnection::deliver(std::function<void()> call) {
+  if (!strand_) return call();
+  asio::post(*strand_, [self = shared_from_this(), call = std::move(call)] { call(); });
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,177 @@
+/// A connection that is made again when it breaks, for both reconnecting clients.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <asio/any_io_executor.hpp>
+#include <asio/strand.hpp>
+
+#include <sbgc/client/async_operations.hpp>
+#include <sbgc/client/own_transport.hpp>
+#include <sbgc/client/reconnecting_client.hpp>
+
+#include "connect.hpp"
+#include "driving/running_tasks.hpp"
+#include "reconnecting/adapter.hpp"
+#include "reconnecting/awaited_client.hpp"
+#include "reconnecting/current_stop.hpp"
+#include "reconnecting/kept_subscriptions.hpp"
+#include "reconnecting/search.hpp"
+
+namespace sbgc::detail {
+
+/// One thread searches, registers handlers again and releases what others have cancelled. Each
+/// connection has a thread of its own that calls the handlers, or with an executor, everything but
+/// the search happens there.
+class Reconnection : public std::enable_shared_from_this<Reconnection> {
+ public:
+  using ClientPointer = std::shared_ptr<Client>;
+  using Kept = KeptSubscriptions::Kept;
+  using MessageHandler = Conversation::MessageHandler;
+  using Prepare = AsyncOperations::Prepare;
+  using PrepareStream = AsyncOperations::PrepareStream;
+
+  /// Without a factory, connects to the address.
+  Reconnection(std::string address, TransportFactory make, ReconnectOptions options,
+               const asio::any_io_executor& executor = {});
+  Reconnection(const Reconnection&) = delete;
+  Reconnection& operator=(const Reconnection&) = delete;
+  ~Reconnection() = default;
+
+  /// Makes the first connection and starts the thread.
+  Result<void> start();
+  /// Starts the thread, which releases `previous` and makes the first connection.
+  void start(std::shared_ptr<Reconnection> previous, const Completion<Result<void>>& done);
+  /// Closes the client and ends the thread.
+  void finish() noexcept;
+  void close() noexcept;
+
+  // For blocking clients.
+
+  Result<ClientPointer> current(const CallOptions& options);
+  Result<Reply> use(const CallOptions& options,
+                    const std::function<Result<Reply>(Client&, const CallOptions&)>& call);
+  Result<Subscription> keep_stream(const PrepareStream& prepare, MessageKey key,
+                                   MessageHandler handler, std::chrono::microseconds interval,
+                                   const CallOptions& options);
+
+  // For asynchronous clients: these need the executor.
+
+  Stop start(const Prepare& prepare, const CallOptions& options,
+             const Completion<Result<Reply>>& done);
+  Stop start_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
+                    std::chrono::microseconds interval, const CallOptions& options,
+                    const Completion<Result<Subscription>>& done);
+  Stop run(const AsyncOperations::BeginTask& begin,
+           const Completion<std::optional<ClientError>>& done);
+
+  // For both.
+
+  /// Returns the client of the current connection, without waiting.
+  Result<ClientPointer> connected() const;
+  void start_raw(RawRequest request, const CallOptions& options,
+                 std::function<void(const Result<Reply>&)> handler);
+  Subscription keep(MessageKey key, MessageHandler handler);
+  Subscription keep_frames(MessageHandler handler);
+  Subscription on_notice(std::function<void(const Notice&)> handler);
+  Subscription on_change(std::function<void(const LinkChange&)> handler);
+
+  void check();
+
+  LinkState state() const;
+  std::uint64_t connections() const;
+  BoardIdentity identity() const;
+  std::string description() const;
+  ClientStatistics statistics() const;
+
+ private:
+  class Hold;
+  struct PendingCall;
+  using Lock = std::unique_lock<std::mutex>;
+  using Time = Clock::TimePoint;
+
+  // On any thread.
+  Time call_deadline(const CallOptions& options) const;
+  static CallOptions with_time_left(CallOptions options, Time deadline);
+  ClientError no_connection() const;
+  std::optional<Result<ClientPointer>> decision() const;
+  Result<ClientPointer> wait_for_client(Time deadline);
+  void await_client(Time deadline, CurrentStop& stop, const AwaitedClient::Use& use);
+  bool may_begin_again(const Result<Reply>& reply, const ClientPointer& client, Time deadline);
+  void begin(const std::shared_ptr<PendingCall>& call);
+  MessageHandler passer_to(const Kept& kept);
+  Subscription hold(const Kept& kept);
+  Subscription keep(KeptHandler::Begin begin, MessageHandler handler);
+  static Kept kept_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
+                          std::chrono::microseconds interval, const CallOptions& options);
+  Result<Subscription> keep_begun(const Kept& kept, Result<Subscription> begun,
+                                  const ClientPointer& client);
+  void subscribe(const Kept& kept);
+  void drop(const Kept& kept) noexcept;
+  void noticed(const Notice& notice, std::uint64_t connection);
+  void lose(const std::string& reason, std::uint64_t connection, bool is_restarting);
+  void announce_change();
+  void show(const Notice& notice);
+  void deliver(std::function<void()> call);
+  Result<void> connect_first();
+
+  // On the thread that connects.
+  void run();
+  void begin_again(Lock& lock, const Kept& kept, bool is_running);
+  void look_after_streams(Lock& lock);
+  bool shows_life(Lock& lock);
+  void release_dropped(Lock& lock);
+  void recover(Lock& lock);
+  void disconnect(Lock& lock);
+  bool search(Lock& lock);
+  bool pause(Lock& lock, std::chrono::milliseconds time);
+  Result<Client> dial();
+  Result<Client> connect_to(const Opener& opener);
+  Result<Client> dial_same_board(Search& search);
+  void adopt(Lock& lock, Client client);
+  void enter(Lock& lock, const LinkChange& change);
+  void tell(const LinkChange& change);
+
+  const ReconnectOptions options_;
+  const std::string address_;
+  const TransportFactory make_;
+  const asio::any_io_executor executor_;                         // may be empty
+  std::optional<asio::strand<asio::any_io_executor>> strand_{};  // of the executor
+  Adapter adapter_;
+  const std::shared_ptr<HandlerTurn> turn_ = std::make_shared<HandlerTurn>();
+  const std::shared_ptr<KeptHandlers> notices_ = std::make_shared<KeptHandlers>();
+  const std::shared_ptr<KeptHandlers> changes_ = std::make_shared<KeptHandlers>();
+  RunningTasks tasks_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::weak_ptr<AwaitedClient>> awaited_;  // as threads wait for `changed_`
+  LinkState state_ = LinkState::searching;
+  ClientPointer client_;         // null unless connected
+  Subscription client_notices_;  // of client_
+  Conversation dialling_;        // of the attempt in progress
+  bool is_opening_ = false;      // the attempt may block for a while
+  std::uint64_t connections_ = 0;
+  std::optional<std::string> loss_;  // why the current connection is to be replaced
+  bool is_restarting_ = false;       // the board, which is the reason
+  bool is_check_wanted_ = false;
+  bool is_closing_ = false;
+  BoardIdentity board_;
+  std::string description_;
+  ClientStatistics statistics_;  // of the last connection
+  std::string problem_;          // of the last attempt
+  KeptSubscriptions kept_;
+  Time next_look_{};
+
+  std::thread thread_;
+};
+
+}  // namespace sbgc::detail
