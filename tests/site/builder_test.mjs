@@ -8,7 +8,7 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
 
-import { addressOf, launch, loadModule, model, pages, sbgc, site } from "./support.mjs";
+import { addressOf, launch, loadModule, model, pages, root, sbgc, site } from "./support.mjs";
 
 let browser;
 let wasm;
@@ -123,6 +123,19 @@ async function withBuilder(file, work, hash = "") {
 const built = async (page, word = "frame") => page.locator(`.built-${word}`).textContent();
 const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerCase();
 
+/** Checks that the printed C++ compiles. Its values are those of the lines in Python, which run. */
+async function checkCpp(page) {
+  const code = await built(page, "cpp");
+  const assigned = (text) => text.match(/message\.assign\(.*?"\)(?=;?$)/gm);
+  assert.deepEqual(assigned(code), assigned(await built(page, "python")));
+  const [head, ...statements] = code.split(/\n\n(?=sbgc::)/);
+  const program = `${head}\nint main() {\n${statements.join("\n")}\nreturn written ? 0 : 1; }`;
+  const folders = ["generated/include", "runtime/core/include", "runtime/any/include"];
+  const flags = ["-std=c++20", "-fsyntax-only", ...folders.map((folder) => `-I${path.join(root, folder)}`)];
+  const said = spawnSync("g++", [...flags, "-x", "c++", "-"], { input: program });
+  assert.equal(said.stderr.toString(), "");
+}
+
 /** Runs the printed lines of a page. */
 async function runLines(page) {
   const command = (await built(page, "command")).replace(/^sbgc/, `'${sbgc}'`);
@@ -144,6 +157,7 @@ test("a page shows the frame of its example, and lines that make it", async () =
     await withBuilder(file, async (page) => {
       assert.equal(await frameOf(page), frame, file);
       assert.deepEqual(await runLines(page), { command: frame, python: frame }, file);
+      if (file === "messages/control.html") await checkCpp(page);
     });
   }
 });

@@ -150,7 +150,7 @@ std::size_t MessageForm::size_at(const std::string& path) const {
   return found == sizes_.end() ? 0 : found->second;
 }
 
-std::string MessageForm::joined(const FieldType&, const std::string& path, bool is_initial) const {
+std::string MessageForm::joined(const std::string& path, bool is_initial) const {
   std::string text;
   for (std::size_t i = 0; i < size_at(path); ++i) {
     const Value* const value = value_at(element_path(path, i));
@@ -161,23 +161,24 @@ std::string MessageForm::joined(const FieldType&, const std::string& path, bool 
 }
 
 void MessageForm::put_fields(TextOutput& out) const {
-  put_members(out, message_.type().fields(), "");
+  put_members(out, message_.type().fields(), "", false);
 }
 
 void MessageForm::put_members(TextOutput& out, const std::vector<FieldType>& members,
-                              const std::string& path) const {
+                              const std::string& path, bool is_optional) const {
   char separator = '[';
   for (const FieldType& member : members) {
     if (is_left_out(member)) continue;
     out.put(separator);
     separator = ',';
-    put(out, member, member.name, member_path(path, member.name), member.is_optional);
+    put(out, member, member.name, member_path(path, member.name),
+        is_optional || member.is_optional);
   }
   out.put(separator == '[' ? "[]" : "]");
 }
 
-void MessageForm::put_elements(TextOutput& out, const FieldType& type,
-                               const std::string& path) const {
+void MessageForm::put_elements(TextOutput& out, const FieldType& type, const std::string& path,
+                               bool is_optional) const {
   const bool is_list = type.shape == FieldShape::list;
   const std::size_t count = !is_list         ? type.axes.size()
                             : type.has_count ? type.count
@@ -187,7 +188,7 @@ void MessageForm::put_elements(TextOutput& out, const FieldType& type,
     if (i != 0) out.put(',');
     const std::string name = is_list ? '[' + std::to_string(i) + ']' : type.axes[i];
     put(out, type.members.front(), name,
-        is_list ? element_path(path, i) : member_path(path, type.axes[i]), type.is_optional);
+        is_list ? element_path(path, i) : member_path(path, type.axes[i]), is_optional);
   }
   out.put(']');
 }
@@ -201,7 +202,7 @@ void MessageForm::put(TextOutput& out, const FieldType& type, const std::string&
   if (type.shape == FieldShape::group) {
     put_text(out, "kind", "group");
     put_key(out, "fields");
-    put_members(out, type.members, path);
+    put_members(out, type.members, path, is_optional);
   } else if (type.has_elements() && !is_line(type)) {
     put_text(out, "kind", type.shape == FieldShape::list ? "list" : "axes");
     if (type.shape == FieldShape::list && !type.has_count) {
@@ -209,7 +210,7 @@ void MessageForm::put(TextOutput& out, const FieldType& type, const std::string&
       out.put(static_cast<std::uint64_t>(type.count));
     }
     put_key(out, "fields");
-    put_elements(out, type, path);
+    put_elements(out, type, path, is_optional);
   } else {
     put_value(out, type, path);
   }
@@ -243,7 +244,7 @@ void MessageForm::put_value(TextOutput& out, const FieldType& type, const std::s
   }
   if (type.names != nullptr && !type.has_elements()) put_names(out, *type.names);
   put_text(out, "value",
-           type.has_elements() ? joined(type, path, false)
+           type.has_elements() ? joined(path, false)
            : value == nullptr  ? ""
                                : value->text);
   const FieldType& element = type.innermost();
@@ -293,8 +294,8 @@ void MessageForm::add_lines(std::vector<FormLine>& lines, const FieldType& type,
   const bool is_secret = element.info != nullptr && element.info->secret;
   if (is_line(type)) {
     if (size_at(path) == 0) return;
-    std::string text = joined(type, path, false);
-    if (!varies && !is_always && text == joined(type, path, true)) return;
+    std::string text = joined(path, false);
+    if (!varies && !is_always && text == joined(path, true)) return;
     lines.push_back({path, std::move(text), is_secret, is_in_unit});
     return;
   }

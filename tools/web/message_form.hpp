@@ -52,13 +52,15 @@ class MessageForm {
   void read(const AnyMessage& message);
   const Value* value_at(const std::string& path) const;
   std::size_t size_at(const std::string& path) const;
-  std::string joined(const FieldType& list, const std::string& path, bool is_initial) const;
+  /// Returns the values of a list with commas between them.
+  std::string joined(const std::string& path, bool is_initial) const;
 
   void put(TextOutput& out, const FieldType& type, const std::string& name, const std::string& path,
            bool is_optional) const;
-  void put_members(TextOutput& out, const std::vector<FieldType>& members,
-                   const std::string& path) const;
-  void put_elements(TextOutput& out, const FieldType& type, const std::string& path) const;
+  void put_members(TextOutput& out, const std::vector<FieldType>& members, const std::string& path,
+                   bool is_optional) const;
+  void put_elements(TextOutput& out, const FieldType& type, const std::string& path,
+                    bool is_optional) const;
   void put_value(TextOutput& out, const FieldType& type, const std::string& path) const;
   void add_lines(std::vector<FormLine>& lines, const FieldType& type, const std::string& path,
                  bool is_always) const;

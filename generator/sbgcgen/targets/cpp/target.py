@@ -34,14 +34,15 @@ class Cpp(Target):
         message = example.message
         if message.in_both_directions or message.direction == "to_board":
             steps = worked.steps_of(example)
-            facts = {"message": message, "read": example.read, "steps": steps}
+            facts: dict[str, Any] = {"message": message, "read": example.read, "steps": steps}
             sent = [self._client("send", **facts)] if example.read is None else []
             return [*sent, self._code("encode", size=len(example.frame), **facts)]
         looks = worked.looks_at(example)
         facts = {"message": message, "looks": looks}
-        decoded = {"frame": example.frame, "values": example.context}
+        received = self._client("receive", **facts)
+        facts.update(frame=example.frame, values=example.context)
         output = tuple(look.printed for look in looks)
-        return [self._client("receive", **facts), self._code("decode", output, **facts, **decoded)]
+        return [received, self._code("decode", output, **facts)]
 
     def conversion(self, quantity: Quantity) -> Code:
         raw, output = worked.number_and_output(quantity)

@@ -150,6 +150,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "physical": lambda raw, quantity: physical(int(raw), quantity),
         "fragment": fragment,
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
+        "breakable_word": breakable_word,
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
         "with_unit": lambda quantities: [q for q in quantities if q.unit],
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
@@ -215,6 +216,15 @@ class _Prose:
 
 
 # Words
+
+
+def breakable_word(name: str) -> Markup:
+    """A name that may be too long for the menu, which may break between its words."""
+    longest = 22
+    text = escape(name)
+    return (
+        Markup(re.sub(r"(?<=[a-z0-9_])(?=[A-Z])", "<wbr>", text)) if len(name) > longest else text
+    )
 
 
 def plain(value: Fraction) -> str:

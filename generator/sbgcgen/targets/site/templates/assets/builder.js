@@ -111,7 +111,7 @@
     for (const box of boxes) box.checked = set.includes(box.value);
     const rest = set.filter((one) => one !== "0" && one !== "" && !names.includes(one));
     const read = () => [...boxes.filter((box) => box.checked).map((box) => box.value), ...rest].join("|") || "0";
-    const labels = boxes.map((box) => element("label", { class: "check" }, box, " ", box.value));
+    const labels = boxes.map((box) => element("label", { class: "check" }, box, element("span", {}, box.value)));
     return { labels, read };
   }
 
@@ -337,6 +337,8 @@
     details,
   );
   details.append(form, others, status, result);
+  const link = element("li", {}, element("a", { href: "#builder" }, "Frame builder"));
+  document.querySelector('.outline a[href="#example"]').closest("li").after(link);
   section.setAttribute("aria-labelledby", "builder-title");
   section.hidden = false;
   addEventListener("hashchange", fillFromAddress);
