@@ -27,7 +27,7 @@ def test_there_is_a_page_for_everything(pages: Pages, layout: Layout) -> None:
 
 
 # Compiled, not rendered; ./dev docs copies it into the site.
-BUILT = "assets/decoder-module.js"
+BUILT = {"assets/decoder-module.js", "assets/builder-module.js"}
 
 
 def test_ids_are_unique(pages: Pages) -> None:
@@ -68,7 +68,7 @@ def test_nothing_is_loaded_from_elsewhere(pages: Pages, files: Files) -> None:
                 if not value or (name == "href" and element.tag == "a"):
                     continue
                 assert not re.match(r"[a-z]+:|//|/", value), f"{page.path}: {value}"
-                assert urljoin(page.path, value) in {*files, BUILT}, f"{page.path}: {value}"
+                assert urljoin(page.path, value) in {*files, *BUILT}, f"{page.path}: {value}"
             assert not any(name.startswith("on") for name in element.attributes), page.path
             assert element.tag not in ("iframe", "object", "embed"), page.path
     for path, content in files.items():
@@ -420,6 +420,8 @@ def test_the_choice_offers_each_firmware(pages: Pages, layout: Layout) -> None:
     }
     assert named - {0} <= set(offered)
     assert layout.newest_firmware in offered
+    releases = {10 * round(100 * (2.43 + 0.01 * i)) for i in range(32)}
+    assert releases <= set(offered) and min(offered) == 2430, "2.43, 2.44, ... 2.74"
 
 
 def test_search_knows_the_lines_of_the_specification(files: Files, layout: Layout) -> None:

@@ -147,8 +147,8 @@ packed:
         "-fsyntax-only",
     ]
     for message in (m for m in layout.messages if m.name in ("Pose", "SetPose")):
-        code = target("cpp").example(example_of(message, layout))
-        assert code is not None and "tilt" in code.text
+        code = target("cpp").examples(example_of(message, layout))[-1]
+        assert "tilt" in code.text
         source = tmp_path / "example.cpp"
         heads = [line for line in code.text.splitlines() if line.startswith("#include")]
         steps = [line for line in code.text.splitlines() if line not in heads]

@@ -75,6 +75,24 @@ test("a choice hides what the firmware lacks, at once, and lasts", () =>
     assert.equal(await page.locator("#firmware").inputValue(), "");
   }));
 
+test("every release from 2.43 on can be chosen, on the page where the reader is, with one banner", () =>
+  withPage(async (page) => {
+    const { name } = messages.find((m) => since(m) > 2550 && m.layout.length > 2);
+    const address = `${addressOf(`messages/${slug(name)}.html`)}#fields`;
+    await page.goto(address);
+    const offered = await page.locator("#firmware option").allTextContents();
+    for (let minor = 43; minor <= 74; ++minor) assert.ok(offered.includes(`2.${minor}`), `2.${minor}`);
+    for (const release of ["2.43", "2.74", "2.50"]) {
+      await page.getByLabel("Firmware of your board").selectOption(release);
+      assert.equal(page.url(), address);
+      assert.equal(await page.locator("h1 small").textContent(), name);
+      assert.equal(await page.locator("#firmware-now").count(), 1);
+      const banner = await page.locator("#firmware-now").textContent();
+      assert.ok(banner.startsWith(`Firmware ${release}: `), banner);
+      assert.equal(banner.includes("does not have this message"), release !== "2.74", banner);
+    }
+  }));
+
 test("it works on the pages of commands, enums, units and messages", () =>
   withPage(async (page) => {
     const family = commands.find((c) => since(c) > Number(chosen)).family;

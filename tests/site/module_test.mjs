@@ -4,11 +4,10 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import path from "node:path";
 import { before, test } from "node:test";
 
-import { frame, model, root, sbgc, site, vectors } from "./support.mjs";
+import { frame, loadModule, model, root, sbgc, site, vectors } from "./support.mjs";
 
 const assets = path.join(site, "assets");
 const { decoderEngine } = (() => {
@@ -17,18 +16,12 @@ const { decoderEngine } = (() => {
   new Function("module", fs.readFileSync(path.join(assets, "decoder-engine.js"), "utf8"))(module);
   return module.exports;
 })();
-createRequire(import.meta.url)(path.join(assets, "decoder-module.js"));
 
 /** The module itself, fed in chunks. */
 class Module {
   static async create() {
-    const code = Buffer.from(globalThis.sbgcDecoderModule, "base64");
-    const nothing = () => 8;
-    const files = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
-    const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
     const module = new Module();
-    module.wasm = instance.exports;
-    module.wasm._initialize();
+    module.wasm = await loadModule("decoder");
     return module;
   }
 

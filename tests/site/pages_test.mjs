@@ -302,18 +302,61 @@ test("the languages of an example are tabs; the choice holds for other pages", a
     return tabs.textContent();
   };
   await visit(page, first);
-  assert.deepEqual(await page.getByRole("tab").allTextContents(), ["C++", "Python", "Command line"]);
-  assert.equal(await shown(), "C++");
-  await page.getByRole("tab", { name: "C++" }).press("ArrowRight");
-  assert.equal(await shown(), "Python");
-  await visit(page, second);
-  assert.equal(await shown(), "Python");
-  await page.locator("nav a[href='#example-command']").click();
-  await page.getByRole("tab", { name: "Command line", selected: true }).waitFor();
+  const names = ["Command line", "C++ client", "C++ codec", "Python", "Bytes"];
+  assert.deepEqual(await page.getByRole("tab").allTextContents(), names);
   assert.equal(await shown(), "Command line");
+  await page.getByRole("tab", { name: "C++ codec" }).press("ArrowRight");
+  assert.equal(await shown(), "C++ client");
+  await page.getByRole("tab", { name: "C++ codec" }).click();
+  await visit(page, second);
+  assert.equal(await shown(), "C++ codec");
+  await page.goto(`${addressOf(second)}#example-bytes`);
+  await page.getByRole("tab", { name: "Bytes", selected: true }).waitFor();
+  assert.equal(await shown(), "Bytes");
   await page.emulateMedia({ media: "print" });
-  assert.equal(await page.locator(".tab:visible").count(), 3);
+  assert.equal(await page.locator(".tab:visible").count(), names.length);
   await context.close();
+});
+
+test("the outline of a long page stays in view, where there is room, and leads to its sections", async () => {
+  for (const javaScriptEnabled of [true, false]) {
+    const context = await browser.newContext({ javaScriptEnabled, reducedMotion: "reduce" });
+    const page = await context.newPage();
+    for (const [name, isBeside] of [["messages/control.html", false], ["guides/streams.html", true]]) {
+      await page.setViewportSize({ width: 1280, height: 700 });
+      await page.goto(addressOf(name));
+      const outline = page.locator(".outline");
+      const links = await outline.locator("a").all();
+      assert.ok(links.length > 2, name);
+      await links.at(-1).click();
+      const { top, bottom } = await outline.evaluate((e) => {
+        const { top, bottom } = e.getBoundingClientRect();
+        return { top, bottom };
+      });
+      const bar = await page.locator(".bar").evaluate((e) => e.getBoundingClientRect().bottom);
+      assert.ok(top >= bar - 1 && bottom <= 700, `${name}: ${top} to ${bottom}`);
+      const target = await page.locator(":target").evaluate((e) => e.getBoundingClientRect().top);
+      assert.ok(target >= (isBeside ? bar : bottom) - 1 && target < 700, `${name}: ${target}`);
+      await page.setViewportSize({ width: 1000, height: 700 });
+      assert.equal(await outline.isVisible(), !isBeside);
+      await page.emulateMedia({ media: "print" });
+      assert.ok(await outline.isHidden());
+      await page.emulateMedia({ media: "screen" });
+    }
+    await context.close();
+  }
+});
+
+test("names in the menu are whole", async () => {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  await visit(page, all.find((name) => name.startsWith("messages/i2c-read-reg-buf-request")));
+  const cut = await page.locator("#menu a").evaluateAll((links) =>
+    links
+      .filter((a) => a.scrollWidth > a.clientWidth || getComputedStyle(a).textOverflow === "ellipsis")
+      .map((a) => a.textContent),
+  );
+  assert.deepEqual(cut, []);
+  await page.close();
 });
 
 test("the example of a message opens in the decoder", async () => {

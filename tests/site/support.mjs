@@ -1,6 +1,7 @@
 // The location of the site, and a browser for the tests.
 
 import fs from "node:fs";
+import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
@@ -45,6 +46,18 @@ export function frame(id, body) {
   const content = Buffer.from(body);
   const header = [0x3e, id, content.length, (id + content.length) & 0xff];
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
+}
+
+/** Returns the exports of a WebAssembly module of the site, decoder or builder. */
+export async function loadModule(name) {
+  createRequire(import.meta.url)(path.join(site, `assets/${name}-module.js`));
+  const variable = { decoder: "sbgcDecoderModule", builder: "sbgcBuilderModule" }[name];
+  const code = Buffer.from(globalThis[variable], "base64");
+  const nothing = () => 8;
+  const files = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
+  const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
+  instance.exports._initialize();
+  return instance.exports;
 }
 
 /** Launches the Chromium in CHROMIUM, Debian's headless one, or another. */

@@ -21,6 +21,7 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
+#include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
 #include "values/message_names.hpp"
 

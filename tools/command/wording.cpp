@@ -25,8 +25,10 @@ std::string printable(std::string_view text) { return detail::without_controls(t
 
 std::string as_message(std::string sentence) {
   constexpr std::array beginnings{"The ", "There ", "A ", "An ", "It ", "This ", "No "};
-  const bool is_sentence = std::ranges::any_of(
-      beginnings, [&](const char* words) { return sentence.starts_with(words); });
+  // The standard library for WebAssembly has no std::ranges::any_of().
+  const bool is_sentence =
+      std::any_of(beginnings.begin(), beginnings.end(),
+                  [&](const char* words) { return sentence.starts_with(words); });
   if (is_sentence) sentence.front() = static_cast<char>(sentence.front() - 'A' + 'a');
   return sentence.ends_with("..") ? sentence : without_period(std::move(sentence));
 }

@@ -11,6 +11,7 @@
 #include <sbgc/to_json.hpp>
 
 #include "frames/command_lookup.hpp"
+#include "frames/json_string.hpp"
 
 namespace sbgc::tools {
 
@@ -200,14 +201,6 @@ bool DecodedFrame::hides_body() const {
 void put_body(TextOutput& out, const DecodedFrame& decoded) {
   if (decoded.hides_body()) return out.put(hidden_text);
   out.put_hex(decoded.frame.body);
-}
-
-void put_json_string(TextOutput& out, std::string_view text) {
-  out.put('"');
-  detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
-    detail::put_escaped(out, is_utf8 ? sequence : "\xEF\xBF\xBD");
-  });
-  out.put('"');
 }
 
 void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place,

@@ -52,9 +52,6 @@ void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* 
 /// Writes a body that cannot be decoded, in hex.
 void put_body(TextOutput& out, const DecodedFrame& decoded);
 
-/// Writes a string of JSON. Bytes that are not UTF-8 become replacement characters.
-void put_json_string(TextOutput& out, std::string_view text);
-
 /// Decodes frames in sequence and stores the context for later ones.
 class FrameDecoder {
  public:

@@ -28,6 +28,7 @@
 #include "line/secret_words.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "values/assignments.hpp"
+#include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
 #include "values/firmware_text.hpp"
 #include "values/message_json.hpp"

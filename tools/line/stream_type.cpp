@@ -21,6 +21,7 @@
 #include "frames/command_lookup.hpp"
 #include "line/field_patterns.hpp"
 #include "values/assignments.hpp"
+#include "values/complete_message.hpp"
 #include "values/message_names.hpp"
 
 namespace sbgc::tools {

@@ -138,30 +138,4 @@ void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& valu
   if (!problem.empty()) throw ValueError(problem);
 }
 
-void add_demanded(AnyMessage& message) {
-  std::vector<std::uint8_t> body(max_body_size);
-  for (;;) {
-    const WriteResult written = message.encode(body);
-    if (written.status.code != Code::presence_mismatch) return;
-    const auto found = find_fields(message.type().fields(), written.status.field);
-    if (found.size() != 1) return;
-    const AnyMessage before = message;
-    const bool is_field = message.add(steps_text(found.front().steps));
-    if (!is_field || message == before) return;  // it is there, but should not be
-  }
-}
-
-AnyMessage new_message(const MessageType& type) {
-  AnyMessage message = type.make();
-  for (const FieldType& field : type.fields()) {
-    if (field.has_count || field.is_optional || field.info->min_count == 0) continue;
-    const std::size_t least = field.info->min_count;
-    if (field.shape == FieldShape::list) message.add(fmt::format("{}[{}]", field.name, least - 1));
-    if (field.shape == FieldShape::bytes) {
-      message.assign(field.name, std::string(2 * least, '0'), false);
-    }
-  }
-  return message;
-}
-
 }  // namespace sbgc::tools

@@ -51,10 +51,4 @@ void assign(AnyMessage& message, const std::vector<Assignment>& assignments,
 /// Throws ValueError if one of the values is outside of its range, whatever the others are.
 void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& values);
 
-/// Adds the fields that are missing although the values of others demand them.
-void add_demanded(AnyMessage& message);
-
-/// Returns a message whose lists have as many elements as the specification wants.
-AnyMessage new_message(const MessageType& type);
-
 }  // namespace sbgc::tools

@@ -10,6 +10,7 @@
 #include <sbgc/value_text.hpp>
 
 #include "values/assignments.hpp"
+#include "values/complete_message.hpp"
 
 namespace sbgc::tools {
 

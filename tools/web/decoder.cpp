@@ -1,7 +1,7 @@
 // The decoder of the reference site: provides `sbgc decode` to a page.
 //
-// Text is exchanged through memory: the page calls input() for a buffer, fills it, calls feed() or
-// rejected_candidates(), and reads output(), which is JSON, one object per line:
+// feed() and rejected_candidates() read the input of exchange.hpp. The output of feed() is JSON,
+// one object per line:
 //
 //   {"frame": object printed by `sbgc decode --format jsonl`, "size": size of the frame in bytes,
 //    "body": offset of the body in the frame,
@@ -23,8 +23,10 @@
 #include <sbgc/text_output.hpp>
 
 #include "frames/decoded_frame.hpp"
+#include "frames/json_string.hpp"
 #include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
+#include "web/exchange.hpp"
 
 namespace sbgc::tools {
 
@@ -186,53 +188,36 @@ class Decoding {
   bool failed_ = false;
 };
 
-/// The state of the functions below, which a page calls one at a time.
-struct State {
-  std::vector<std::uint8_t> input;
-  std::string output;
-  Decoding decoding{std::nullopt, false};
-};
-
-State& state() {
-  static State result;
+/// The capture that the functions below decode.
+Decoding& decoding() {
+  static Decoding result(std::nullopt, false);
   return result;
 }
 
 }  // namespace
 }  // namespace sbgc::tools
 
-#if defined(__wasm__)
-#define SBGC_EXPORT(name) extern "C" __attribute__((export_name(#name)))
-#else  // for tools that only parse this file
-#define SBGC_EXPORT(name) extern "C"
-#endif
-
-using sbgc::tools::state;
-
-/// Returns a buffer for the next `size` bytes of input.
-SBGC_EXPORT(input) std::uint8_t* sbgc_input(std::size_t size) {
-  state().input.resize(size);
-  return state().input.data();
-}
+using sbgc::tools::decoding;
+using sbgc::tools::exchange;
 
 /// Starts a new input. `from` is the sender: 0 unknown, 1 host, 2 board.
 SBGC_EXPORT(start) void sbgc_start(int from, bool is_text) {
   std::optional<sbgc::Direction> direction;
   if (from == 1) direction = sbgc::Direction::to_board;
   if (from == 2) direction = sbgc::Direction::from_board;
-  state().decoding = {direction, is_text};
+  decoding() = {direction, is_text};
 }
 
 /// Decodes the input as the next part of the capture. Outputs the frames that it completes.
 SBGC_EXPORT(feed) void sbgc_feed() {
-  state().output.clear();
-  state().decoding.feed(state().input, state().output);
+  exchange().output.clear();
+  decoding().feed(exchange().input, exchange().output);
 }
 
 /// Ends the capture. Outputs the remaining lines.
 SBGC_EXPORT(finish) void sbgc_finish() {
-  state().output.clear();
-  state().decoding.finish(state().output);
+  exchange().output.clear();
+  decoding().finish(exchange().output);
 }
 
 /// Treats the input as bytes outside of frames and the bytes after them. Outputs a JSON list of
@@ -240,12 +225,12 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 /// first `gap` bytes. The rows are those of a damaged frame as it came; its message is "" if there
 /// are none.
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
-  const std::span<const std::uint8_t> input(state().input);
-  state().output.clear();
-  sbgc::StringOutput list(state().output);
+  const std::span<const std::uint8_t> input(exchange().input);
+  exchange().output.clear();
+  sbgc::StringOutput list(exchange().output);
   char separator = '[';
   for (const auto& candidate :
-       sbgc::tools::rejected_candidates(input, gap, limit, state().decoding.direction())) {
+       sbgc::tools::rejected_candidates(input, gap, limit, decoding().direction())) {
     list.put(separator);
     separator = ',';
     list.put('[');
@@ -257,7 +242,7 @@ SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, 
     list.put(',');
     list.put(candidate.wrong_size);
     list.put("],");
-    sbgc::tools::put_damaged(list, input, candidate, state().decoding.direction());
+    sbgc::tools::put_damaged(list, input, candidate, decoding().direction());
     list.put(']');
   }
   list.put(separator == '[' ? "[]" : "]");
@@ -267,9 +252,6 @@ SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, 
 /// The largest size of a frame in bytes.
 SBGC_EXPORT(frame_limit) std::size_t sbgc_frame_limit() { return sbgc::max_frame_size; }
 
-SBGC_EXPORT(output) const char* sbgc_output() { return state().output.data(); }
-SBGC_EXPORT(output_size) std::size_t sbgc_output_size() { return state().output.size(); }
-
 /// The bytes of the last feed(); those that it stands for, if it was text.
-SBGC_EXPORT(bytes) const std::uint8_t* sbgc_bytes() { return state().decoding.bytes().data(); }
-SBGC_EXPORT(bytes_size) std::size_t sbgc_bytes_size() { return state().decoding.bytes().size(); }
+SBGC_EXPORT(bytes) const std::uint8_t* sbgc_bytes() { return decoding().bytes().data(); }
+SBGC_EXPORT(bytes_size) std::size_t sbgc_bytes_size() { return decoding().bytes().size(); }

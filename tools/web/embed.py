@@ -1,4 +1,4 @@
-"""Writes a WebAssembly module as a script: embed.py MODULE.wasm OUTPUT.js"""
+"""Writes a WebAssembly module as a script: embed.py MODULE.wasm OUTPUT.js VARIABLE"""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import sys
 from pathlib import Path
 
 
-def main(module: str, output: str) -> None:
+def main(module: str, output: str, variable: str) -> None:
     text = base64.b64encode(Path(module).read_bytes()).decode("ascii")
     Path(output).write_text(
         "// The codec of sbgc as WebAssembly, in base64. Built from tools/web/.\n"
-        f'"use strict";\nglobalThis.sbgcDecoderModule = "{text}";\n',
+        f'"use strict";\nglobalThis.{variable} = "{text}";\n',
         encoding="ascii",
     )
 

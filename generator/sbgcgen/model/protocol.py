@@ -64,8 +64,9 @@ class Topic:
 class Layout:
     """The whole protocol.
 
-    All framings are known; the first one is understood by every board. `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
-    state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
+    All framings are known; the first one is understood by every board. `newest_firmware` is the newest
+    version that the specification describes, `oldest_firmware` the oldest one that the reference
+    distinguishes; 0 if the spec does not state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
     `synonyms` are groups of words for the same thing; a field belongs to the first of its `topics`; `identifiers` are all words that become names
     in code, including those of fields that could not be resolved; `effects` are all that requests may
     have; `main_file` is the name of the file that describes the protocol. Messages report the features
@@ -84,6 +85,7 @@ class Layout:
     errata: tuple[Erratum, ...]
     indices: dict[str, tuple[str, ...]]
     versions: Versions = Versions()
+    oldest_firmware: int = 0
     newest_firmware: int = 0
     revisions: tuple[Revision, ...] = ()
     timeout_errata: tuple[str, ...] = ()

@@ -15,7 +15,7 @@ only one of them knows, such as the code of an example in its language, all of t
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
@@ -49,7 +49,7 @@ class View:
 class Code:
     """An example in the language of a target: its source, and the lines that it prints."""
 
-    language: str  # as a name: C++
+    language: str  # as a name: C++ codec
     word: str  # for markup: cpp
     text: str
     output: tuple[str, ...] = ()
@@ -134,9 +134,9 @@ class Target:
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
         """Check its own rules, such as reserved words of its language; findings go into `found`."""
 
-    def example(self, example: Example) -> Optional[Code]:
-        """Code in its language that encodes or decodes a message; None without a language."""
-        return None
+    def examples(self, example: Example) -> Sequence[Code]:
+        """Codes in its language that send, encode or decode a message; none without a language."""
+        return ()
 
     def conversion(self, quantity: Quantity) -> Optional[Code]:
         """Code in its language that converts a number to a quantity and back; None without one."""
@@ -184,8 +184,8 @@ def outputs(layout: Layout, project: Path) -> dict[str, bytes]:
 
 
 def codes_of(example: Example) -> list[Code]:
-    """The code of an example in the language of every target that has one."""
-    return [code for t in targets() if (code := t.example(example)) is not None]
+    """The codes of an example in the languages of all targets."""
+    return [code for t in targets() for code in t.examples(example)]
 
 
 def references_of(project: Path) -> list[Reference]:

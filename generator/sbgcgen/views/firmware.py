@@ -112,12 +112,19 @@ class History:
 
     @property
     def choices(self) -> list[tuple[str, list[tuple[int, str]]]]:
-        """The firmware versions that differ, with their numbers, by release."""
+        """The firmware versions that differ, with their numbers, by release.
+
+        Each release from the oldest firmware on is there, although not all of them brought something.
+        """
         found = {news.since.firmware: news.text for news in self.of_firmware}
         type_ = self._layout.versions.firmware
-        if type_ is not None and self._layout.newest_firmware:
-            newest = self._layout.newest_firmware
+        oldest, newest = self._layout.oldest_firmware, self._layout.newest_firmware
+        if type_ is not None and newest:
             found.setdefault(newest, text_of(type_, newest))
+            for number in range(oldest, newest) if oldest else ():
+                text = text_of(type_, number)
+                if text == self.release_of(Availability(number, firmware_text=text)):
+                    found.setdefault(number, text)
         by_release: dict[str, dict[int, str]] = {}
         for number, text in sorted(found.items()):
             release = self.release_of(Availability(number, firmware_text=text))

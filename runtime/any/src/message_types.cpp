@@ -57,12 +57,14 @@ constexpr detail::AnyOperations operations_of = {
            detail::AnyOperations::UseViolation use, void* user) {
           return sbgc::validate(*static_cast<const T*>(message), versions, Report{use, user});
         },
+#ifndef SBGC_ANY_WITHOUT_JSON  // the frame builder of the reference site, which readers download
     .write_json =
         [](const void* message, TextOutput& out, Secrets secrets) {
           sbgc::write_json(*static_cast<const T*>(message), out, secrets);
         },
     .read_json = [](std::string_view text,
                     void* message) { return sbgc::from_json(text, *static_cast<T*>(message)); },
+#endif
     .set = [](void* message,
               detail::FieldSetter& setter) { setter.members(*static_cast<T*>(message)); },
 };

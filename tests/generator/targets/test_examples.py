@@ -45,10 +45,9 @@ commands:
 def test_part_of_a_packed_value_with_a_unit(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, PACKED)
     read, write = (
-        target("cpp").example(example_of(message_of(layout, name), layout))
+        target("cpp").examples(example_of(message_of(layout, name), layout))[-1]
         for name in ("GetPack", "SetPack")
     )
-    assert read is not None and write is not None
     assert r'std::printf("pack: low %g deg\n", message.pack.low().degrees());' in read.text
     assert read.output == ("pack: low 22 deg", "pack: high 1")
     assert "message.pack.set_low(22.0_deg);" in write.text or "set_low(22_deg)" in write.text

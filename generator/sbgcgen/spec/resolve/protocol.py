@@ -72,7 +72,8 @@ class _Resolver:
             errata=tuple(self._errata()),
             indices=self.fields.indices,
             versions=self.types.versions.versions,
-            newest_firmware=self._newest_firmware(),
+            oldest_firmware=self._firmware("oldest_firmware"),
+            newest_firmware=self._firmware("newest_firmware"),
             feature_sets=self._feature_sets(),
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
@@ -92,11 +93,11 @@ class _Resolver:
 
     # The main file
 
-    def _newest_firmware(self) -> int:
+    def _firmware(self, key: str) -> int:
         node = self.spec.main.get("protocol", Map())
-        if "newest_firmware" not in node:
+        if key not in node:
             return 0
-        text, at = str(node["newest_firmware"]), node.at("newest_firmware")
+        text, at = str(node[key]), node.at(key)
         return self.types.versions.version("firmware", text, at)
 
     def _feature_sets(self) -> tuple[Enum, ...]:

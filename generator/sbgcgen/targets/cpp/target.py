@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,23 +26,34 @@ class Cpp(Target):
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
         check_names(spec, layout, found)
 
-    def example(self, example: Example) -> Code:
-        """The code of a host: it encodes what goes to the board, and decodes the rest."""
+    def examples(self, example: Example) -> list[Code]:
+        """The codes of a host: with the client, and with the codec alone.
+
+        They send or encode what goes to the board, and receive or decode the rest.
+        """
         message = example.message
         if message.in_both_directions or message.direction == "to_board":
             steps = worked.steps_of(example)
-            size = len(example.frame)
-            return self._code("encode", message=message, read=example.read, steps=steps, size=size)
+            facts: dict[str, Any] = {"message": message, "read": example.read, "steps": steps}
+            sent = [self._client("send", **facts)] if example.read is None else []
+            return [*sent, self._code("encode", size=len(example.frame), **facts)]
         looks = worked.looks_at(example)
-        facts = {"message": message, "frame": example.frame, "values": example.context}
-        return self._code("decode", tuple(look.printed for look in looks), looks=looks, **facts)
+        facts = {"message": message, "looks": looks}
+        received = self._client("receive", **facts)
+        facts.update(frame=example.frame, values=example.context)
+        output = tuple(look.printed for look in looks)
+        return [received, self._code("decode", output, **facts)]
 
     def conversion(self, quantity: Quantity) -> Code:
         raw, output = worked.number_and_output(quantity)
-        return self._code("convert", output, quantity=quantity, raw=raw)
+        code = self._code("convert", output, quantity=quantity, raw=raw)
+        return replace(code, language="C++")
+
+    def _client(self, template: str, **facts: Any) -> Code:
+        return replace(self._code(template, **facts), language="C++ client", word="client")
 
     def _code(self, template: str, output: tuple[str, ...] = (), **facts: Any) -> Code:
         made = environment(self)
         made.filters.update(worked.FILTERS)
         text = made.get_template(f"{self.name}/example/{template}.jinja").render(**facts)
-        return Code("C++", "cpp", text.strip(), output)
+        return Code("C++ codec", "cpp", text.strip(), output)

@@ -22,13 +22,13 @@ class Python(Target):
     def view(self, layout: Layout, project: Path) -> View:
         return View(names={"homes": words.homes(layout)}, filters=words.FILTERS)
 
-    def example(self, example: Example) -> Code:
+    def examples(self, example: Example) -> list[Code]:
         """The code of a host: it encodes what goes to the board, and decodes the rest."""
         message = example.message
         if message.in_both_directions or message.direction == "to_board":
-            return Code("Python", "python", encoding(example))
+            return [Code("Python", "python", encoding(example))]
         text, output = decoding(example)
-        return Code("Python", "python", text, output)
+        return [Code("Python", "python", text, output)]
 
     def reference(self, project: Path) -> Optional[Reference]:
         return reference_of(project)

@@ -15,6 +15,15 @@ from sbgcgen.targets.site.headers import Header
 
 
 @dataclass(frozen=True)
+class Section:
+    """A section of a guide: its anchor, heading and contents. The part before the first one has no anchor."""
+
+    anchor: str
+    heading: Markup
+    html: str
+
+
+@dataclass(frozen=True)
 class Guide:
     """A handwritten page: docs/<name>.md."""
 
@@ -25,6 +34,20 @@ class Guide:
     @property
     def page(self) -> str:
         return f"guides/{self.name}.html"
+
+    @property
+    def parts(self) -> list[Section]:
+        """What comes before the first section, and the sections."""
+        parts = re.split(r'<h2 id="([^"]*)">(.*?)</h2>', self.html, flags=re.DOTALL)
+        sections = zip(parts[1::3], parts[2::3], parts[3::3])
+        return [
+            Section("", Markup(), parts[0]),
+            *(Section(anchor, Markup(heading), html) for anchor, heading, html in sections),
+        ]
+
+    @property
+    def sections(self) -> list[Section]:
+        return self.parts[1:]
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import unescape
 from itertools import chain
-from typing import Any, Protocol
+from typing import Any
 
 from sbgcgen.model import Command, Layout, Message, Quantity
 from sbgcgen.targets import Reference
 from sbgcgen.targets.site.documentation import anchors_of
+from sbgcgen.targets.site.guides import Guide
 from sbgcgen.targets.site.headers import Header
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.firmware import History
@@ -67,22 +68,6 @@ _PAGES = (
 )
 
 
-class Page(Protocol):
-    """The properties of a guide that the search needs."""
-
-    @property
-    def title(self) -> str:
-        ...
-
-    @property
-    def page(self) -> str:
-        ...
-
-    @property
-    def html(self) -> str:
-        ...
-
-
 @dataclass(frozen=True)
 class Entry:
     """An entry of the index: kind, name, description, page, and other search words.
@@ -106,7 +91,7 @@ class Entry:
 
 def search_index(
     layout: Layout,
-    guides: Sequence[Page],
+    guides: Sequence[Guide],
     history: History,
     references: Sequence[Reference] = (),
     headers: Sequence[Header] = (),
@@ -126,7 +111,7 @@ def search_index(
     }
 
 
-def _entries(layout: Layout, guides: Sequence[Page], history: History) -> Iterator[Entry]:
+def _entries(layout: Layout, guides: Sequence[Guide], history: History) -> Iterator[Entry]:
     yield from _messages(layout)
     yield from _commands(layout)
     yield from _pages(layout, history)
@@ -290,15 +275,16 @@ def _references(references: Sequence[Reference]) -> Iterator[Entry]:
 # Guides
 
 
-def _guide(guide: Page) -> Iterator[Entry]:
+def _guide(guide: Guide) -> Iterator[Entry]:
     """A guide, and each of its sections."""
-    parts = re.split(r'<h2 id="([^"]*)">(.*?)</h2>', guide.html, flags=re.DOTALL)
-    first = re.search(r"<p>(.*?)</p>", parts[0], re.DOTALL)
+    start, *sections = guide.parts
+    first = re.search(r"<p>(.*?)</p>", start.html, re.DOTALL)
     about = _text(first[1]) if first else ""
-    yield Entry("guide", guide.title, about, guide.page, _vocabulary(parts[0]))
-    for anchor, heading, html in zip(parts[1::3], parts[2::3], parts[3::3]):
-        page = f"{guide.page}#{anchor}"
-        yield Entry("section", _text(heading), f"in {guide.title}", page, _vocabulary(html))
+    yield Entry("guide", guide.title, about, guide.page, _vocabulary(start.html))
+    for part in sections:
+        page = f"{guide.page}#{part.anchor}"
+        about = f"in {guide.title}"
+        yield Entry("section", _text(part.heading), about, page, _vocabulary(part.html))
 
 
 def _text(html: str) -> str:

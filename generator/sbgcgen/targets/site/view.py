@@ -30,10 +30,12 @@ from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
 from sbgcgen.targets.site.headers import Header, headers_of, linked
+from sbgcgen.targets.site.related import Relations
 from sbgcgen.targets.site.search import search_index
 from sbgcgen.views.answers import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
 from sbgcgen.views.history import Revisions
+from sbgcgen.views.settings import send_command
 from sbgcgen.views.rows import Row, rows_of as rows_of_message
 
 
@@ -72,6 +74,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "reference": [(reference.word, reference) for reference in references],
         "release": [(release.text, release) for release in history.releases],
     }
+    references_of_names = uses.references(layout)
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
     twice = {page for page in pages if pages.count(page) > 1}
     if twice:
@@ -85,7 +88,8 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
         "headers": headers,
         "references": references,
         "captures": captures_in(docs / "captures"),
-        "uses": uses.references(layout),
+        "uses": references_of_names,
+        "related": Relations(layout, guides, references_of_names).of,
         "errata": {erratum.number: erratum for erratum in layout.errata},
         "history": history,
         "revisions": Revisions(layout),
@@ -138,6 +142,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "is_undocumented": lambda name: name in undocumented,
         "example": lambda message: example_for_page(message, layout),
         "codes": codes_of,
+        "send_command": send_command,
         "conversions": conversions_of,
         "documentation": Documentation,
         "hex_bytes": lambda data: data.hex(" ").upper(),
@@ -145,6 +150,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "physical": lambda raw, quantity: physical(int(raw), quantity),
         "fragment": fragment,
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
+        "breakable_word": breakable_word,
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
         "with_unit": lambda quantities: [q for q in quantities if q.unit],
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
@@ -210,6 +216,15 @@ class _Prose:
 
 
 # Words
+
+
+def breakable_word(name: str) -> Markup:
+    """A name that may be too long for the menu, which may break between its words."""
+    longest = 22
+    text = escape(name)
+    return (
+        Markup(re.sub(r"(?<=[a-z0-9_])(?=[A-Z])", "<wbr>", text)) if len(name) > longest else text
+    )
 
 
 def plain(value: Fraction) -> str:

@@ -51,8 +51,8 @@
   });
 
   // Copy buttons
-  for (const block of document.querySelectorAll("[data-copy]")) {
-    if (!navigator.clipboard) break;
+  function addCopyButton(block) {
+    if (!navigator.clipboard) return;
     const button = document.createElement("button");
     button.type = "button";
     button.className = "copy";
@@ -70,6 +70,8 @@
     });
     block.prepend(button);
   }
+  for (const block of document.querySelectorAll("[data-copy]")) addCopyButton(block);
+  globalThis.sbgcAddCopyButton = addCopyButton; // for what other scripts add
 
   // Tabs. The choice holds for all pages, and an address with the id of a heading chooses its tab.
   for (const box of document.querySelectorAll(".tabs")) {

@@ -1,0 +1,107 @@
+"""What else a reader of a message page may look for, derived from the protocol and the guides."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from sbgcgen.model import Layout, Message, Struct
+from sbgcgen.targets.site.guides import Guide
+from sbgcgen.targets.site.uses import References
+from sbgcgen.views.rows import rows_of
+
+# How many neighbors in the family are listed; the page of the family has all.
+_NEIGHBORS = 6
+_GUIDES = 5
+
+
+@dataclass(frozen=True)
+class Mention:
+    """A section of a guide that names a message; its title, and its page with the anchor."""
+
+    title: str
+    page: str
+
+
+@dataclass(frozen=True)
+class Related:
+    """The messages and guides that belong to a message, each once."""
+
+    exchange: list[Message] = field(default_factory=list)  # requests and answers
+    structs: list[Message] = field(default_factory=list)  # with parts of the same types
+    family: list[Message] = field(default_factory=list)
+    guides: list[Mention] = field(default_factory=list)
+
+
+class Relations:
+    """Finds what is related to a message."""
+
+    def __init__(self, layout: Layout, guides: Sequence[Guide], uses: References) -> None:
+        self._layout = layout
+        self._uses = uses
+        self._by_name = {m.name: m for m in layout.definitions}
+        self._users: dict[str, list[Message]] = {}
+        for message in layout.definitions:
+            for name in _structs(message):
+                self._users.setdefault(name, []).append(message)
+        self._mentions = _mentions(guides)
+
+    def of(self, message: Message) -> Related:
+        seen = {message.name}
+
+        def new(found: Iterable[Message]) -> list[Message]:
+            fresh = [m for m in found if m.name not in seen]
+            fresh = list({m.name: m for m in fresh}.values())
+            seen.update(m.name for m in fresh)
+            return fresh
+
+        return Related(
+            new(self._exchange(message)),
+            new(user for name in _structs(message) for user in self._users[name]),
+            new(self._neighbors(message)),
+            self._guides(message),
+        )
+
+    def _exchange(self, message: Message) -> Iterator[Message]:
+        """What comes before and after it on the line. Everything may be confirmed."""
+        is_confirmation = message in self._layout.having_role("confirmation")
+        instances = [m for m in self._layout.messages if m.name == message.name]
+        names = [name for m in instances if m.answer for name in m.answer.messages]
+        names += [message.stores] if message.stores else []
+        names += [m.name for m in self._uses.storers.get(message.name, ())]
+        if not is_confirmation:
+            names += [m.name for m in self._uses.answers.get(message.name, ())]
+        for instance in instances:
+            names += instance.role.messages if instance.role else ()
+        yield from (self._by_name[name] for name in names)
+
+    def _neighbors(self, message: Message) -> list[Message]:
+        family = [m for m in self._layout.definitions if m.family == message.family]
+        at = family.index(self._by_name[message.name])
+        nearest = sorted(range(len(family)), key=lambda i: abs(i - at))[: _NEIGHBORS + 1]
+        return [family[i] for i in sorted(nearest)]
+
+    def _guides(self, message: Message) -> list[Mention]:
+        found = [*self._mentions.get(message.name, ()), *self._mentions.get(message.command, ())]
+        return list(dict.fromkeys(found))[:_GUIDES]
+
+
+def _structs(message: Message) -> list[str]:
+    types = [row.field.type for row in rows_of(message)]
+    return list(dict.fromkeys(t.name for t in types if isinstance(t, Struct)))
+
+
+def _mentions(guides: Sequence[Guide]) -> dict[str, list[Mention]]:
+    """The sections of guides by the words of names in them."""
+    found: dict[str, list[Mention]] = {}
+    for guide in guides:
+        for part in guide.parts:
+            title = re.sub(r"<[^>]*>", "", part.heading)
+            mention = Mention(
+                f"{guide.title}: {title}" if title else guide.title,
+                f"{guide.page}#{part.anchor}" if part.anchor else guide.page,
+            )
+            for word in dict.fromkeys(re.findall(r"\b[A-Z]\w+", part.html)):
+                found.setdefault(word, []).append(mention)
+    return found

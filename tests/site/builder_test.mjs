@@ -1,0 +1,245 @@
+// Tests of the frame builder of message pages: its frames are those of the examples, and the lines that
+// it prints make the same ones.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { after, before, test } from "node:test";
+
+import { addressOf, launch, loadModule, model, pages, root, sbgc, site } from "./support.mjs";
+
+let browser;
+let wasm;
+before(async () => {
+  wasm = await loadModule("builder");
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** The messages with a builder: their pages, and the frames of their examples. */
+const examples = pages()
+  .filter((name) => name.startsWith("messages/"))
+  .map((page) => {
+    const text = fs.readFileSync(path.join(site, page), "utf8");
+    const name = /<section id="builder"[^>]* data-message="(\w+)"/.exec(text)?.[1];
+    return { page, name, frame: /data-frame="([0-9a-f]+)"/.exec(text)[1] };
+  })
+  .filter(({ name }) => name !== undefined);
+
+/** What the module makes of the values of a form. */
+function build(name, frame, lines) {
+  const input = Buffer.from([name, frame, ...lines].join("\n"));
+  const pointer = wasm.input(input.length);
+  new Uint8Array(wasm.memory.buffer, pointer, input.length).set(input);
+  wasm.build();
+  const output = new Uint8Array(wasm.memory.buffer, wasm.output(), wasm.output_size());
+  return JSON.parse(new TextDecoder().decode(output));
+}
+
+const settings = (lines) => lines.map(([field, text]) => `${field}=${text}`);
+const leavesOf = (fields) => fields.flatMap((field) => (field.fields ? leavesOf(field.fields) : [field]));
+
+test("every request has a builder, whose frame is that of the example, from its values as well", () => {
+  const requests = model().messages.filter((m) => m.direction !== "from_board");
+  assert.deepEqual(new Set(examples.map((e) => e.name)), new Set(requests.map((m) => m.name)));
+  for (const { name, frame } of examples) {
+    const read = build(name, frame, []);
+    assert.deepEqual(read.problems, [], name);
+    assert.equal(read.frame, frame, name);
+    const again = build(name, "", settings(read.lines));
+    assert.deepEqual(again.problems, [], name);
+    assert.equal(again.frame, frame, name);
+    assert.deepEqual(again.fields, read.fields, name);
+    // The page sends all values of the form, not only those that differ from a new message.
+    const shown = leavesOf(read.fields).filter((field) => !(field.optional && field.value === ""));
+    const whole = build(name, "", shown.map((field) => `${field.path}=${field.value}`));
+    assert.equal(whole.frame, frame, name);
+  }
+});
+
+test("the module is small", () => {
+  const size = Buffer.from(globalThis.sbgcBuilderModule, "base64").length;
+  assert.ok(size < 870_000, `${size} bytes`);
+});
+
+test("the command makes the same frames of the same values", () => {
+  let compared = 0;
+  for (const { name, frame } of examples) {
+    const { lines } = build(name, frame, []);
+    if (lines.some(([, , isSecret]) => isSecret)) continue; // the command wants a file
+    const said = spawnSync(sbgc, ["send", name, ...settings(lines), "--dry-run"]);
+    assert.equal(said.stdout.toString().split("\n")[0], frame, `${name}: ${said.stderr}`);
+    ++compared;
+  }
+  assert.ok(compared > 0.9 * examples.length);
+});
+
+test("the sentences about wrong values are those of the command", () => {
+  const cases = [
+    ["Control", "axes.pitch.angle", "800deg"],
+    ["Control", "axes.pitch.angle", "much"],
+    ["Control", "control_mode", "mode:77"],
+    ["RealtimeDataCustomRequest", "flags", "NO_SUCH_FLAG"],
+    ["DataStreamInterval", "interval_ms", "70000"],
+    ["DataStreamInterval", "interval_ms", ""],
+  ];
+  for (const [name, field, text] of cases) {
+    const { frame, problems } = build(name, "", [`${field}=${text}`]);
+    assert.equal(frame, "", `${name} ${field}=${text}`);
+    assert.equal(problems[0][0], field);
+    const said = spawnSync(sbgc, ["send", name, `${field}=${text}`, "--dry-run"]).stderr.toString();
+    assert.ok(said.includes(problems[0][1]), `${said} / ${problems[0][1]}`);
+  }
+  assert.match(build("Control", "", ["nonsense=1"]).problems[0][1], /has no field 'nonsense'/);
+  assert.match(build("Nonsense", "", []).problems[0][1], /no such message/);
+});
+
+test("values come before those whose unit they select", () => {
+  const lines = ["axes.yaw.speed=1", "control_mode=MODE_SPEED,CONTROL_FLAG_HIGH_RES_SPEED"];
+  const { frame, lines: made, fields } = build("Control", "", lines);
+  const said = spawnSync(sbgc, ["send", "Control", ...lines, "--dry-run"]).stdout.toString();
+  assert.equal(frame, said.split("\n")[0]);
+  assert.equal(made[0][0], "control_mode");
+  assert.equal(leavesOf(fields).find((f) => f.path === "axes.yaw.speed").unit, "deg/s");
+});
+
+/** Opens the builder of a page; fails at the end if an error occurred on the page. */
+async function withBuilder(file, work, hash = "") {
+  const context = await browser.newContext({ reducedMotion: "reduce" });
+  const page = await context.newPage();
+  const problems = [];
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await page.goto(addressOf(file) + hash);
+  if (!hash) await page.locator("#builder summary").click();
+  await page.locator("#builder .built-frame, #builder .problem:visible").first().waitFor();
+  await work(page);
+  assert.deepEqual(problems, []);
+  await context.close();
+}
+
+const built = async (page, word = "frame") => page.locator(`.built-${word}`).textContent();
+const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerCase();
+
+/** Checks that the printed C++ compiles. Its values are those of the lines in Python, which run. */
+async function checkCpp(page) {
+  const code = await built(page, "cpp");
+  const assigned = (text) => text.match(/message\.assign\(.*?"\)(?=;?$)/gm);
+  assert.deepEqual(assigned(code), assigned(await built(page, "python")));
+  const [head, ...statements] = code.split(/\n\n(?=sbgc::)/);
+  const program = `${head}\nint main() {\n${statements.join("\n")}\nreturn written ? 0 : 1; }`;
+  const folders = ["generated/include", "runtime/core/include", "runtime/any/include"];
+  const flags = ["-std=c++20", "-fsyntax-only", ...folders.map((folder) => `-I${path.join(root, folder)}`)];
+  const said = spawnSync("g++", [...flags, "-x", "c++", "-"], { input: program });
+  assert.equal(said.stderr.toString(), "");
+}
+
+/** Runs the printed lines of a page. */
+async function runLines(page) {
+  const command = (await built(page, "command")).replace(/^sbgc/, `'${sbgc}'`);
+  const said = spawnSync("bash", ["-c", `${command} --dry-run`]);
+  const python = `${await built(page, "python")}\nprint(frame.hex())`;
+  const PYTHONPATH = path.resolve(path.dirname(sbgc), "../python");
+  const ran = spawnSync("/usr/bin/python3", ["-c", python], { env: { ...process.env, PYTHONPATH } });
+  return {
+    command: said.stdout.toString().split("\n")[0] || said.stderr.toString(),
+    python: ran.stdout.toString().trim() || ran.stderr.toString(),
+  };
+}
+
+test("a page shows the frame of its example, and lines that make it", async () => {
+  const names = ["Control", "DataStreamInterval", "SetAdjVarsVal", "MotorsOn", "WriteProfileNames", "RunScript"];
+  const wanted = names.map((name) => examples.find((e) => e.name === name)).filter(Boolean);
+  assert.ok(wanted.length >= 4);
+  for (const { page: file, frame } of wanted) {
+    await withBuilder(file, async (page) => {
+      assert.equal(await frameOf(page), frame, file);
+      assert.deepEqual(await runLines(page), { command: frame, python: frame }, file);
+      if (file === "messages/control.html") await checkCpp(page);
+    });
+  }
+});
+
+test("another value makes another frame, and a link that holds it", async () => {
+  const { page: file, frame } = examples.find((e) => e.name === "Control");
+  await withBuilder(file, async (page) => {
+    await page.locator("[id='build-axes.pitch.angle']").fill("-30");
+    await page.getByRole("checkbox", { name: "CONTROL_FLAG_HIGH_RES_SPEED" }).check();
+    await page.waitForFunction(() => document.querySelector(".built-command")?.textContent.includes("HIGH_RES_SPEED"));
+    const made = await frameOf(page);
+    assert.notEqual(made, frame);
+    assert.deepEqual(await runLines(page), { command: made, python: made });
+    const link = await page.locator(".built-link").getAttribute("href");
+    await withBuilder(file, async (other) => {
+      assert.equal(await frameOf(other), made);
+      assert.equal(await other.locator("[id='build-axes.pitch.angle']").inputValue(), "-30");
+      assert.ok(await other.getByRole("checkbox", { name: "CONTROL_FLAG_HIGH_RES_SPEED" }).isChecked());
+    }, link);
+  });
+});
+
+test("a wrong value has its sentence beside it, and there is no frame", async () => {
+  const { page: file } = examples.find((e) => e.name === "Control");
+  await withBuilder(file, async (page) => {
+    const field = page.locator("[id='build-axes.pitch.angle']");
+    await field.fill("800");
+    const problem = page.locator("[id='build-axes.pitch.angle-problem']");
+    await problem.waitFor();
+    assert.match(await problem.textContent(), /does not fit: -720 deg to 719\.978 deg/);
+    assert.equal(await field.getAttribute("aria-invalid"), "true");
+    assert.equal(await page.locator(".built-frame").count(), 0);
+    await field.fill("80");
+    await page.locator(".built-frame").waitFor();
+    assert.ok(await problem.isHidden());
+    assert.equal(await field.getAttribute("aria-invalid"), null);
+  });
+});
+
+test("lists grow and shrink", async () => {
+  const { page: file } = examples.find((e) => e.name === "SetAdjVarsVal");
+  await withBuilder(file, async (page) => {
+    const before = await frameOf(page);
+    await page.getByRole("button", { name: "Add one" }).click();
+    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length > text, before.length * 1.5);
+    const longer = await frameOf(page);
+    assert.ok(longer.length > before.length);
+    assert.deepEqual(await runLines(page), { command: longer, python: longer });
+    await page.getByRole("button", { name: "Remove the last" }).click();
+    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length < text, longer.length * 1.5 - 1);
+    assert.equal(await frameOf(page), before);
+  });
+});
+
+test("axe-core has nothing to say about an open builder, nor about one with a problem", async () => {
+  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  for (const name of ["Control", "SetAdjVarsVal"]) {
+    const { page: file } = examples.find((e) => e.name === name);
+    await withBuilder(file, async (page) => {
+      await page.addScriptTag({ path: axe });
+      await page.locator("#builder input[type=text]").first().fill("x");
+      await page.locator("#builder .problem:visible").first().waitFor();
+      const { violations } = await page.evaluate(() =>
+        globalThis.axe.run(document.querySelector("#builder"), { preload: false }),
+      );
+      assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target)}`), []);
+    });
+  }
+});
+
+test("nothing of the builder is loaded before it is opened, and without JavaScript there is none", async () => {
+  const { page: file } = examples.find((e) => e.name === "Control");
+  const page = await browser.newPage();
+  const requests = [];
+  page.on("request", (request) => requests.push(request.url()));
+  await page.goto(addressOf(file));
+  await page.locator("#builder summary").waitFor();
+  assert.ok(!requests.some((url) => url.includes("-module")), requests.join());
+  await page.close();
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const plain = await context.newPage();
+  await plain.goto(addressOf(file));
+  assert.ok(await plain.locator("#builder").isHidden());
+  await context.close();
+});

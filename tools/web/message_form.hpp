@@ -1,0 +1,74 @@
+/// The form of a message: its fields with their values, as texts that people edit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <sbgc/any.hpp>
+#include <sbgc/text_output.hpp>
+
+namespace sbgc::tools {
+
+/// A value that a message is given, as AnyMessage::assign() takes it.
+struct FormLine {
+  std::string path{};
+  std::string text{};
+  bool is_secret{};
+  bool is_in_unit{};  ///< other values may select its unit, and are assigned before it
+};
+
+class MessageForm {
+ public:
+  /// The message must outlive the form.
+  explicit MessageForm(const AnyMessage& message);
+
+  /// Writes a JSON list of fields. Each is {"path", "name", "kind", …}:
+  ///
+  ///     group, axes        "fields"
+  ///     list               "fields", one for each element; "grows" with the most elements, if it
+  ///     can enum               "value", "names" flags              "value", "names" packed
+  ///     "parts", each with "name", "kind", "value", "names" and "unit" number, numbers, text,
+  ///     bytes   "value", "unit", "hint"
+  ///
+  /// "optional" is set for what may be missing; its value is then "".
+  void put_fields(TextOutput& out) const;
+
+  /// Returns what makes this message from a new one, in an order that works.
+  std::vector<FormLine> lines() const;
+
+ private:
+  /// A value as it stands in the message.
+  struct Value {
+    std::string text{};
+    std::string initial{};  ///< the text in a new message
+    std::int64_t raw{};
+    const UnitInfo* unit{};
+  };
+  using Types = std::map<std::string, const FieldType*, std::less<>>;
+
+  void read(const AnyMessage& message);
+  const Value* value_at(const std::string& path) const;
+  std::size_t size_at(const std::string& path) const;
+  /// Returns the values of a list with commas between them.
+  std::string joined(const std::string& path, bool is_initial) const;
+
+  void put(TextOutput& out, const FieldType& type, const std::string& name, const std::string& path,
+           bool is_optional) const;
+  void put_members(TextOutput& out, const std::vector<FieldType>& members, const std::string& path,
+                   bool is_optional) const;
+  void put_elements(TextOutput& out, const FieldType& type, const std::string& path,
+                    bool is_optional) const;
+  void put_value(TextOutput& out, const FieldType& type, const std::string& path) const;
+  void add_lines(std::vector<FormLine>& lines, const FieldType& type, const std::string& path,
+                 bool is_always) const;
+
+  const AnyMessage& message_;
+  Types types_{};  // by path, in which [] stands for each index
+  std::map<std::string, Value, std::less<>> values_{};
+  std::map<std::string, std::size_t, std::less<>> sizes_{};  // of lists
+};
+
+}  // namespace sbgc::tools
