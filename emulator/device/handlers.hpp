@@ -48,6 +48,7 @@ Reaction handle(RequestContext&, const msg::CalibOrientCorr&, CalibrationParts&)
 Reaction handle(RequestContext&, const msg::CalibCogging&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibAccExtRef&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::AutoPid2&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::BodeTestStartStopRequest&, CalibrationParts&);
 /// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
 Reaction calibrate_gyro(RequestContext&, CalibrationParts&, msg::CalibImu, msg::CalibAction,
                         Duration length);

@@ -27,7 +27,7 @@ std::optional<int> run_helper(int argc, char** argv);
 using AddCommand = void(CLI::App& app, CommandContext& context);
 AddCommand add_ports, add_info, add_monitor, add_stream, add_describe;
 AddCommand add_params, add_vars;
-AddCommand add_move, add_speed, add_jog, add_stop, add_motors, add_menu;
+AddCommand add_move, add_speed, add_jog, add_stop, add_motors, add_menu, add_bode;
 AddCommand add_calibrate, add_eeprom, add_files, add_script, add_reset;
 AddCommand add_send, add_record, add_replay, add_decode, add_encode, add_emulate;
 AddCommand add_bridge;

@@ -37,8 +37,12 @@ void Table::add_later_control() {
          host.listen(seconds(5));
          EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -30, 0.1);
        }});
-  // The emulated board records no frequency response.
-  add<msg::BodeTestStartStopRequest>({.comes = Comes::confirmation});
+  msg::BodeTestStartStopRequest recording;
+  recording.stimulus_type = msg::BodeStimulus::white_noise;
+  recording.stimulus_gain = 1;
+  recording.system = msg::BodeSystem::overall;
+  recording.samples_num = 5000;
+  add<msg::BodeTestStartStopRequest>({.request = recording, .comes = Comes::confirmation});
   add<msg::ControlConfig>({.request = {.timeout_ms = msg::Milliseconds(500)}});
   const auto is_in = [](msg::ControlQuatMode mode) {
     return [mode](Host& host, const Packets&) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sbgc/client/backup.hpp>
+#include <sbgc/client/bode.hpp>
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/memory.hpp>
 #include <sbgc/client/motion.hpp>
