@@ -23,6 +23,7 @@
 #include "device/external_motors/external_motors.hpp"
 #include "device/features.hpp"
 #include "device/imu/imus.hpp"
+#include "device/modules/module_flash.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/i2c_bus.hpp"
 #include "device/peripherals/outputs.hpp"
@@ -66,6 +67,7 @@ struct Device {
   ControlLink control_link;        ///< CMD_CONTROL_CONFIG
   QuaternionControl quaternions;   ///< CMD_CONTROL_QUAT
   Tasks tasks;                     ///< automatic tasks, safe stops
+  ModuleFlash module_flash;        ///< CMD_MODULE_FLASH_*
   ExternalMotors external_motors;  ///< CMD_EXT_MOTORS_*
   StateVariables state_variables;  ///< CMD_READ_STATE_VARS
   Events events;                   ///< CMD_EVENT
@@ -98,8 +100,8 @@ struct Device {
   /// The parts that act on their own, in the order in which they do.
   auto acting_parts() {
     return std::tie(remote, slots, calibrations, auto_tuning, frequency_response, scripts, outputs,
-                    control_link, quaternions, tasks, external_motors, state_variables,
-                    debug_copies, events, modes, imus, streams);
+                    control_link, quaternions, tasks, external_motors, module_flash,
+                    state_variables, debug_copies, events, modes, imus, streams);
   }
   /// All parts; the whole device counts as one.
   auto parts() {

@@ -112,6 +112,9 @@ Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, const BoardOptio
 Reaction handle(RequestContext&, const msg::ModuleListRequest&, const BoardOptions&);
 Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, const BoardOptions&);
 Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::ModuleFlashStart&, const BoardOptions&, ModuleFlash&);
+Reaction handle(RequestContext&, const msg::ModuleFlashWrite&, ModuleFlash&);
+Reaction handle(RequestContext&, const msg::ModuleFlashFinish&, ModuleFlash&);
 
 // parameters
 Reaction handle(RequestContext&, const msg::SaveParams3&, Parameters&);

@@ -98,7 +98,7 @@ TEST(FrequencyResponse, EndsWithTheMotors) {
 TEST(FrequencyResponse, IsAModeOfTheBoard) {
   Recorder host;
   const auto mode = [&] {
-    return host.get<msg::RealtimeData4>(msg::RealtimeData4Request{}).calib_mode;
+    return all<msg::RealtimeData4>(host.ask(msg::RealtimeData4Request{})).at(0).calib_mode;
   };
   EXPECT_EQ(mode(), msg::CalibMode::none);
   host.ask(recording());

@@ -207,11 +207,25 @@ void Table::add_later_devices() {
                                       },
                                   .options = newest_board()});
   const auto driver = msg::ModuleId::can_drv1;
-  add<msg::ModuleFlashStart>({.request = {.device_id = driver}});
-  msg::ModuleFlashWrite part{.device_id = driver};
-  part.data.resize(8);
-  add<msg::ModuleFlashWrite>({.request = part});
-  add<msg::ModuleFlashFinish>({.request = {.device_id = driver}});
+  msg::ModuleFlashStart begin{.device_id = driver};
+  begin.firmware_size = msg::WordCount(2);
+  const auto started = [begin](Host& host) { host.ask(begin); };
+  add<msg::ModuleFlashStart>({.request = begin, .options = newest_board()});
+  msg::ModuleFlashWrite part{.device_id = driver, .data_crc32 = 0x3FCA88C5};
+  for (std::uint8_t byte = 1; byte <= 8; ++byte) part.data.push_back(byte);
+  add<msg::ModuleFlashWrite>({.request = part, .before = started, .options = newest_board()});
+  add<msg::ModuleFlashFinish>({.request = {.device_id = driver, .file_crc32 = 0x3FCA88C5},
+                               .before =
+                                   [started, part](Host& host) {
+                                     started(host);
+                                     host.ask(part);
+                                   },
+                               .after =
+                                   [driver](Host& host, const Packets&) {
+                                     EXPECT_THAT(host.board.module_firmware().at(driver),
+                                                 SizeIs(8));
+                                   },
+                               .options = newest_board()});
   // There are no uDrv modules.
   add<msg::UdrvDeviceScan>({.after = [](Host&, const Packets& packets) {
     EXPECT_THAT(only<msg::CanDeviceScan>(packets).devices, SizeIs(0));
