@@ -349,6 +349,10 @@ bool Board::is_quiet(std::size_t port) const {
   return !ports.is_in_frame(port) && ports.queued_bytes(port) == 0 && !ports.has_output(port);
 }
 
+const std::map<msg::ModuleId, std::vector<std::uint8_t>>& Board::module_firmware() const {
+  return core_->device.module_flash.firmware();
+}
+
 Gimbal& Board::gimbal() { return core_->device.gimbal; }
 
 const BoardCounters& Board::counters() const { return core_->device.ports.counters; }

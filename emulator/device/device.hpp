@@ -12,6 +12,7 @@
 #include "device/adjustable_variables/slots.hpp"
 #include "device/calibration/auto_tuning.hpp"
 #include "device/calibration/calibrations.hpp"
+#include "device/calibration/frequency_response.hpp"
 #include "device/control/control_link.hpp"
 #include "device/control/events.hpp"
 #include "device/control/modes.hpp"
@@ -22,6 +23,7 @@
 #include "device/external_motors/external_motors.hpp"
 #include "device/features.hpp"
 #include "device/imu/imus.hpp"
+#include "device/modules/module_flash.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/i2c_bus.hpp"
 #include "device/peripherals/outputs.hpp"
@@ -51,19 +53,21 @@ struct Device {
   Parameters parameters;
   FileSystem files;
   Gimbal gimbal;
-  Tuning tuning{};            ///< of the gimbal, from the parameters in use
-  Ports ports;                ///< serial ports: buffers and sending
-  Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
-  RemoteControl remote;       ///< RC inputs and virtual channels
-  Slots slots;                ///< RC signals that trigger actions and change variables
-  Calibrations calibrations;  ///< calibrations that take time
-  AutoTuning auto_tuning;     ///< CMD_AUTO_PID
+  Tuning tuning{};                       ///< of the gimbal, from the parameters in use
+  Ports ports;                           ///< serial ports: buffers and sending
+  Streams streams;                       ///< CMD_DATA_STREAM_INTERVAL
+  RemoteControl remote;                  ///< RC inputs and virtual channels
+  Slots slots;                           ///< RC signals that trigger actions and change variables
+  Calibrations calibrations;             ///< calibrations that take time
+  AutoTuning auto_tuning;                ///< CMD_AUTO_PID
+  FrequencyResponse frequency_response;  ///< CMD_BODE_TEST_START_STOP
   Scripts scripts;
   Outputs outputs;  ///< pins, servos, sounds
   I2cBus i2c;
   ControlLink control_link;        ///< CMD_CONTROL_CONFIG
   QuaternionControl quaternions;   ///< CMD_CONTROL_QUAT
   Tasks tasks;                     ///< automatic tasks, safe stops
+  ModuleFlash module_flash;        ///< CMD_MODULE_FLASH_*
   ExternalMotors external_motors;  ///< CMD_EXT_MOTORS_*
   StateVariables state_variables;  ///< CMD_READ_STATE_VARS
   Events events;                   ///< CMD_EVENT
@@ -71,8 +75,9 @@ struct Device {
   Modes modes;                     ///< switches until the board restarts
   Imus imus;
   ControlParts control{control_link, quaternions, tasks, modes, gimbal, parameters, tuning};
-  CalibrationParts calibration{options, memory, parameters, gimbal,       imus,
-                               outputs, ports,  restarts,   calibrations, auto_tuning};
+  CalibrationParts calibration{options,           memory, parameters, gimbal,       imus,
+                               outputs,           ports,  restarts,   calibrations, auto_tuning,
+                               frequency_response};
 
   /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
@@ -94,9 +99,9 @@ struct Device {
 
   /// The parts that act on their own, in the order in which they do.
   auto acting_parts() {
-    return std::tie(remote, slots, calibrations, auto_tuning, scripts, outputs, control_link,
-                    quaternions, tasks, external_motors, state_variables, debug_copies, events,
-                    modes, imus, streams);
+    return std::tie(remote, slots, calibrations, auto_tuning, frequency_response, scripts, outputs,
+                    control_link, quaternions, tasks, external_motors, module_flash,
+                    state_variables, debug_copies, events, modes, imus, streams);
   }
   /// All parts; the whole device counts as one.
   auto parts() {

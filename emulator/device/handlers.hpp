@@ -48,6 +48,7 @@ Reaction handle(RequestContext&, const msg::CalibOrientCorr&, CalibrationParts&)
 Reaction handle(RequestContext&, const msg::CalibCogging&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::CalibAccExtRef&, CalibrationParts&);
 Reaction handle(RequestContext&, const msg::AutoPid2&, CalibrationParts&);
+Reaction handle(RequestContext&, const msg::BodeTestStartStopRequest&, CalibrationParts&);
 /// Executes an operation on the gyroscope of an IMU. A `length` of 0 is the usual duration.
 Reaction calibrate_gyro(RequestContext&, CalibrationParts&, msg::CalibImu, msg::CalibAction,
                         Duration length);
@@ -111,6 +112,9 @@ Reaction handle(RequestContext&, const msg::ExtSensCmdRequest&, const BoardOptio
 Reaction handle(RequestContext&, const msg::ModuleListRequest&, const BoardOptions&);
 Reaction handle(RequestContext&, const msg::CanDeviceScanRequest&, const BoardOptions&);
 Reaction handle(RequestContext&, const msg::TransparentSapiRequest&, const BoardOptions&);
+Reaction handle(RequestContext&, const msg::ModuleFlashStart&, const BoardOptions&, ModuleFlash&);
+Reaction handle(RequestContext&, const msg::ModuleFlashWrite&, ModuleFlash&);
+Reaction handle(RequestContext&, const msg::ModuleFlashFinish&, ModuleFlash&);
 
 // parameters
 Reaction handle(RequestContext&, const msg::SaveParams3&, Parameters&);

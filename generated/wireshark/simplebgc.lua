@@ -1571,7 +1571,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 15, count = 1, fixed = 15, reserved = true},
   }
 
-  messages[123] = {name = "BodeTestStartStopRequest", filter = "bode_test_start_stop_request", command = "CMD_BODE_TEST_START_STOP", id = 37, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{confirm = true, timeout = 2}}}
+  messages[123] = {name = "BodeTestStartStopRequest", filter = "bode_test_start_stop_request", command = "CMD_BODE_TEST_START_STOP", id = 37, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{messages = {"BodeTestStartStop"}, confirm = true, certain = true, timeout = 3600, repeated = {}}}}
   messages[123].fields = {
     {name = "axis", type = "u8", enum = "BodeAxis", count = 1, fixed = 1},
     {name = "stimulus_type", type = "u8", enum = "BodeStimulus", count = 1, fixed = 1},

@@ -11,6 +11,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 """
 
 from sbgc import aio, msg
+from sbgc.bode import BodeRecording, ResponsePoint, read_bode
 from sbgc.captures import read_capture
 from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
 from sbgc.codec import (
@@ -45,6 +46,7 @@ from sbgc.search import Found, Port, Usb, find, ports
 __all__ = [
     "Angles",
     "Board",
+    "BodeRecording",
     "Calibration",
     "CodecError",
     "Contexts",
@@ -67,6 +69,7 @@ __all__ = [
     "ParserCounters",
     "Port",
     "Profile",
+    "ResponsePoint",
     "SpeedControl",
     "Stream",
     "Usb",
@@ -83,6 +86,7 @@ __all__ = [
     "find",
     "msg",
     "ports",
+    "read_bode",
     "read_capture",
     "validate",
 ]

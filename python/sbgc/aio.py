@@ -15,6 +15,7 @@ from contextlib import asynccontextmanager, suppress
 from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
+from sbgc.bode import BodeRecording, recording_of
 from sbgc.client import (
     _STOP,
     Bytes,
@@ -34,7 +35,7 @@ from sbgc.client import (
 )
 from sbgc.emulator import Board
 from sbgc.message import Message, wrap
-from sbgc.msg import ScriptMode
+from sbgc.msg import BodeTestStartStopRequest, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 from sbgc.search import Found
 from sbgc.search import find as find_blocking
@@ -189,6 +190,11 @@ class Gimbal(Link):
             self._link.calibrate(request._message, timeout), tell
         )
         return end
+
+    async def record_bode(
+        self, request: BodeTestStartStopRequest, *, progress: Optional[Progress] = None
+    ) -> BodeRecording:
+        return recording_of(await self._finish(self._link.record_bode(request._message), progress))
 
     async def active_profile(self, *, timeout: float = 10.0) -> int:
         found: int = await self._finish(self._link.active_profile(), timeout=timeout)

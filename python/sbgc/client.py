@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from typing import Any, Generic, Literal, Optional, TypeVar, Union
 
 from sbgc import _core
+from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalError, GimbalTimeout
 from sbgc.message import Message, wrap
-from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
+from sbgc.msg import BoardInfo, BoardInfo3, BodeTestStartStopRequest, CalibInfo, RunScript, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
@@ -380,6 +381,15 @@ class Gimbal(Link):
         tell = None if progress is None else (lambda *found: progress(calibration_of(found)))
         end: CalibrationEnd = finish(self._link.calibrate(request._message, timeout), tell)
         return end
+
+    def record_bode(
+        self, request: BodeTestStartStopRequest, *, progress: Optional[Progress] = None
+    ) -> BodeRecording:
+        """Record a frequency response. It shakes the camera, and no command ends it.
+
+        An exception ends only the wait: the board goes on until its end, or until the motors are off.
+        """
+        return recording_of(finish(self._link.record_bode(request._message), progress))
 
     def active_profile(self, *, timeout: float = 10.0) -> int:
         """The profile that the board works with, from 1."""

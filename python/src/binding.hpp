@@ -20,6 +20,7 @@ namespace py = pybind11;
 void bind_messages(py::module_& module);
 void bind_codec(py::module_& module);
 void bind_captures(py::module_& module);
+void bind_bode(py::module_& module);
 void bind_client(py::module_& module);
 void bind_emulator(py::module_& module);
 

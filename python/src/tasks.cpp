@@ -80,6 +80,10 @@ py::list value_of(const ProfileNames& names) {
   for (const std::string& one : names) result.append(to_text(one));
   return result;
 }
+py::object value_of(const BodeRecording& recording) {
+  return py::make_tuple(any_of(recording.request), recording.input, recording.output,
+                        recording.lost);
+}
 py::object value_of(CalibrationEnd end) {
   switch (end) {
     case CalibrationEnd::finished: return py::str("finished");
@@ -172,6 +176,22 @@ Task<Result<CalibrationEnd>> calibrate(const OperationPointer& operation, const 
     return true;
   };
   return tasks::run_calibration(request, options);
+}
+
+Task<Result<BodeRecording>> record_bode(const OperationPointer& operation,
+                                        const AnyMessage& request) {
+  const auto* const of = request.get_if<msg::BodeTestStartStopRequest>();
+  if (of == nullptr) throw py::type_error("not a BodeTestStartStopRequest");
+  BodeOptions options;
+  options.progress = [weak = std::weak_ptr(operation)](const BodeProgress& progress) {
+    if (const auto one = weak.lock()) {
+      one->report([progress] {
+        return py::make_tuple(progress.samples, progress.total, "recording a frequency response");
+      });
+    }
+    return true;
+  };
+  return tasks::record_bode(*of, options);
 }
 
 Task<Result<ParameterSet>> read_parameters(const OperationPointer& operation,
@@ -274,6 +294,7 @@ void bind_tasks(py::module_& module, LinkClass& link) {
             return tasks::set_control_timeout(milliseconds_of(timeout, "timeout"));
           })
       .def("calibrate", &calibrate)
+      .def("record_bode", &record_bode)
       .def("read_parameters", &read_parameters)
       .def("write_parameters", &write_parameters)
       .def(

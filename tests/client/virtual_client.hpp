@@ -123,6 +123,10 @@ class VirtualClient {
       has_news_ = true;
       task.confirmed(id);
     };
+    step.options.on_series = [&task, this, id](const Frame& frame) {
+      has_news_ = true;
+      task.received(id, {frame.body.begin(), frame.body.end()});
+    };
     const detail::CallPointer call =
         detail::make_call(id, *std::move(step.request), step.options, client_, now_,
                           [&task, this, id](Result<Reply> reply) {

@@ -42,13 +42,14 @@ SENT = [
     (("calibrate", "gyro", "--yes"), 103),
     (("reset", "--yes"), 114),
     (("send", "CMD_MOTORS_ON", "--yes"), 77),
+    (("bode", "roll", "--gain", "1", "--from", "1", "--to", "9", "--seconds", "1", "--table", "--yes"), 37),
     (("script", "start", "1", "--yes"), 57),
     (("script", "stop", "1"), 57),
     (("stop",), CONTROL),
 ]
 """Commands that only send a request, with its id."""
 
-STORING = {"eeprom", "files", "params", "vars"}
+STORING = {"eeprom", "files", "module", "params", "vars"}
 """Commands that ask first, but only store values."""
 
 

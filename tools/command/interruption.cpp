@@ -16,6 +16,8 @@ constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 // Of the process, as its signal handlers are.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t arrived = 0;  // the number of the signal
+volatile std::sig_atomic_t has_second = 0;
+volatile std::sig_atomic_t takes_second = 0;
 std::array<int, 2> channel{-1, -1};
 std::array<struct sigaction, signals.size()> previous{};
 int depth = 0;  // of Interruptions that exist
@@ -23,7 +25,9 @@ int depth = 0;  // of Interruptions that exist
 
 extern "C" void take_signal(int number) {
   const int saved_errno = errno;
-  if (arrived != 0) {  // the user does not want to wait
+  if (arrived != 0 && takes_second != 0 && has_second == 0) {
+    has_second = 1;
+  } else if (arrived != 0) {  // the user does not want to wait
     ::signal(number, SIG_DFL);
     ::raise(number);
   }
@@ -50,6 +54,11 @@ Interruption::~Interruption() {
   if (--depth != 0) return;
   for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &previous[i], nullptr);
 }
+
+SecondSignal::SecondSignal() noexcept { takes_second = 1; }
+SecondSignal::~SecondSignal() { takes_second = 0; }
+
+bool was_interrupted_twice() noexcept { return has_second != 0; }
 
 bool was_interrupted() noexcept { return arrived != 0; }
 

@@ -13,6 +13,19 @@ class Interruption {
   ~Interruption();
 };
 
+/// While it exists inside an Interruption, the program has a use for the second signal: only the
+/// third one ends it.
+class SecondSignal {
+ public:
+  SecondSignal() noexcept;
+  SecondSignal(const SecondSignal&) = delete;
+  SecondSignal& operator=(const SecondSignal&) = delete;
+  ~SecondSignal();
+};
+
+/// True if a second signal has arrived while a SecondSignal existed.
+bool was_interrupted_twice() noexcept;
+
 /// True if a signal asked the program to end while an Interruption existed.
 bool was_interrupted() noexcept;
 /// True if that signal is the one of Ctrl-C.

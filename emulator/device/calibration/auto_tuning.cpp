@@ -40,7 +40,8 @@ std::uint8_t byte(double value) {
 
 bool AutoTuning::start(CalibrationParts& parts, std::uint8_t profile, msg::AutoPidFlags config,
                        std::uint8_t gain, std::optional<std::size_t> port, Instant now) {
-  if (run_ || parts.calibrations.under_way() || !parts.gimbal.motors_on()) return false;
+  if (run_ || parts.calibrations.under_way() || parts.frequency_response.is_running()) return false;
+  if (!parts.gimbal.motors_on()) return false;
   if (profile != parts.parameters.profile()) parts.parameters.select_profile(profile);
 
   Run run{.profile = profile, .config = config};

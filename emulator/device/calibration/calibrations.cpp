@@ -142,7 +142,7 @@ Duration Calibrations::scaled(const BoardOptions& options, Duration length) {
 
 bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
                          std::optional<Requester> requester, Instant now, Duration length) {
-  if (run_ || parts.auto_tuning.is_running()) return false;
+  if (run_ || parts.auto_tuning.is_running() || parts.frequency_response.is_running()) return false;
   Run run{.kind = kind, .imu = imu, .profile = parts.parameters.profile(), .requester = requester};
   if (length == Duration{}) length = facts_of(kind).length;
   length = scaled(parts.options, length);

@@ -15,6 +15,7 @@ namespace sbgc::emulator {
 
 class AutoTuning;
 class Calibrations;
+class FrequencyResponse;
 class Outputs;
 class Parameters;
 class Ports;
@@ -33,6 +34,7 @@ struct CalibrationParts {
   Restarts& restarts;
   Calibrations& calibrations;
   AutoTuning& auto_tuning;
+  FrequencyResponse& frequency_response;
 };
 
 /// Runs one calibration at a time: it measures, starts over if the gimbal moves, and stores the

@@ -289,6 +289,17 @@ Reaction handle(RequestContext& context, const msg::AutoPid2& request, Calibrati
   return context.confirm();
 }
 
+Reaction handle(RequestContext& context, const msg::BodeTestStartStopRequest& request,
+                CalibrationParts& parts) {
+  if (!is_valid(request) || request.samples_num == 0) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (!parts.frequency_response.start(parts, request, context.port, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return parts.options.response.is_confirmed ? context.confirm() : Reaction::executed;
+}
+
 Reaction calibrate_gyro(RequestContext& context, CalibrationParts& parts, msg::CalibImu which,
                         msg::CalibAction action, Duration length) {
   return carry_out(context, parts, gyro, which, action, length);

@@ -24,6 +24,7 @@ msg::CalibMode calibration_mode(const Device& device) {
   if (device.tasks.is_stopping()) return msg::CalibMode::safe_stop;
   if (device.auto_tuning.is_running()) return msg::CalibMode::auto_pid;
   if (device.modes.is_writing_parameters) return msg::CalibMode::write_params;
+  if (device.frequency_response.is_running()) return msg::CalibMode::bode_test;
   return device.calibrations.mode();
 }
 

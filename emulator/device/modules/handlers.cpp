@@ -2,6 +2,7 @@
 
 #include "device/handlers.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <sbgc/framing.hpp>
@@ -28,7 +29,32 @@ Reaction introduce(RequestContext& context, const BoardOptions& options,
   return context.answer(answer);
 }
 
+/// Refuses with the module and the part, as errors of these requests have them.
+Reaction refuse_part(RequestContext& context, msg::ModuleId module, std::uint8_t packet) {
+  return context.refuse(msg::BoardErrorCode::wrong_params,
+                        static_cast<std::uint32_t>(module) | std::uint32_t{packet} << 16U);
+}
+
 }  // namespace
+
+Reaction handle(RequestContext& context, const msg::ModuleFlashStart& request,
+                const BoardOptions& options, ModuleFlash& flash) {
+  const auto modules = modules_of(options);
+  const bool exists = std::any_of(modules.begin(), modules.end(), [&](const Module& module) {
+    return module.id == request.device_id;
+  });
+  if (!exists || !flash.start(request)) return refuse_part(context, request.device_id, 0);
+  return context.confirm();
+}
+Reaction handle(RequestContext& context, const msg::ModuleFlashWrite& request, ModuleFlash& flash) {
+  if (!flash.write(request)) return refuse_part(context, request.device_id, flash.next_packet());
+  return context.confirm();
+}
+Reaction handle(RequestContext& context, const msg::ModuleFlashFinish& request,
+                ModuleFlash& flash) {
+  if (!flash.finish(request)) return refuse_part(context, request.device_id, flash.next_packet());
+  return context.confirm();
+}
 
 Reaction handle(RequestContext& context, const msg::ModuleListRequest&,
                 const BoardOptions& options) {

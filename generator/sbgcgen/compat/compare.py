@@ -355,6 +355,7 @@ def _compare_answers(messages: Pair, renamed: dict[str, str]) -> None:
             case.mark(MEANING, "answered by", kept, sorted(second.messages))
             _compare_confirm(case)
         case.compare(MEANING, "repeats", lambda one: sorted(one.correlation))
+        case.compare(MEANING, "preceded by", "series")
         case.compare(MEANING, "restarts the board", "restarts")
         case.compare(MEANING, "result", lambda one: one.result and one.result.field.spec_name)
 

@@ -65,7 +65,8 @@ class AnswerCase:
 
     `correlation` names the fields that responses repeat. `responses`, `confirmation` (the field
     that a confirmation repeats in its data) and `result` are derived from it and the board's
-    messages.
+    messages. `series` names a message that comes before the response, any number of times, and
+    `series_id` is its id; "" and 0 if there is none.
     """
 
     when: Condition | None
@@ -78,6 +79,8 @@ class AnswerCase:
     restarts: bool
     correlation: tuple[str, ...]
     errata: tuple[str, ...]
+    series: str = ""
+    series_id: int = 0
     responses: tuple[Response, ...] = ()
     confirmation: CorrelationField | None = None
     result: Result | None = None

@@ -92,9 +92,13 @@ def _check_answer(name: str, answer: Map, found: Diagnostics) -> None:
         message = f"'confirmations' of {name} contradicts 'confirm'"
         hint = "'never' means 0, every other value at least 1"
         found.add(answer.at("confirmations"), "SBGC041", message, hint)
-    if "finish_ms" in answer and answer.get("confirmations", 1) < 2:
+    if "series" in answer and ("message" not in answer or answer.get("retry") == "safe"):
+        message = f"the series of {name} needs a 'message' that ends it, and no retry"
+        hint = "name the board's last message; a repeated request would start another series"
+        found.add(answer.at("series"), "SBGC041", message, hint)
+    if "finish_ms" in answer and answer.get("confirmations", 1) < 2 and "series" not in answer:
         hint = "for a single one, say 'timeout_ms'"
-        message = f"'finish_ms' of {name} is about the last of several confirmations"
+        message = f"'finish_ms' of {name} is about the last of several confirmations, or a series"
         found.add(answer.at("finish_ms"), "SBGC041", message, hint)
 
 

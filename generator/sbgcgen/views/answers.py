@@ -16,7 +16,8 @@ def asked_by(layout: Layout) -> dict[str, list[Message]]:
     for message in layout.messages:
         if message.answer is None:
             continue
-        for name in message.answer.messages:
+        series = {case.series for case in message.answer.cases if case.series}
+        for name in (*message.answer.messages, *sorted(series)):
             found.setdefault(name, []).append(message)
         if message.answer.confirm != "never":
             for confirming in layout.having_role("confirmation"):

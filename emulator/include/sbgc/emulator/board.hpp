@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -98,6 +99,8 @@ class Board {
   /// Reports that saving this revision failed: confirmations of changes up to it become CMD_ERROR.
   /// The changes stay in memory and still need saving.
   void memory_not_saved(std::uint32_t revision, Instant now);
+  /// What hosts have loaded into modules; empty for a module that was not loaded to its end.
+  const std::map<msg::ModuleId, std::vector<std::uint8_t>>& module_firmware() const;
   Gimbal& gimbal();
   const BoardCounters& counters() const;
   const BoardOptions& options() const;

@@ -38,6 +38,13 @@ struct BoardOptions {
   Duration start_time = milliseconds(500);
   /// How long the bootloader waits for firmware before it restarts the board.
   Duration bootloader_time = seconds(5);
+  /// How it records frequency responses.
+  struct Response {
+    double noise = 1;          ///< standard deviation of the output; a stimulus makes 100 or more
+    bool is_confirmed = true;  ///< some firmware omits the confirmation of the start
+    bool reports_last_index = false;  ///< at the end, instead of the number of samples
+  };
+  Response response{};
   /// The duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
   /// What a host has to send before anything else, unless empty; see Board. A request with a new

@@ -17,6 +17,7 @@ namespace sbgc::msg {
 
 static_assert(codec_version == 3, "generated code and runtime do not match");
 
+struct BodeTestStartStop;
 struct CalibInfo;
 
 /// Current result of each axis.
@@ -706,7 +707,7 @@ struct CalibAccExtRef {
   using FixedMembers = Members<&CalibAccExtRef::acc_ref, &CalibAccExtRef::reserved>;
 };
 
-/// End of the recording; unsolicited.
+/// End of the recording.
 ///
 /// CMD_BODE_TEST_START_STOP (37), from the board; 22 bytes, and later firmware may append more.
 /// Source: Vendor's code of 2026.
@@ -739,7 +740,9 @@ struct BodeTestStartStop {
 
 /// Start the recording of a frequency response. The board moves the axis with a stimulus and sends
 /// CMD_BODE_TEST_DATA until the end, which this command from the board reports. Data may come
-/// before the confirmation, which some firmware omits. No source says how to stop a recording.
+/// before the confirmation, which some firmware omits. No source says how to stop a recording:
+/// CMD_MOTORS_OFF ends the motion. The messages do not say to which recording they belong, so there
+/// is one at a time.
 ///
 /// CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Source: Vendor's code of
 /// 2026.
@@ -750,7 +753,7 @@ struct BodeTestStartStopRequest {
   static constexpr std::size_t min_size = 30;
   static constexpr std::size_t max_size = 30;
   static constexpr Availability since{.features = 0x08};
-  using Response = void;
+  using Response = BodeTestStartStop;
 
   /// The axis.
   BodeAxis axis{};
@@ -779,8 +782,8 @@ struct BodeTestStartStopRequest {
       &BodeTestStartStopRequest::start_freq, &BodeTestStartStopRequest::reserved>;
 };
 
-/// Samples of a recording that runs; unsolicited. A value is MIN + raw * (MAX - MIN) / 65534, with
-/// the limits of its signal in the same message.
+/// Samples of a recording that runs. A value is MIN + raw * (MAX - MIN) / 65534, with the limits of
+/// its signal in the same message.
 ///
 /// CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Source: Vendor's code of 2026.
 struct BodeTestData {

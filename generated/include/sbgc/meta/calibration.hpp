@@ -988,7 +988,7 @@ struct Meta<msg::BodeTestStartStop> {
   static constexpr MessageInfo info{
       .name = "BodeTestStartStop",
       .command = "CMD_BODE_TEST_START_STOP",
-      .summary = "End of the recording; unsolicited.",
+      .summary = "End of the recording.",
       .id = 37,
       .direction = Direction::from_board,
       .min_size = 22,
@@ -1027,6 +1027,7 @@ struct Meta<msg::BodeTestStartStop> {
 
 template <>
 struct Meta<msg::BodeTestStartStopRequest> {
+  static constexpr const char* answers[] = {"BodeTestStartStop"};
   static constexpr MessageInfo info{
       .name = "BodeTestStartStopRequest",
       .command = "CMD_BODE_TEST_START_STOP",
@@ -1036,6 +1037,7 @@ struct Meta<msg::BodeTestStartStopRequest> {
       .min_size = 30,
       .max_size = 30,
       .since = {.features = 0x08},
+      .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range stimulus_gain_range{1, 65535};
   static constexpr Range mode_range{0, 0};
@@ -1099,7 +1101,7 @@ struct Meta<msg::BodeTestData> {
   static constexpr MessageInfo info{
       .name = "BodeTestData",
       .command = "CMD_BODE_TEST_DATA",
-      .summary = "Samples of a recording that runs; unsolicited.",
+      .summary = "Samples of a recording that runs.",
       .id = 38,
       .direction = Direction::from_board,
       .min_size = 17,

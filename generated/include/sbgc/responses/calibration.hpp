@@ -246,11 +246,19 @@ constexpr ResponsePolicy response_policy(const CalibAccExtRef&) noexcept {
 
 constexpr ResponsePolicy response_policy(const BodeTestStartStopRequest&) noexcept {
   return {.responses = {.command = 37,
-              .confirmed = Confirmed::possible},
+              .confirmed = Confirmed::possible,
+              .form_count = 1,
+              .forms = {{{.id = 37,
+               .min_size = 22,
+               .max_size = max_body_size,
+               .size = 22}}}},
       .confirmations = 1,
+      .response_required = true,
       .has_effect = true,
       .moves = true,
-      .timeout_ms = 2000};
+      .series = 38,
+      .timeout_ms = 2000,
+      .finish_ms = 3600000};
 }
 
 constexpr ResponsePolicy response_policy(const CoggingCalibInfoRequest&) noexcept {

@@ -976,7 +976,7 @@ class CalibAccExtRef(Message):
 
 
 class BodeTestStartStop(Message):
-    """End of the recording; unsolicited.
+    """End of the recording.
 
     CMD_BODE_TEST_START_STOP (37), from the board; 22 bytes, and later firmware may append more.
     Source: Vendor's code of 2026.
@@ -1018,7 +1018,8 @@ class BodeTestStartStopRequest(Message):
 
     The board moves the axis with a stimulus and sends CMD_BODE_TEST_DATA until the end, which
     this command from the board reports. Data may come before the confirmation, which some
-    firmware omits. No source says how to stop a recording.
+    firmware omits. No source says how to stop a recording: CMD_MOTORS_OFF ends the motion. The
+    messages do not say to which recording they belong, so there is one at a time.
 
     CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Rules: start_freq <=
     end_freq. Source: Vendor's code of 2026.
@@ -1078,7 +1079,7 @@ class BodeTestStartStopRequest(Message):
 
 
 class BodeTestData(Message):
-    """Samples of a recording that runs; unsolicited.
+    """Samples of a recording that runs.
 
     A value is MIN + raw * (MAX - MIN) / 65534, with the limits of its signal in the same
     message.

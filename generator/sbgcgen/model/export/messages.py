@@ -166,6 +166,7 @@ def _case(case: AnswerCase) -> dict[str, Any]:
     result: dict[str, Any] = {
         "when": _condition(case.when),
         "messages": list(case.messages),
+        "series": case.series or None,
         "confirm": case.confirm,
         "confirmations": case.confirmations,
         "timeout_ms": case.timeout_ms,

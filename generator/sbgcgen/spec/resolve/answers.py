@@ -84,6 +84,7 @@ class AnswerResolver:
             restarts=node.get("then") == "restart",
             correlation=tuple(str(name) for name in node.get("correlation", ())),
             errata=self.types.errata(node),
+            series=str(node.get("series", "")),
             at=node.position,
         )
 
@@ -167,7 +168,17 @@ class AnswerResolver:
         result = None
         if case.confirm != "never" and confirmation is not None:
             result = _result(confirmation, request.command)
-        return replace(case, responses=tuple(responses), confirmation=confirmed, result=result)
+        series_id = 0
+        if case.series:
+            series = self._board(case.series, board, self.nodes[case.at].at("series"))
+            series_id = series.id if series else 0
+        return replace(
+            case,
+            series_id=series_id,
+            responses=tuple(responses),
+            confirmation=confirmed,
+            result=result,
+        )
 
 
 def _why_not_repeated(field: Field | None) -> str:

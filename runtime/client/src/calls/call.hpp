@@ -22,6 +22,7 @@ struct Call {
   Instant deadline = Instant::never;
   Duration allowed{};  ///< from its start to the deadline
   std::function<void(unsigned)> on_confirmation{};
+  std::function<void(const Frame&)> on_series{};
   ReplyHandler handler{};
   Handle handle{};  ///< in the session, once sent; only Dialogue uses it
   std::atomic<bool> was_sent = false;

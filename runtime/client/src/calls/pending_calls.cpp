@@ -25,7 +25,8 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
     allowed = milliseconds(options.timeout->count());
-    attempt = Duration{allowed.us / attempts};
+    // In a series, it is the longest silence between two messages.
+    attempt = policy.series != 0 ? std::min(attempt, allowed) : Duration{allowed.us / attempts};
   } else {
     allowed = std::max(allowed, milliseconds(policy.finish_ms)) +
               milliseconds(defaults.queue_timeout.count());
@@ -40,6 +41,7 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
   call->allowed = allowed;
   call->deadline = now + allowed;
   call->on_confirmation = options.on_confirmation;
+  call->on_series = options.on_series;
   call->handler = std::move(handler);
   return call;
 }

@@ -154,6 +154,14 @@ void Dialogue::handle(const Event& event) {
       if (call->on_confirmation) call->on_confirmation(event.confirmation);
       return;
     }
+    case EventKind::series: {
+      delivery_.deliver(frame);
+      const auto place = in_session_.find(event.handle.number);
+      if (place == in_session_.end()) return;
+      const CallPointer call = place->second;
+      if (call->on_series) call->on_series(frame);
+      return;
+    }
     case EventKind::board_error: {
       delivery_.deliver(frame);
       const std::string what =

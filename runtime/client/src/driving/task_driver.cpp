@@ -70,6 +70,12 @@ void TaskDriver::begin_call(TaskStep step) {
   step.options.on_confirmation = [self = shared_from_this(), id](unsigned) {
     self->put([id](TaskMachine& task) { task.confirmed(id); });
   };
+  step.options.on_series = [self = shared_from_this(), id](const Frame& frame) {
+    std::vector<std::uint8_t> body(frame.body.begin(), frame.body.end());
+    self->put([id, body = std::move(body)](TaskMachine& task) mutable {
+      task.received(id, std::move(body));
+    });
+  };
   auto replied = [self = shared_from_this(), id](Result<Reply> reply) {
     self->put([&from = *self, id, reply = std::move(reply)](TaskMachine& task) mutable {
       from.deadlines_.erase(id);

@@ -24,7 +24,7 @@ bool TaskMachine::is_ready() {
   const auto call = calls_.find(wait_.call);
   if (call != calls_.end()) {
     if (call->second.reply) return true;
-    if (wait_.start_is_enough && call->second.confirmations != 0) return true;
+    if (wait_.start_is_enough && call->second.has_started()) return true;
   }
   was_cancelled_ = std::exchange(is_cancelled_, false);
   if (was_cancelled_) return true;
@@ -40,6 +40,13 @@ void TaskMachine::replied(CallId id, Result<Reply> reply) {
 void TaskMachine::confirmed(CallId id) {
   const auto call = calls_.find(id);
   if (call != calls_.end()) ++call->second.confirmations;
+}
+
+void TaskMachine::received(CallId id, std::vector<std::uint8_t> body) {
+  const auto call = calls_.find(id);
+  if (call == calls_.end()) return;
+  call->second.has_series = true;
+  call->second.series.push_back(std::move(body));
 }
 
 void TaskMachine::notice(const Notice& notice) {
@@ -58,7 +65,13 @@ CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOption
 
 bool TaskMachine::has_started(CallId id) const {
   const auto call = calls_.find(id);
-  return call != calls_.end() && call->second.confirmations != 0;
+  return call != calls_.end() && call->second.has_started();
+}
+
+std::vector<std::vector<std::uint8_t>> TaskMachine::take_series(CallId id) {
+  const auto call = calls_.find(id);
+  if (call == calls_.end()) return {};
+  return std::exchange(call->second.series, {});
 }
 
 const Result<Reply>* TaskMachine::reply(CallId id) const {

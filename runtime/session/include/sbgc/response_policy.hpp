@@ -180,10 +180,13 @@ struct ResponsePolicy {
   bool has_effect{};             ///< it sets, stores, moves, restarts or erases something
   bool moves{};                  ///< the camera or the motors can move, now or after a restart
   bool stops{};                  ///< it stops all motion
-  /// The timeout of the response message or the first confirmation. Assumption: the values of this
-  /// and of finish_ms; the specification states no times.
+  std::uint8_t series{};         ///< id of messages that precede the response; 0: none do
+  /// The timeout of the response message or the first confirmation; with a series, the longest
+  /// silence of the board until the response. Assumption: the values of this and of finish_ms; the
+  /// specification states no times.
   std::uint32_t timeout_ms{};
-  std::uint32_t finish_ms{};  ///< for the last confirmation, from the request on; 0: the same
+  /// For the last confirmation, or the response after a series, from the request on; 0: the same.
+  std::uint32_t finish_ms{};
   ConfirmationResult result{};
   StreamChange stream{};
 

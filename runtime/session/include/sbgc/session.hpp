@@ -498,9 +498,20 @@ class BasicSession {
     } else if (!is_reset && !is_unclear && late.entry != nullptr) {
       event.is_late = true;
       late_replies_.take(*late.entry, settings_.duplicates);
+    } else if (meaning.kind == EventKind::unsolicited) {
+      for (Request& request : requests_) {
+        if (request.is_in_flight() && request.policy.series == frame.id) {
+          event.kind = EventKind::series;
+          event.handle = request.handle;
+          request.attempts = 0;
+          end_pause(request);
+          wait_for_more(request);
+          break;
+        }
+      }
     }
     if (event.is_late) count(&SessionStatistics::late_replies);
-    const bool is_unsolicited = meaning.kind == EventKind::unsolicited && !event.is_late;
+    const bool is_unsolicited = event.kind == EventKind::unsolicited && !event.is_late;
     if (is_unsolicited) count(&SessionStatistics::unsolicited);
     report(event, sink);
     if (!is_reset) return;
@@ -589,14 +600,24 @@ class BasicSession {
       complete(request, Outcome::failed, event.frame, sink);
     } else if (policy.response_required) {
       // A response message is still to come.
+      if (policy.series != 0) wait_for_more(request);
     } else if (request.confirmations >= policy.confirmations) {
       complete(request, Outcome::confirmed, event.frame, sink);
     } else {
       request.state = State::in_flight;
-      // Until `finish` after the response could have arrived.
-      const Ticks late = settings_.late;
-      request.attempt_left = request.late_left > late ? request.late_left - late : 0;
+      request.attempt_left = finish_left(request);
     }
+  }
+
+  /// Returns the time until `finish` after the response could have arrived.
+  Ticks finish_left(const Request& request) const noexcept {
+    const Ticks late = settings_.late;
+    return request.late_left > late ? request.late_left - late : 0;
+  }
+
+  /// The board has begun to respond: waits for the next message of a series, or the response.
+  void wait_for_more(Request& request) noexcept {
+    request.attempt_left = detail::shorter(request.timeout, finish_left(request));
   }
 
   /// Returns true if the frame is a sample of a stream, though it could also answer the request.

@@ -37,8 +37,12 @@ void Table::add_later_control() {
          host.listen(seconds(5));
          EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -30, 0.1);
        }});
-  // The emulated board records no frequency response.
-  add<msg::BodeTestStartStopRequest>({.comes = Comes::confirmation});
+  msg::BodeTestStartStopRequest recording;
+  recording.stimulus_type = msg::BodeStimulus::white_noise;
+  recording.stimulus_gain = 1;
+  recording.system = msg::BodeSystem::overall;
+  recording.samples_num = 5000;
+  add<msg::BodeTestStartStopRequest>({.request = recording, .comes = Comes::confirmation});
   add<msg::ControlConfig>({.request = {.timeout_ms = msg::Milliseconds(500)}});
   const auto is_in = [](msg::ControlQuatMode mode) {
     return [mode](Host& host, const Packets&) {
@@ -203,11 +207,25 @@ void Table::add_later_devices() {
                                       },
                                   .options = newest_board()});
   const auto driver = msg::ModuleId::can_drv1;
-  add<msg::ModuleFlashStart>({.request = {.device_id = driver}});
-  msg::ModuleFlashWrite part{.device_id = driver};
-  part.data.resize(8);
-  add<msg::ModuleFlashWrite>({.request = part});
-  add<msg::ModuleFlashFinish>({.request = {.device_id = driver}});
+  msg::ModuleFlashStart begin{.device_id = driver};
+  begin.firmware_size = msg::WordCount(2);
+  const auto started = [begin](Host& host) { host.ask(begin); };
+  add<msg::ModuleFlashStart>({.request = begin, .options = newest_board()});
+  msg::ModuleFlashWrite part{.device_id = driver, .data_crc32 = 0x3FCA88C5};
+  for (std::uint8_t byte = 1; byte <= 8; ++byte) part.data.push_back(byte);
+  add<msg::ModuleFlashWrite>({.request = part, .before = started, .options = newest_board()});
+  add<msg::ModuleFlashFinish>({.request = {.device_id = driver, .file_crc32 = 0x3FCA88C5},
+                               .before =
+                                   [started, part](Host& host) {
+                                     started(host);
+                                     host.ask(part);
+                                   },
+                               .after =
+                                   [driver](Host& host, const Packets&) {
+                                     EXPECT_THAT(host.board.module_firmware().at(driver),
+                                                 SizeIs(8));
+                                   },
+                               .options = newest_board()});
   // There are no uDrv modules.
   add<msg::UdrvDeviceScan>({.after = [](Host&, const Packets& packets) {
     EXPECT_THAT(only<msg::CanDeviceScan>(packets).devices, SizeIs(0));

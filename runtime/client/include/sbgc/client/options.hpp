@@ -9,6 +9,7 @@
 #include <string>
 
 #include <sbgc/client/error.hpp>
+#include <sbgc/frame.hpp>
 
 namespace sbgc {
 
@@ -75,6 +76,9 @@ struct CallOptions {
   /// Called on the client's thread for each confirmation of a command that has several. `number`
   /// counts from 1.
   std::function<void(unsigned number)> on_confirmation{};
+  /// Called on the client's thread for each message of a series that precedes the response; the
+  /// frame is valid only during the call. The timeout above limits the whole series.
+  std::function<void(const Frame&)> on_series{};
 };
 
 }  // namespace sbgc

@@ -27,6 +27,7 @@
 #include <optional>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/notice.hpp>
@@ -73,6 +74,8 @@ class TaskMachine {
   void replied(CallId id, Result<Reply> reply);
   /// Reports a confirmation of a call that has not ended yet.
   void confirmed(CallId id);
+  /// Reports a message of the series that precedes the response to a call.
+  void received(CallId id, std::vector<std::uint8_t> body);
   void notice(const Notice& notice);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
@@ -94,8 +97,10 @@ class TaskMachine {
     }
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
-  /// True if the call was confirmed at least once.
+  /// True if the call was confirmed at least once, or a message of its series has arrived.
   bool has_started(CallId id) const;
+  /// Returns the bodies of the messages of its series that have arrived since the last time.
+  std::vector<std::vector<std::uint8_t>> take_series(CallId id);
   /// Returns the result of a call; null while it is running.
   const Result<Reply>* reply(CallId id) const;
   /// Drops a call; cancels it if it is running.
@@ -123,7 +128,11 @@ class TaskMachine {
  private:
   struct Call {
     unsigned confirmations{};
+    bool has_series{};
+    std::vector<std::vector<std::uint8_t>> series{};
     std::optional<Result<Reply>> reply{};
+
+    bool has_started() const noexcept { return confirmations != 0 || has_series; }
   };
 
   CallId begin_call(Result<detail::Request> request, const CallOptions& options);

@@ -44,6 +44,13 @@ class TaskCalls : public Calls<Self> {
     return self().run(tasks::run_calibration(request, options));
   }
 
+  // Frequency responses: <sbgc/client/bode.hpp>
+
+  Result<BodeRecording> record_bode(const msg::BodeTestStartStopRequest& request,
+                                    const BodeOptions& options = {}) {
+    return self().run(tasks::record_bode(request, options));
+  }
+
   // Parameters: <sbgc/client/parameters.hpp>
 
   Result<ParameterSet> read_parameters(const ReadOptions& options = {}) {

@@ -1,0 +1,47 @@
+/// @file
+/// The frequency response of a system from its recorded input and output.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace sbgc::analysis {
+
+/// The response at one frequency.
+struct ResponsePoint {
+  double frequency = 0;           ///< Hz
+  std::complex<double> response;  ///< output over input
+  double gain = 0;                ///< dB; minus infinity for no output
+  double phase = 0;  ///< degrees: -180 to 180 at the first frequency, then without jumps
+  /// Which share of the output follows the input, 0 to 1: without noise and other inputs 1. Only of
+  /// 4 segments or more, because that of fewer says nothing.
+  std::optional<double> coherence;
+  /// How uncertain the response is, as a share of it, from the coherence: 95 % of the responses are
+  /// off by less than twice this, in the real and in the imaginary part each.
+  std::optional<double> deviation;
+};
+
+/// The response in a range of frequencies.
+struct FrequencyResponse {
+  double resolution = 0;     ///< Hz between two points
+  std::size_t segments = 0;  ///< in the average; 0: there is no response
+  std::vector<ResponsePoint> points;
+};
+
+/// The fewest samples of a segment.
+inline constexpr std::size_t shortest_segment = 64;
+/// The fewest segments with a coherence.
+inline constexpr std::size_t least_segments = 4;
+
+/// The response from `from` to `to`, in Hz, of samples that were taken `rate` times per second. A
+/// segment has 1024 samples, or fewer if there are fewer samples. Segments with a sample that is
+/// NaN are left out, and frequencies without any input. With fewer samples than the shortest
+/// segment, there is no response.
+[[nodiscard]] FrequencyResponse frequency_response(std::span<const double> input,
+                                                   std::span<const double> output, double rate,
+                                                   double from, double to);
+
+}  // namespace sbgc::analysis

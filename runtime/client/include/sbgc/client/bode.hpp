@@ -1,0 +1,73 @@
+/// Recording of a frequency response: what goes into an axis and what comes out.
+///
+/// A recording moves the camera, and the protocol cannot stop it: it ends after its last sample, or
+/// when the motors turn off. See docs/2-safety.md. <sbgc/analysis/frequency_response.hpp> makes
+/// gain and phase of it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/responses/calibration.hpp>
+
+namespace sbgc {
+
+/// Samples of a recording per second.
+inline constexpr double bode_sample_rate = 1250;
+
+/// The number of samples in a time, rounded to the nearest.
+constexpr std::uint32_t bode_samples(double seconds) noexcept {
+  return static_cast<std::uint32_t>(seconds * bode_sample_rate + 0.5);
+}
+
+/// A recording. A sample that was lost is NaN in both signals.
+struct BodeRecording {
+  msg::BodeTestStartStopRequest request{};  ///< what was recorded
+  std::vector<double> input{};              ///< in a unit that the board does not tell
+  std::vector<double> output{};             ///< as many as of the input
+  std::size_t lost{};                       ///< samples
+};
+
+/// The progress of a recording.
+struct BodeProgress {
+  bool has_started{};  ///< the board has confirmed the start, or sent samples
+  std::size_t samples{};
+  std::size_t total{};
+  std::size_t lost{};
+};
+
+/// Options of record_bode().
+struct BodeOptions {
+  /// How often `progress` is called.
+  std::chrono::milliseconds interval{200};
+  /// Returning false ends the wait with ErrorCode::cancelled, but the board goes on.
+  std::function<bool(const BodeProgress&)> progress{};
+};
+
+namespace tasks {
+
+/// Records a frequency response. The line is ready for the samples before the board can send the
+/// first one. Lost messages leave a gap; if more is missing than the counter of the samples can
+/// show, the recording fails. The error says whether the motion had started.
+Task<Result<BodeRecording>> record_bode(msg::BodeTestStartStopRequest request,
+                                        BodeOptions options = {});
+
+}  // namespace tasks
+
+/// The recording in the CSV format of the vendor's program. Lost samples are "nan".
+std::string to_csv(const BodeRecording& recording);
+
+/// The longest file that parse_bode_csv() reads, in bytes.
+inline constexpr std::size_t max_bode_csv = 64U << 20U;
+
+/// Reads the CSV format of the vendor's program. The error names the line.
+Result<BodeRecording> parse_bode_csv(std::string_view text);
+
+}  // namespace sbgc

@@ -1,0 +1,35 @@
+/// New firmware for the modules of a board.
+///
+/// A module whose loading does not end has no firmware, and does not work until a later one ends.
+/// Keep the power on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <sbgc/client/progress.hpp>
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/modules.hpp>
+#include <sbgc/responses/modules.hpp>
+
+namespace sbgc {
+
+/// The largest firmware of a module, in bytes. Assumption.
+inline constexpr std::size_t max_module_firmware = 4U << 20U;
+
+/// Returns why a file cannot be the firmware of a module; nothing if it can.
+std::optional<ClientError> module_firmware_problem(std::size_t size);
+
+namespace tasks {
+
+/// Loads firmware into a module that CMD_MODULE_LIST lists. Each part is sent once, after the board
+/// has confirmed the one before. Any error ends it, and says which part was confirmed last; the
+/// loading can only start from the beginning then. Progress counts bytes; if its handler returns
+/// false, the loading ends as with an error.
+Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> firmware,
+                                ProgressHandler progress = {});
+
+}  // namespace tasks
+}  // namespace sbgc

@@ -1,0 +1,312 @@
+// Tests of recording a frequency response, in virtual time, and of its files.
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/analysis/frequency_response.hpp>
+#include <sbgc/client/bode.hpp>
+#include <sbgc/parser.hpp>
+
+#include "tasks/bode_collector.hpp"
+#include "virtual_client.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+msg::BodeTestStartStopRequest recording(std::uint32_t samples = 5000) {
+  msg::BodeTestStartStopRequest request;
+  request.axis = msg::BodeAxis::roll;
+  request.stimulus_type = msg::BodeStimulus::white_noise;
+  request.stimulus_gain = 3000;
+  request.start_freq = msg::Frequency(6);
+  request.end_freq = msg::Frequency(200);
+  request.system = msg::BodeSystem::open_loop_plant;
+  request.samples_num = samples;
+  return request;
+}
+
+/// Loses, or repeats, messages of the board with samples: `copies(n)` of the nth arrive.
+class SampleLine : public VirtualLine {
+ public:
+  explicit SampleLine(std::function<int(int)> copies) : copies_(std::move(copies)) {}
+
+  void send(Way way, std::span<const std::uint8_t> bytes, Instant at) override {
+    if (way == Way::to_board) return VirtualLine::send(way, bytes, at);
+    parser_.feed(bytes, [&](const Frame& frame) {
+      const int copies = frame.id == 38 ? copies_(++number_) : 1;
+      std::array<std::uint8_t, max_frame_size> out{};
+      const std::size_t size = write_frame(frame.framing, frame.id, frame.body, out).size;
+      for (int i = 0; i < copies; ++i) VirtualLine::send(way, std::span(out).first(size), at);
+    });
+  }
+
+ private:
+  std::function<int(int)> copies_;
+  int number_ = 0;
+  BasicParser<AnyFrameFormats> parser_{};
+};
+
+emulator::EmulatorOptions board(bool is_confirmed = true, bool reports_index = false) {
+  emulator::EmulatorOptions options;
+  options.board.response.noise = 0;
+  options.board.response.is_confirmed = is_confirmed;
+  options.board.response.reports_last_index = reports_index;
+  return options;
+}
+
+/// Records on a board whose motors are on.
+Result<BodeRecording> record(VirtualClient& client, std::uint32_t samples = 5000,
+                             const BodeOptions& options = {}) {
+  client.gimbal().set_motors(true, client.now());
+  return client.run(tasks::record_bode(recording(samples), options));
+}
+
+TEST(Bode, HasEverySampleWhetherTheStartIsConfirmedOrNot) {
+  for (const bool is_confirmed : {true, false}) {
+    for (const bool reports_index : {true, false}) {
+      VirtualClient client(board(is_confirmed, reports_index));
+      const auto recorded = record(client);
+      ASSERT_TRUE(recorded) << recorded.error().message;
+      EXPECT_EQ(recorded->input.size(), 5000U);
+      EXPECT_EQ(recorded->output.size(), 5000U);
+      EXPECT_EQ(recorded->lost, 0U);
+      EXPECT_EQ(recorded->request, recording());
+    }
+  }
+}
+
+// The emulated plant: two poles at 40 Hz, damping 0.3, one sample of delay, 0.003 at rest.
+std::complex<double> plant(double frequency) {
+  const double turn = 2 * std::numbers::pi * 40 * 0.0008;
+  const auto pole = std::exp(turn * std::complex<double>(-0.3, std::sqrt(1 - 0.09)));
+  const auto z = std::polar(1.0, 2 * std::numbers::pi * frequency * 0.0008);
+  return 0.003 * std::norm(1.0 - pole) * z / ((z - pole) * (z - std::conj(pole)));
+}
+
+/// Checks each point of which the coherence is high against the plant; returns their number.
+std::size_t check_against_plant(const BodeRecording& recorded, double from, double to) {
+  std::size_t certain = 0;
+  for (const auto& point :
+       analysis::frequency_response(recorded.input, recorded.output, 1250, from, to).points) {
+    if (*point.coherence <= 0.99) continue;
+    ++certain;
+    const std::complex<double> truth = plant(point.frequency);
+    EXPECT_NEAR(point.gain, 20 * std::log10(std::abs(truth)), 0.5) << point.frequency;
+    const double off = point.phase - std::arg(truth) * 180 / std::numbers::pi;
+    EXPECT_LT(std::abs(std::remainder(off, 360)), 3) << point.frequency;
+  }
+  return certain;
+}
+
+TEST(Bode, WithoutNoiseGainAndPhaseAreThoseOfThePlant) {
+  VirtualClient client(board());
+  const auto recorded = record(client);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_GT(check_against_plant(*recorded, 6, 200), 150U);  // of 159
+}
+
+TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
+  emulator::EmulatorOptions options = board();
+  options.board.response.noise = 40;  // of about 100
+  std::size_t within = 0, all = 0;
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+    options.board.gimbal.seed = seed;
+    VirtualClient client(options);
+    const auto recorded = record(client, 10'000);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    for (const auto& point :
+         analysis::frequency_response(recorded->input, recorded->output, 1250, 6, 200).points) {
+      const std::complex<double> error = plant(point.frequency) / point.response - 1.0;
+      for (const double part : {error.real(), error.imag()}) {
+        ++all;
+        if (std::abs(part) <= 2 * *point.deviation) ++within;
+      }
+    }
+  }
+  EXPECT_GE(static_cast<double>(within) / static_cast<double>(all), 0.94);
+}
+
+TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
+  SampleLine line([](int number) { return number == 1 || (number >= 60 && number < 70) ? 0 : 1; });
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client, 10'000);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->input.size(), 10'000U);
+  EXPECT_EQ(recorded->lost, 11U * 20);
+  for (const std::size_t lost : {0U, 19U, 59U * 20, 69U * 20 - 1}) {
+    EXPECT_TRUE(std::isnan(recorded->input[lost]) && std::isnan(recorded->output[lost])) << lost;
+  }
+  EXPECT_FALSE(std::isnan(recorded->input[20]));
+  EXPECT_FALSE(std::isnan(recorded->input[69U * 20]));
+  EXPECT_GT(check_against_plant(*recorded, 6, 200), 140U);
+}
+
+TEST(Bode, TheLastMessagesMayBeLostToo) {
+  SampleLine line([](int number) { return number > 245 ? 0 : 1; });
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->input.size(), 5000U);
+  EXPECT_EQ(recorded->lost, 100U);
+}
+
+TEST(Bode, ALossThatTheCounterCannotShowIsAnError) {
+  SampleLine line([](int number) { return number >= 60 && number < 76 ? 0 : 1; });  // 320 samples
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client);
+  ASSERT_FALSE(recorded);
+  EXPECT_EQ(recorded.error().code, ErrorCode::bad_response);
+  EXPECT_THAT(recorded.error().message, HasSubstr("320 of 5000 samples were lost"));
+}
+
+TEST(Bode, ARepeatedMessageCountsOnce) {
+  SampleLine line([](int number) { return number % 7 == 0 ? 2 : 1; });
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->lost, 0U);
+}
+
+TEST(Bode, ASilentBoardIsAnErrorThatSaysWhetherItMoves) {
+  for (const bool has_started : {false, true}) {
+    VirtualClient client(board(false));
+    client.gimbal().set_motors(true, client.now());
+    if (!has_started) client.cut_the_line();
+    const Instant start = client.now();
+    bool has_restarted = !has_started;
+    const auto recorded = client.run(tasks::record_bode(recording()), [&](TaskMachine&) {
+      if (has_restarted || client.now() < start + seconds(1)) return;
+      has_restarted = true;
+      client.emulator().restart(client.now());
+    });
+    ASSERT_FALSE(recorded);
+    EXPECT_THAT(recorded.error().message,
+                HasSubstr(has_started ? "the recording has started" : "starting the recording"));
+    EXPECT_LE(client.now() - start, seconds(4));
+  }
+}
+
+TEST(Bode, ARefusalAndMotorsThatTurnOffAreErrors) {
+  VirtualClient client(board());
+  client.gimbal().set_motors(false, client.now());
+  const auto refused = client.run(tasks::record_bode(recording()));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("starting the recording: "));
+
+  BodeOptions options;
+  options.progress = [&](const BodeProgress& seen) {
+    if (seen.samples > 2000) client.gimbal().set_motors(false, client.now());
+    return true;
+  };
+  const auto ended = record(client, 5000, options);
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().code, ErrorCode::board_error);
+  EXPECT_THAT(ended.error().message, HasSubstr("ended the recording with error 1 after 2"));
+}
+
+TEST(Bode, ProgressCanEndTheWait) {
+  VirtualClient client(board());
+  std::size_t last = 0;
+  BodeOptions options;
+  options.progress = [&](const BodeProgress& seen) {
+    EXPECT_EQ(seen.total, 5000U);
+    EXPECT_GE(seen.samples, last);
+    last = seen.samples;
+    return seen.samples < 1000;
+  };
+  const auto recorded = record(client, 5000, options);
+  ASSERT_FALSE(recorded);
+  EXPECT_EQ(recorded.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(client.pending(), 0U);
+  EXPECT_LT(last, 1500U);
+  EXPECT_EQ(client.run(tasks::record_bode(recording(0))).error().code, ErrorCode::invalid);
+}
+
+TEST(BodeCollector, ASampleThatIsNoNumberIsLost) {
+  detail::BodeCollector collector(recording(2));
+  msg::BodeTestData data;
+  data.input_max = 1;
+  data.output_max = std::numeric_limits<float>::quiet_NaN();
+  ASSERT_TRUE(data.samples.push_back({65534, 65534}) && data.samples.push_back({0, 0}));
+  collector.add(data);
+  EXPECT_EQ(collector.lost(), 2U);
+  const auto recorded = std::move(collector).finish({.samples_count = 2});
+  ASSERT_TRUE(recorded);
+  EXPECT_TRUE(std::isnan(recorded->input[0]) && std::isnan(recorded->output[0]));
+}
+
+TEST(BodeCollector, ValuesAreBetweenTheLimitsOfTheMessage) {
+  // The vendor's example: -1000.5 to 2000.75, and -50.25 to 60.5.
+  detail::BodeCollector collector(recording(3));
+  msg::BodeTestData data{
+      .input_min = -1000.5F, .output_min = -50.25F, .input_max = 2000.75F, .output_max = 60.5F};
+  for (const auto& [in, out] : {std::pair{0, 65534}, {32767, 0}, {65534, 32767}}) {
+    ASSERT_TRUE(
+        data.samples.push_back({static_cast<std::uint16_t>(in), static_cast<std::uint16_t>(out)}));
+  }
+  collector.add(data);
+  const auto recorded = std::move(collector).finish({.samples_count = 2});  // the last index
+  ASSERT_TRUE(recorded);
+  EXPECT_THAT(recorded->input, ::testing::ElementsAre(-1000.5, 500.125, 2000.75));
+  EXPECT_THAT(recorded->output, ::testing::ElementsAre(60.5, -50.25, 5.125));
+}
+
+TEST(BodeFile, IsThatOfTheVendor) {
+  BodeRecording recorded;
+  recorded.request = recording(3);
+  recorded.input = {0, -12345.5, std::nan("")};
+  recorded.output = {1e-7, 240.25, std::nan("")};
+  const std::string text = to_csv(recorded);
+  EXPECT_EQ(text, "%sbgc_test_data;70;0;1;3000;6;200\n0;1e-07\n-12345.5;240.25\nnan;nan\n");
+  const auto read = parse_bode_csv(text);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->request, recorded.request);
+  EXPECT_EQ(read->input[1], -12345.5);
+  EXPECT_FLOAT_EQ(static_cast<float>(read->output[0]), 1e-7F);
+  EXPECT_EQ(read->lost, 1U);
+}
+
+TEST(BodeFile, MayHaveWindowsLineEndsAndNoLastOne) {
+  const auto read = parse_bode_csv("%sbgc_test_data;11;2;3;1;1;1\r\n1.5;2\r\n-3;4e2");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->request.axis, msg::BodeAxis::yaw);
+  EXPECT_EQ(read->request.system, msg::BodeSystem::overall);
+  EXPECT_THAT(read->output, ::testing::ElementsAre(2, 400));
+}
+
+TEST(BodeFile, AnErrorNamesTheLine) {
+  const auto error = [](const std::string& text) {
+    const auto read = parse_bode_csv(text);
+    return read ? "" : read.error().message;
+  };
+  const std::string title = "%sbgc_test_data;70;0;1;3000;6;200\n";
+  EXPECT_THAT(error(""), HasSubstr("line 1: not a frequency response"));
+  EXPECT_THAT(error("time;roll\n1;2\n"), HasSubstr("line 1: not a frequency response"));
+  EXPECT_THAT(error("%sbgc_test_data;70;0;1;3000;6\n1;2\n"), HasSubstr("line 1: not"));
+  EXPECT_THAT(error("%sbgc_test_data;70;0;1;3000;6;200;5\n1;2\n"), HasSubstr("line 1: not"));
+  EXPECT_THAT(error("%sbgc_test_data;256;0;1;3000;6;200\n1;2\n"), HasSubstr("line 1: not"));
+  EXPECT_THAT(error("%sbgc_test_data;70;0;1;3000;200;6\n1;2\n"), HasSubstr("above END_FREQ"));
+  EXPECT_THAT(error(title), HasSubstr("line 2: no samples"));
+  for (const char* row : {"1", "1;", "1;2;3", "1,5;2", "one;2", "inf;1", "1;1e39", " 1;2"}) {
+    EXPECT_THAT(error(title + "1;2\n" + row + "\n"), HasSubstr("line 3: not two numbers")) << row;
+  }
+  EXPECT_THAT(error(title + "nan;2\n"), HasSubstr("line 2: half"));
+  EXPECT_THAT(error(title + "1;2\n\n3;4\n"), HasSubstr("line 3: not two numbers"));
+}
+
+}  // namespace
+}  // namespace sbgc::test

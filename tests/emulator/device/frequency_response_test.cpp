@@ -1,0 +1,155 @@
+// Tests of recording a frequency response.
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "physics/axis_response.hpp"
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using emulator::AxisResponse;
+using ::testing::Each;
+using ::testing::SizeIs;
+
+msg::BodeTestStartStopRequest recording(std::uint32_t samples = 5000) {
+  msg::BodeTestStartStopRequest request;
+  request.axis = msg::BodeAxis::pitch;
+  request.stimulus_type = msg::BodeStimulus::white_noise;
+  request.stimulus_gain = 3000;
+  request.start_freq = msg::Frequency(6);
+  request.end_freq = msg::Frequency(200);
+  request.system = msg::BodeSystem::open_loop_plant;
+  request.samples_num = samples;
+  return request;
+}
+
+/// A host of a board whose motors are on.
+struct Recorder : Host {
+  explicit Recorder(emulator::BoardOptions options = {}) : Host(std::move(options)) {
+    listen(seconds(1));
+  }
+};
+
+TEST(FrequencyResponse, SendsEverySampleInOrderAndThenTheEnd) {
+  Recorder host;
+  Packets packets = host.ask(recording(5003));
+  EXPECT_EQ(confirmations<msg::BodeTestStartStopRequest>(packets), 1);
+  for (const auto& packet : host.listen(milliseconds(4100))) packets.push_back(packet);
+  std::size_t samples = 0;
+  for (const msg::BodeTestData& data : all<msg::BodeTestData>(packets)) {
+    EXPECT_EQ(data.sample_counter, samples % 256);
+    samples += data.samples.size();
+  }
+  EXPECT_EQ(samples, 5003U);
+  const auto ends = all<msg::BodeTestStartStop>(packets);
+  ASSERT_THAT(ends, SizeIs(1));
+  EXPECT_EQ(ends[0].samples_count, 5003U);
+  EXPECT_EQ(ends[0].error_code, 0);
+  EXPECT_EQ(packets.back().id, 37);
+}
+
+TEST(FrequencyResponse, SomeFirmwareConfirmsNothingAndCountsFrom0) {
+  emulator::BoardOptions options;
+  options.response.is_confirmed = false;
+  options.response.reports_last_index = true;
+  Recorder host(options);
+  Packets packets = host.ask(recording());
+  for (const auto& packet : host.listen(seconds(5))) packets.push_back(packet);
+  EXPECT_EQ(confirmations<msg::BodeTestStartStopRequest>(packets), 0);
+  EXPECT_EQ(all<msg::BodeTestStartStop>(packets).at(0).samples_count, 4999U);
+}
+
+TEST(FrequencyResponse, RefusesWhatItCannotRecord) {
+  using Code = msg::BoardErrorCode;
+  Recorder host;
+  auto wrong = recording();
+  wrong.start_freq = msg::Frequency(201);
+  EXPECT_EQ(refusal(host, wrong), Code::wrong_params);
+  EXPECT_EQ(refusal(host, recording(0)), Code::wrong_params);
+  host.ask(recording());
+  const Packets second = host.ask(recording());
+  EXPECT_EQ(all<msg::ErrorExt>(second).at(0).error_code, Code::wrong_state) << "one runs";
+  host.listen(seconds(5));
+  host.ask(msg::MotorsOffExt{});
+  EXPECT_EQ(refusal(host, recording()), Code::wrong_state);
+}
+
+TEST(FrequencyResponse, EndsWithTheMotors) {
+  Recorder host;
+  host.ask(recording());
+  host.listen(seconds(1));
+  const Packets packets = host.ask(msg::MotorsOffExt{});
+  const auto ends = all<msg::BodeTestStartStop>(packets);
+  ASSERT_THAT(ends, SizeIs(1));
+  EXPECT_NE(ends[0].error_code, 0);
+  EXPECT_LT(ends[0].samples_count, 2000U);
+  EXPECT_THAT(all<msg::BodeTestData>(host.listen(seconds(1))), SizeIs(0));
+}
+
+TEST(FrequencyResponse, IsAModeOfTheBoard) {
+  Recorder host;
+  const auto mode = [&] {
+    return all<msg::RealtimeData4>(host.ask(msg::RealtimeData4Request{})).at(0).calib_mode;
+  };
+  EXPECT_EQ(mode(), msg::CalibMode::none);
+  host.ask(recording());
+  EXPECT_EQ(mode(), msg::CalibMode::bode_test);
+  host.listen(seconds(5));
+  EXPECT_EQ(mode(), msg::CalibMode::none);
+}
+
+/// The response of a system to a lasting sine, which is measured at its end.
+std::complex<double> measured(msg::BodeSystem of, double frequency) {
+  AxisResponse system(of);
+  const double step = 2 * std::numbers::pi * frequency * AxisResponse::sample_time;
+  std::complex<double> sum;
+  constexpr int settled = 20'000;
+  constexpr int measured = 12'500;  // 10 s: whole periods of these frequencies
+  for (int i = 0; i < settled + measured; ++i) {
+    const double output = system(std::cos(step * i));
+    if (i >= settled) sum += output * std::polar(2.0 / measured, -step * i);
+  }
+  return sum;
+}
+
+/// The plant by its poles.
+std::complex<double> plant(double frequency) {
+  const double turn = 2 * std::numbers::pi * 40 * 0.0008;
+  const std::complex<double> pole =
+      std::exp(turn * std::complex<double>(-0.3, std::sqrt(1 - 0.09)));
+  const std::complex<double> z = std::polar(1.0, 2 * std::numbers::pi * frequency * 0.0008);
+  const std::complex<double> at_rest = (1.0 - pole) * (1.0 - std::conj(pole));
+  return 0.003 * at_rest * z / ((z - pole) * (z - std::conj(pole)));
+}
+
+TEST(FrequencyResponse, SystemsRespondAsDescribed) {
+  using System = msg::BodeSystem;
+  for (const double frequency : {1.0, 6.0, 39.5, 80.0, 200.0}) {
+    const std::complex<double> p = plant(frequency);
+    const std::complex<double> loop = 100.0 * p;
+    const auto expect = [&](System system, std::complex<double> expected) {
+      EXPECT_LT(std::abs(measured(system, frequency) / expected - 1.0), 1e-4)
+          << static_cast<int>(system) << " at " << frequency;
+    };
+    expect(System::controller, 100.0);
+    expect(System::open_loop_plant, p);
+    expect(System::open_loop_plant_with_filters, p);
+    expect(System::closed_loop_plant, p / (1.0 + loop));
+    expect(System::closed_loop_plant_with_filters, p / (1.0 + loop));
+    expect(System::open_loop_controller_and_plant, loop);
+    expect(System::closed_loop_controller_and_plant, loop / (1.0 + loop));
+    expect(System::overall, loop / (1.0 + loop));
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,147 @@
+// Tests of requests that the board answers with a series of messages and a last one.
+
+#include <cstddef>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/responses/calibration.hpp>
+#include <sbgc/responses/realtime.hpp>
+#include <sbgc/session.hpp>
+
+#include "commands.hpp"
+#include "simulation.hpp"
+
+namespace {
+
+using sbgc::Duration;
+using sbgc::EventKind;
+using sbgc::Handle;
+using sbgc::milliseconds;
+using sbgc::Outcome;
+using sbgc::seconds;
+using simulation::body_of;
+using simulation::Record;
+using simulation::Simulation;
+using simulation::Written;
+
+constexpr std::uint8_t test = 37;  // the start and the end of a recording
+constexpr std::uint8_t data = 38;
+
+/// Says a number of messages of a series, the first after `first`, 1 s apart.
+template <class Line>
+void say_data(Line& line, int count, Duration first) {
+  for (int i = 0; i < count; ++i) line.say(data, body_of(17, {i}), first + seconds(1) * i);
+}
+
+template <class Line>
+std::size_t in_series(const Line& line, Handle handle) {
+  std::size_t count = 0;
+  for (const Record& record : line.events) {
+    if (record.event.kind != EventKind::series) continue;
+    EXPECT_EQ(record.event.handle, handle);
+    EXPECT_EQ(record.event.frame.id, data);
+    ++count;
+  }
+  return count;
+}
+
+TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
+  for (const int confirmed_after : {3, 1500, 0}) {  // before the data, after the first, never
+    Simulation line;
+    line.board = [&](const Written&) {
+      if (confirmed_after != 0) line.confirm(test, milliseconds(confirmed_after));
+      say_data(line, 9, milliseconds(1000));
+      line.say(test, body_of(22), milliseconds(10500));
+    };
+    const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+    line.run();
+    EXPECT_EQ(line.outcome(handle), Outcome::answered);
+    EXPECT_EQ(in_series(line, handle), 9U);
+    EXPECT_EQ(line.completion(handle)->body.size(), 22U);
+    EXPECT_EQ(line.session.statistics().unsolicited, 0U);
+    EXPECT_EQ(line.written.size(), 1U);
+  }
+}
+
+TEST(Series, IsOverAfterSilence) {
+  for (const bool is_confirmed : {false, true}) {
+    Simulation line;
+    line.board = [&](const Written&) {
+      if (is_confirmed) line.confirm(test, milliseconds(1900));
+      say_data(line, 3, milliseconds(is_confirmed ? 3500 : 1500));
+      line.say(test, body_of(22), milliseconds(9000));  // too late
+    };
+    const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+    line.run();
+    EXPECT_EQ(line.outcome(handle), Outcome::timeout);
+    EXPECT_EQ(in_series(line, handle), 3U);
+    const Duration after = line.completion(handle)->at - simulation::start;
+    EXPECT_EQ(after, milliseconds(is_confirmed ? 7500 : 5500)) << after.us;
+    EXPECT_EQ(line.written.size(), 1U) << "never repeated";
+  }
+}
+
+TEST(Series, WithoutEndIsLimited) {
+  Simulation line;
+  line.board = [&](const Written&) { say_data(line, 3800, milliseconds(500)); };
+  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::timeout);
+  const Duration after = line.completion(handle)->at - simulation::start;
+  EXPECT_GE(after, seconds(3600));
+  EXPECT_LT(after, seconds(3601));
+}
+
+TEST(Series, MayBeRefused) {
+  Simulation line;
+  line.board = [&](const Written&) { line.say(commands::error, body_of(6, {test, 3})); };
+  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::board_error);
+}
+
+TEST(Series, OfNoRequestIsUnsolicited) {
+  Simulation line;
+  line.board = [&](const Written&) {
+    line.say(data, body_of(17));
+    line.say(commands::realtime_data_4, body_of(124), milliseconds(5));
+  };
+  line.send(sbgc::msg::RealtimeData4Request{});
+  line.run();
+  EXPECT_EQ(line.session.statistics().unsolicited, 1U);
+  EXPECT_EQ(line.events.front().event.kind, EventKind::unsolicited);
+  EXPECT_FALSE(line.events.front().event.handle);
+}
+
+TEST(Series, OtherRequestsAreAnsweredMeanwhile) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id != test) return line.say(commands::realtime_data_4, body_of(124));
+    say_data(line, 4, milliseconds(1000));
+    line.say(test, body_of(22), milliseconds(4500));
+  };
+  const Handle recording = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  line.run_for(milliseconds(2500));
+  const Handle other = line.send(sbgc::msg::RealtimeData4Request{});
+  line.run_for(milliseconds(100));
+  EXPECT_EQ(line.outcome(other), Outcome::answered);
+  line.run();
+  EXPECT_EQ(line.outcome(recording), Outcome::answered);
+}
+
+TEST(Series, ASessionForOneRequestKnowsThem) {
+  using Small =
+      sbgc::BasicSession<sbgc::SessionCapacity{.requests = 1, .optimize = sbgc::Optimize::size}>;
+  simulation::Basic<Small> line;
+  line.board = [&](const Written&) {
+    say_data(line, 5, milliseconds(1000));
+    line.say(test, body_of(22), milliseconds(6500));
+  };
+  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::answered);
+  EXPECT_EQ(in_series(line, handle), 5U);
+}
+
+}  // namespace

@@ -1,0 +1,302 @@
+// sbgc bode: records the frequency response of an axis, and shows it.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/client/bode.hpp>
+#include <sbgc/detail/words.hpp>
+#include <sbgc/meta/calibration.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/validate.hpp>
+
+#include "command/arming.hpp"
+#include "command/choices.hpp"
+#include "command/number_range.hpp"
+#include "command/remark.hpp"
+#include "command/subcommand.hpp"
+#include "memory/local_file.hpp"
+#include "motion/bode_recorder.hpp"
+#include "motion/response_table.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+// What a recording may be asked for. Assumption: what is longer or stronger is a mistake.
+constexpr double least_seconds = 1;
+constexpr double most_seconds = 60;
+constexpr double most_gain = 10'000;
+constexpr double most_frequency = 500;
+constexpr std::size_t most_positions = 100;
+
+struct BodeCommand {
+  std::string axis{};
+  unsigned gain = 0;
+  unsigned from = 0, to = 0;
+  double seconds = 4;
+  std::string stimulus = "WHITE_NOISE";
+  std::string system = "OPEN_LOOP_PLANT";
+  std::vector<std::string> positions{};
+  std::string output{};
+  bool force = false;
+  std::string on_cancel = "wait";
+  std::vector<std::string> read{};
+  bool table = false;
+  std::string svg{};
+  Arming arming{};
+};
+
+template <class E>
+std::vector<std::string> words_of_enum() {
+  std::vector<std::string> words;
+  for (const ValueInfo& value : EnumMeta<E>::info.values) words.emplace_back(value.name);
+  return words;
+}
+
+template <class E>
+E value_named(const std::string& word) {
+  for (const ValueInfo& value : EnumMeta<E>::info.values) {
+    if (detail::is_same_word(word, value.name)) return static_cast<E>(value.value);
+  }
+  throw CommandError(fmt::format("unknown value '{}'", clipped(word)), wrong_usage);
+}
+
+msg::BodeTestStartStopRequest request_of(const BodeCommand& command) {
+  if (command.axis.empty()) throw CommandError("say the axis: roll, pitch or yaw", wrong_usage);
+  if (command.gain == 0 || command.from == 0 || command.to == 0) {
+    throw CommandError(
+        "say --gain, --from and --to: how strong the stimulus is, and its frequencies",
+        wrong_usage);
+  }
+  if (command.from > command.to) {
+    throw CommandError(fmt::format("--from {} is above --to {}", command.from, command.to),
+                       wrong_usage);
+  }
+  msg::BodeTestStartStopRequest request;
+  request.axis = value_named<msg::BodeAxis>(command.axis);
+  request.stimulus_type = value_named<msg::BodeStimulus>(command.stimulus);
+  request.stimulus_gain = static_cast<std::uint16_t>(command.gain);
+  request.start_freq = msg::Frequency(static_cast<std::uint16_t>(command.from));
+  request.end_freq = msg::Frequency(static_cast<std::uint16_t>(command.to));
+  request.system = value_named<msg::BodeSystem>(command.system);
+  request.samples_num = bode_samples(command.seconds);
+  return request;
+}
+
+/// The name that the vendor's example gives a file, such as ROLL_R0_P-30_Y12.csv.
+std::string position_file(const BodeCommand& command, const RecordingPosition& position,
+                          double yaw) {
+  return fmt::format("{}_R{}_P{}_Y{}.csv", detail::upper_case(command.axis),
+                     std::lround(position.roll), std::lround(position.pitch), std::lround(yaw));
+}
+
+void show(const BodeCommand& command, const std::vector<NamedResponse>& responses) {
+  for (const NamedResponse& one : responses) {
+    if (one.response.segments == 0) {
+      throw CommandError(one.name + ": too few samples without a gap for a frequency response");
+    }
+    if (one.response.segments < analysis::least_segments) {
+      remark("{}: too short for the coherence, which tells what can be trusted.\n", one.name);
+    }
+    if (!command.table) continue;
+    if (responses.size() > 1)
+      fmt::print("{}{}\n", &one == &responses.front() ? "" : "\n", one.name);
+    fmt::print("{}", response_table(one.response));
+  }
+  if (command.svg.empty()) return;
+  const std::string picture = response_svg(responses);
+  write_local_file(command.svg, {picture.begin(), picture.end()}, command.force);
+  remark("Drawn in {}.\n", command.svg);
+}
+
+int show_files(const BodeCommand& command) {
+  if (!command.axis.empty() || !command.output.empty() || !command.positions.empty()) {
+    throw CommandError("--read shows files: it takes no axis, -o or --at", wrong_usage);
+  }
+  std::vector<NamedResponse> responses;
+  for (const std::string& file : command.read) {
+    const std::vector<std::uint8_t> bytes = read_local_file(file, max_bode_csv);
+    const auto recording =
+        parse_bode_csv({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (!recording) throw CommandError(fmt::format("{}: {}", file, recording.error().message));
+    responses.push_back({file, response_of(*recording)});
+  }
+  show(command, responses);
+  return success;
+}
+
+std::string warning(const BodeCommand& command, const msg::BodeTestStartStopRequest& request) {
+  const bool off_at_once = command.on_cancel == "motors-off";
+  std::string text = fmt::format(
+      "The {} axis shakes for {} s, from {} to {} Hz with a gain of {}, and no command ends that. "
+      "Ctrl-C {}.",
+      command.axis, command.seconds, request.start_freq.raw(), request.end_freq.raw(),
+      request.stimulus_gain,
+      off_at_once
+          ? "turns the motors off, and the camera drops to its heavy side"
+          : "waits for the end; a second one turns the motors off, and the camera drops to its "
+            "heavy side");
+  if (!command.positions.empty()) {
+    text += fmt::format(" The camera turns to {} before, and back after the last.",
+                        counted(command.positions.size(), "position"));
+  }
+  return text;
+}
+
+void report_losses(const BodeRecording& recording) {
+  if (recording.lost == 0) return;
+  remark("{} of {} were lost on the line; what contains a gap does not count.\n",
+         counted(recording.lost, "sample"), recording.input.size());
+}
+
+void save(const std::string& file, const BodeRecording& recording, bool force) {
+  const std::string text = to_csv(recording);
+  write_local_file(file, {text.begin(), text.end()}, force);
+  remark("Saved {} to {}.\n", counted(recording.input.size(), "sample"), file);
+}
+
+/// Records where the camera is.
+std::vector<NamedResponse> record_here(const BodeCommand& command, const BodeRecorder& recorder) {
+  const BodeRecording recording = recorder.record();
+  report_losses(recording);
+  if (!command.output.empty()) save(command.output, recording, command.force);
+  return {{command.axis, response_of(recording)}};
+}
+
+/// Records at each position, as far as no signal ends that.
+std::vector<NamedResponse> record_there(const BodeCommand& command, MovingGimbal& gimbal,
+                                        const BodeRecorder& recorder,
+                                        const std::vector<RecordingPosition>& positions) {
+  const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+  std::vector<NamedResponse> responses;
+  for (const RecordingPosition& position : positions) {
+    recorder.go_to(position);
+    const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+    const BodeRecording recording = recorder.record();
+    report_losses(recording);
+    const std::string name = position_file(command, position, state.axes.yaw.imu_angle.degrees());
+    if (!command.output.empty()) {
+      save((std::filesystem::path(command.output) / name).string(), recording, command.force);
+    }
+    responses.push_back({name, response_of(recording)});
+    if (gimbal.must_stop()) gimbal.give_up({});
+  }
+  recorder.go_to({before.axes.roll.imu_angle.degrees(), before.axes.pitch.imu_angle.degrees()});
+  return responses;
+}
+
+int record(const BodeCommand& command, const CommandContext& context) {
+  const msg::BodeTestStartStopRequest request = request_of(command);
+  if (command.positions.size() > most_positions) {
+    throw CommandError(fmt::format("at most {} positions are possible", most_positions),
+                       wrong_usage);
+  }
+  std::vector<RecordingPosition> positions;
+  positions.reserve(command.positions.size());
+  for (const std::string& text : command.positions) positions.push_back(parse_position(text));
+  // What can fail is found before the camera shakes.
+  if (!command.output.empty() && positions.empty())
+    check_replaceable(command.output, command.force);
+  if (!command.output.empty() && !positions.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(command.output, error);
+    if (error || !std::filesystem::is_directory(command.output)) {
+      throw CommandError(fmt::format("{} is no folder; with --at, -o names one", command.output));
+    }
+  }
+  if (!command.svg.empty()) check_replaceable(command.svg, command.force);
+
+  MovingGimbal gimbal(context.gimbal);
+  require_possible(gimbal.client(), request);
+  arm(command.arming, warning(command, request));
+  gimbal.begins_to_move(AfterStop::nothing);
+  const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
+  const std::vector<NamedResponse> responses =
+      positions.empty() ? record_here(command, recorder)
+                        : record_there(command, gimbal, recorder, positions);
+  gimbal.has_stopped();
+  show(command, responses);
+  if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
+  return success;
+}
+
+int run_bode(const BodeCommand& command, const CommandContext& context) {
+  if (command.output.empty() && !command.table && command.svg.empty()) {
+    throw CommandError("say what to do with the response: -o, --table or --svg", wrong_usage);
+  }
+  return command.read.empty() ? record(command, context) : show_files(command);
+}
+
+}  // namespace
+
+void add_bode(CLI::App& app, CommandContext& context) {
+  const Subcommand<BodeCommand> command(app, context, "bode",
+                                        "Record the frequency response of an axis");
+  auto& options = command.options();
+  command->add_option("axis", options.axis, "roll, pitch or yaw")
+      ->transform(one_of({"roll", "pitch", "yaw"}));
+  command->add_option("--gain", options.gain, "How strong the stimulus is; begin with 1000")
+      ->check(number_range(1, most_gain))
+      ->type_name("NUMBER");
+  command->add_option("--from", options.from, "The lowest frequency, in Hz")
+      ->check(number_range(1, most_frequency))
+      ->type_name("HZ");
+  command->add_option("--to", options.to, "The highest frequency, in Hz")
+      ->check(number_range(1, most_frequency))
+      ->type_name("HZ");
+  command->add_option("--seconds", options.seconds, "How long to record")
+      ->check(number_range(least_seconds, most_seconds))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->add_option("--stimulus", options.stimulus, "What shakes the axis")
+      ->transform(one_of(words_of_enum<msg::BodeStimulus>()))
+      ->capture_default_str();
+  command->add_option("--system", options.system, "What to measure")
+      ->transform(one_of(words_of_enum<msg::BodeSystem>()))
+      ->capture_default_str();
+  command
+      ->add_option("--at", options.positions,
+                   "Turn the camera here first, in degrees; several record one after the other")
+      ->type_name("ROLL,PITCH")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "-o,--output", options.output,
+          "Save the samples to this file (CSV of the vendor's program); with --at, to a folder")
+      ->type_name("FILE");
+  command->add_flag("--force", options.force, "Replace files");
+  command->add_option("--on-cancel", options.on_cancel, "What Ctrl-C does during a recording")
+      ->transform(one_of({"wait", "motors-off"}))
+      ->capture_default_str();
+  command->add_option("--read", options.read, "Show these files instead of recording")
+      ->type_name("FILE");
+  command->add_flag("--table", options.table, "Print frequency, gain, phase and coherence");
+  command->add_option("--svg", options.svg, "Draw gain, phase and coherence")->type_name("FILE");
+  command->footer(
+      "The board shakes the axis and sends what goes in and comes out, 1250 samples a second. No "
+      "command "
+      "ends a recording before its time: Ctrl-C waits, and a second one turns the motors off.\n"
+      "\n"
+      "The coherence says which share of the output follows the stimulus: trust what is near 1. It "
+      "needs at "
+      "least 2.1 s without a gap.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc bode roll --gain 1000 --from 6 --to 200 --table\n"
+      "  sbgc bode pitch --gain 3000 --from 3 --to 200 --seconds 8 -o pitch.csv --svg pitch.svg\n"
+      "  sbgc bode --read pitch.csv --table\n"
+      "\n"
+      "The exit status is 0 if the response was recorded; 1 if not; 2 for wrong usage; 130 after "
+      "Ctrl-C.");
+  command.runs(run_bode);
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,40 @@
+/// Recording of frequency responses, at one or several positions of the camera.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <sbgc/client/bode.hpp>
+
+#include "motion/moving_gimbal.hpp"
+
+namespace sbgc::tools {
+
+/// Where the camera looks, in degrees. The pan axis stays where it is.
+struct RecordingPosition {
+  double roll{}, pitch{};
+};
+
+/// Reads "ROLL,PITCH" in degrees. Throws CommandError.
+RecordingPosition parse_position(const std::string& text);
+
+class BodeRecorder {
+ public:
+  /// With `motors_off`, the first signal turns the motors off, otherwise the second.
+  BodeRecorder(MovingGimbal& gimbal, const msg::BodeTestStartStopRequest& request, bool motors_off)
+      : gimbal_(gimbal), request_(request), motors_off_(motors_off) {}
+
+  /// Records where the camera is. The first signal waits for the end. Throws CommandError.
+  BodeRecording record() const;
+  /// Turns the camera, and waits until it is calm. Throws CommandError.
+  void go_to(const RecordingPosition& position) const;
+
+ private:
+  [[noreturn]] void turn_motors_off() const;
+
+  MovingGimbal& gimbal_;
+  msg::BodeTestStartStopRequest request_;
+  bool motors_off_;
+};
+
+}  // namespace sbgc::tools
