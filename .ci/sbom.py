@@ -18,11 +18,12 @@ LICENSES = {
     "libc++-dev-wasm32": "Apache-2.0 WITH LLVM-exception",
     "libcli11-dev": "BSD-3-Clause",
     "libfmt-dev": "MIT",
+    "libkissfft-dev": "BSD-3-Clause",
     "nlohmann-json3-dev": "MIT",
     "pybind11-dev": "BSD-3-Clause",
     "wasi-libc": "MIT",
 }
-LIBRARY = ("libasio-dev", "libfmt-dev", "nlohmann-json3-dev")
+LIBRARY = ("libasio-dev", "libfmt-dev", "libkissfft-dev", "nlohmann-json3-dev")
 PARTS = {
     r"sbgc_.*\.deb": (*LIBRARY, "libcli11-dev"),
     r"libsbgc-dev_.*\.deb": LIBRARY,

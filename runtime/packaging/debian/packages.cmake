@@ -16,7 +16,7 @@ set(CPACK_SBGC_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
 set(CPACK_COMPONENTS_ALL command development)
 # Header-only libraries become part of the compiled code; these ask for their notice in copies of it.
-set(CPACK_SBGC_NOTICES libcli11-dev libfmt-dev nlohmann-json3-dev)
+set(CPACK_SBGC_NOTICES libcli11-dev libfmt-dev libkissfft-dev nlohmann-json3-dev)
 if(TARGET sbgc_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
   list(APPEND CPACK_SBGC_NOTICES pybind11-dev)
