@@ -24,21 +24,21 @@ msg::RealtimeData4 seen(const std::string& list) {
   return host.get<msg::RealtimeData4>(msg::RealtimeData4Request{});
 }
 
-TEST(Faults, AHealthyBoardReportsNone) {
+TEST(GimbalFaults, AHealthyBoardReportsNone) {
   const msg::RealtimeData4 data = seen("");
   EXPECT_EQ(data.system_error.raw(), 0);
   EXPECT_EQ(data.i2c_error_count, 0);
   EXPECT_EQ(data.cycle_time.raw(), 800);
 }
 
-TEST(Faults, ErrorsOfTheBoard) {
+TEST(GimbalFaults, ErrorsOfTheBoard) {
   EXPECT_EQ(seen("imu").system_error, msg::SystemErrors(msg::SystemError::no_sensor));
   EXPECT_EQ(seen("calib-acc,missed-steps").system_error,
             msg::SystemError::calib_acc | msg::SystemError::miss_steps);
   EXPECT_EQ(seen("emergency-stop").system_sub_error, msg::SystemSubError::i2c_errors);
 }
 
-TEST(Faults, Measurements) {
+TEST(GimbalFaults, Measurements) {
   EXPECT_EQ(seen("low-battery").system_error, msg::SystemErrors(msg::SystemError::low_bat1));
   EXPECT_NEAR(seen("low-battery=13.5V").bat_level.volts(), 13.45, 0.1);
   EXPECT_NEAR(seen("i2c-errors=100").i2c_error_count, 255, 10);
@@ -51,7 +51,7 @@ TEST(Faults, Measurements) {
   EXPECT_LT(seen("").imu_g_err.degrees(), 0.5);
 }
 
-TEST(Faults, AResonanceTurnsTheCameraWhileTheMotorsAreOn) {
+TEST(GimbalFaults, AResonanceTurnsTheCameraWhileTheMotorsAreOn) {
   emulator::BoardOptions options;
   options.gimbal.noise = 0;
   add_faults("resonance=5Hz:10:roll", options);
@@ -70,7 +70,7 @@ TEST(Faults, AResonanceTurnsTheCameraWhileTheMotorsAreOn) {
   EXPECT_NEAR(rate().y, 0, 0.1);
 }
 
-TEST(Faults, MistakesAreExplained) {
+TEST(GimbalFaults, MistakesAreExplained) {
   emulator::BoardOptions board;
   const auto problem = [&](const std::string& list) {
     try {
