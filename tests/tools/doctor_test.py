@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from bridge import bridge
+from bridge import bridge_to
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import MODEL, PROGRAM, run
 
@@ -47,7 +47,7 @@ def test_it_only_reads(shaking: EmulatedGimbal) -> None:
     sent = {
         word
         for line in result.error.splitlines()
-        if " > " in line
+        if "host to board" in line
         for word in line.split()
         if word in effects
     }
@@ -67,7 +67,7 @@ def test_old_firmware_is_asked_for_each_sample() -> None:
 
 
 def test_the_stream_of_another_host_stays(shaking: EmulatedGimbal) -> None:
-    with bridge(shaking.address) as shared:
+    with bridge_to(shaking.address) as shared:
         other = ("stream", "RealtimeDataCustom", "--with", "IMU_ANGLES", "--rate", "20")
         with subprocess.Popen(
             [PROGRAM, *other, "--format", "jsonl", "-p", shared.address], stdout=subprocess.PIPE

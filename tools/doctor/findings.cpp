@@ -45,7 +45,7 @@ constexpr std::array advice_table{
     Advice{msg::SystemError::protection,
            "Look for a short circuit of a motor, then turn the power off and on."},
     Advice{msg::SystemError::set_power, "Set the power of each motor; 0 gives no torque.",
-           "sbgc params show \"*.power\""},
+           "sbgc params show power"},
     Advice{msg::SystemError::calib_poles, "Calibrate poles and directions of the motors.",
            "sbgc calibrate poles"},
     Advice{msg::SystemError::calib_acc, "Calibrate the accelerometer in all six positions.",
@@ -53,7 +53,7 @@ constexpr std::array advice_table{
     Advice{msg::SystemError::miss_steps,
            "The motor was too weak or was held: balance the camera, look for what blocks it, raise "
            "its power.",
-           "sbgc params show \"*.power\""},
+           "sbgc params show power"},
     Advice{msg::SystemError::serial,
            "Check cable, baud rate and parity of every device on the serial ports.", "sbgc info"},
     Advice{msg::SystemError::gui_version,
@@ -198,7 +198,7 @@ class Judge {
            .advice =
                "Something holds the camera, such as a cable, or the power is set too high: the "
                "motor gets hot.",
-           .command = "sbgc params show \"*.power\"",
+           .command = "sbgc params show power",
            .limit = Limit::power});
     }
     const double balance = measured_.balance[axis].value().value_or(0);

@@ -140,11 +140,18 @@ class Measuring {
     }
   }
 
-  /// Asks at a fixed rate, at which the board answers in time, for the shorter live data.
+  /// Asks at a fixed rate for the shorter live data. If the board does not keep up, begins again at
+  /// half of the rate.
   void ask_often() {
     constexpr int few = 5;
     for (int i = 0; i < few; ++i) add_live_data();
-    const double interval = time_to_answer();
+    constexpr double longest = 0.1;
+    double interval = time_to_answer();
+    while (!ask_every(interval) && interval < longest) interval *= 2;
+  }
+
+  /// Returns false as soon as too many samples are missing.
+  bool ask_every(double interval) {
     result_.gyro.emplace(interval);
     start_ = MeasuringClock::now();
     std::int64_t number = 0;
@@ -156,11 +163,16 @@ class Measuring {
       result_.gyro->add(std::max(number, now), gyro_of(data));
       result_.add(data);
       progress_(result_.seconds);
+      if (result_.gyro->lost_share() * static_cast<double>(now + 1) >
+          most_lost * time_ / interval) {
+        return false;
+      }
       number = std::max(number, now) + 1;
       std::this_thread::sleep_until(
           start_ + std::chrono::duration_cast<MeasuringClock::duration>(
                        std::chrono::duration<double>(static_cast<double>(number) * interval)));
     }
+    return true;
   }
 
   /// Returns the time in which almost all requests are answered, in seconds.

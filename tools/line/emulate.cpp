@@ -210,6 +210,13 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->capture_default_str()
       ->group("The board");
   command
+      .add_option("--calibration-time", board.calibration_time,
+                  "Duration of calibrations and tuning in percent of the usual one")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("PERCENT")
+      ->capture_default_str()
+      ->group("The board");
+  command
       .add_flag("--strict", board.is_strict,
                 "Refuse requests with more bytes than the firmware knows, which real boards ignore")
       ->group("The board");
