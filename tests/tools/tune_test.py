@@ -6,6 +6,7 @@ import json
 import signal
 import subprocess
 import time
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -42,16 +43,18 @@ def test_what_it_shows_is_on_the_board(options: tuple[str, ...]) -> None:
         assert value_before in old and value_after in new
 
 
-def test_no_puts_the_old_values_back() -> None:
+def test_no_puts_the_old_values_back(tmp_path: Path) -> None:
     with emulated_gimbal(*QUICK) as gimbal:
         before = gains(gimbal)
-        with terminal(100, 30) as shell:
+        with terminal(tmp_path, 100, 30) as shell:
             shell.run("tune", "roll", "-p", gimbal.address)
             shell.wait("Continue")
-            shell.press("y", "Enter")
+            shell.type("y")
+            shell.press("Enter")
             shell.wait("Keep the new values")
             assert gains(gimbal) != before
-            shell.press("n", "Enter")
+            shell.type("n")
+            shell.press("Enter")
             shell.wait("not kept; the old values are back")
         assert gains(gimbal) == before
 
