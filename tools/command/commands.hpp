@@ -25,7 +25,7 @@ std::optional<int> run_helper(int argc, char** argv);
 
 /// The type of the functions that add a subcommand.
 using AddCommand = void(CLI::App& app, CommandContext& context);
-AddCommand add_ports, add_info, add_monitor, add_stream, add_describe;
+AddCommand add_ports, add_info, add_monitor, add_stream, add_plot, add_describe;
 AddCommand add_params, add_vars;
 AddCommand add_move, add_speed, add_jog, add_stop, add_motors, add_menu;
 AddCommand add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_reset;

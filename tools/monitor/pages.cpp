@@ -14,7 +14,7 @@
 
 #include "command/help_text.hpp"
 #include "frames/value_rows.hpp"
-#include "monitor/chart.hpp"
+#include "signal/chart.hpp"
 #include "motion/axis_values.hpp"
 
 namespace sbgc::tools {
@@ -292,7 +292,7 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
     constexpr double least = 0.5;  // degrees
     const std::vector<double> angles = gimbal.angles[axis].values();
-    const ValueRange range = range_of(angles, least);
+    const ValueRange range = range_of_values(angles, least);
     const auto lines = draw_chart(angles, range, screen.width() - 22, height, style_of(screen));
     screen.put(row, 2, axis_names[axis], Style::bold);
     screen.put(row, 8, fmt::format("{:>9.2f}", relative(view, range.high, axis)), Style::dim);
@@ -339,7 +339,7 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
     const Chart& chart = charts[i];
     std::vector<double> values = chart.history->values();
     for (double& value : values) value = value * chart.scale + chart.shift;
-    const ValueRange range = range_of(values, chart.least);
+    const ValueRange range = range_of_values(values, chart.least);
     const std::size_t top = first_row(screen) + (i / columns - window.begin) * height;
     const std::size_t left = i % columns * width + 1;
     const double last = values.empty() ? std::nan("") : values.back();
