@@ -30,6 +30,16 @@ msg::MillisecondClock Device::clock(Instant now) const {
 
 Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
 
+Duration Device::reported_cycle() const {
+  return options.faults.cycle == Duration{} ? cycle() : options.faults.cycle;
+}
+
+std::uint16_t Device::i2c_errors(Instant now) const {
+  const double seconds = static_cast<double>((now - restarts.started()).us) * 1e-6;
+  // The counter wraps.
+  return static_cast<std::uint16_t>(std::llround(seconds * options.faults.i2c_errors));
+}
+
 double Device::battery_factor() const {
   return has_battery_meter(options) ? memory.battery_factor : 0;
 }
@@ -74,7 +84,7 @@ void Device::calibrate_at_start(Instant now) {
 }
 
 Flags<msg::SystemError> Device::errors(Instant now) {
-  Flags<msg::SystemError> errors = calibrations.errors();
+  Flags<msg::SystemError> errors = calibrations.errors() | options.faults.errors;
   if (has_battery_meter(options)) {
     const auto& thresholds = parameters.of<msg::ReadParams3>();
     const double volts = measured_battery(gimbal.sample(now));

@@ -88,6 +88,9 @@ struct Device {
   msg::MillisecondClock clock(Instant now) const;
   /// The cycle time of the controller.
   static Duration cycle();
+  /// The cycle time and the errors of the I2C bus that live data report.
+  Duration reported_cycle() const;
+  std::uint16_t i2c_errors(Instant now) const;
   /// The reading of the battery sensor per volt; 0 without a sensor.
   double battery_factor() const;
   /// The reading of the calibrated sensor in volts; 0 without a sensor.

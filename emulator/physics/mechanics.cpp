@@ -22,6 +22,16 @@ constexpr double motor_current = 0.8;   // at full power
 /// The torque of the imbalance option, which is a share of the motor torque at power 100.
 constexpr double imbalance_strength = 3000;
 
+/// Adds a vibration to the motion of the camera, if the motor that excites it is on.
+void shake(const Vibration& vibration, std::int64_t us, const Mechanics::AxisStates& axes,
+           Sample& sample) {
+  constexpr double turn = 2 * 3.14159265358979323846;
+  if (!axes[vibration.axis].is_held || !(vibration.frequency > 0)) return;
+  const double phase = std::fmod(vibration.frequency * static_cast<double>(us) * 1e-6, 1) * turn;
+  sample.speeds[vibration.axis] += vibration.rate * std::sin(phase);
+  sample.angles[vibration.axis] -= vibration.rate / (turn * vibration.frequency) * std::cos(phase);
+}
+
 double motor_share(const AxisOrders& orders, const AxisState& axis) {
   if (!axis.is_held) return 0;
   const double set = within(orders.tuning.power, 0, 255) / 255;
@@ -41,9 +51,11 @@ Axes<double> plus(const Axes<double>& a, const Axes<double>& b, double factor) {
 Mechanics::Mechanics(const Gimbal::Options& options, Instant at)
     : start(at),
       frame(options.frame, options.seed),
-      main(options.seed, 1, options.noise, options.ambient, 14),
-      second(options.seed, 2, options.noise, options.ambient, 9),
-      battery(options.battery, options.capacity) {
+      main(options.seed, 1, options.noise, options.ambient, 14, options.gyro_drift),
+      second(options.seed, 2, options.noise, options.ambient, 9, {}),
+      battery(options.battery, options.capacity),
+      vibration(options.vibration),
+      strain(options.strain) {
   for (std::size_t i = 0; i < 3; ++i) {
     imbalance[i] = -imbalance_strength * within(options.imbalance[i], -1, 1);
     axes[i].motion.stick(around(i));
@@ -166,9 +178,10 @@ Sample Mechanics::measure(Instant now) const {
     sample.targets[i] = axis.target();
     sample.target_speeds[i] = axis.target_speed();
     sample.joints[i] = axis.motion.joint;
-    sample.power[i] = motor_share(orders[i], axis);
+    sample.power[i] = axis.is_held ? within(motor_share(orders[i], axis) + strain[i], 0, 1) : 0;
     sample.imbalance[i] = axis.motion.balance;
   }
+  if (vibration) shake(*vibration, us, moved, sample);
   sample.frame = plus(frame_now.angles, frame_error);
 
   const Pose camera_estimate(sample.angles, order);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <sbgc/emulator/gimbal.hpp>
 
@@ -40,6 +41,8 @@ struct Mechanics {
   Imu main, second;
   Battery battery;
   Axes<double> imbalance{};
+  std::optional<Vibration> vibration;
+  Axes<double> strain;
   RotationOrder order = valid_order({1, 0, 2});
   double gyro_trust = 100;
   double battery_stop = -1;

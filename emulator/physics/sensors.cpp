@@ -29,12 +29,14 @@ Vector sum(const Vector& a, const Vector& b, double factor) {
 
 }  // namespace
 
-Imu::Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient, double warming)
+Imu::Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient, double warming,
+         const Vector& fault)
     : seed_(random_bits(seed, 100 + number)),
       noise_(within(noise, 0, 1000)),
       ambient_(within(ambient, -100, 200)),
       warming_(warming),
       temperature_(ambient_),
+      fault_(fault),
       calibrated_at_(ambient_) {
   for (std::size_t i = 0; i < 3; ++i) {
     bias_[i] = noise_ * largest_bias * (2 * random_share(seed_, i) - 1);
@@ -43,7 +45,7 @@ Imu::Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient,
 
 Vector Imu::drift() const {
   const double warmer = noise_ * bias_per_degree * (temperature_ - calibrated_at_);
-  Vector result = sum(bias_, offset_, -1);
+  Vector result = sum(sum(bias_, fault_, 1), offset_, -1);
   for (std::size_t i = 0; i < 3; ++i) result[i] += warmer;
   return result;
 }

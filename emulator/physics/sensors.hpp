@@ -13,8 +13,10 @@ namespace sbgc::emulator {
 /// keep its attitude estimate close to the true attitude.
 class Imu {
  public:
-  /// `noise` is a factor of drift and noise. `number` distinguishes the IMUs of one gimbal.
-  Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient, double warming);
+  /// `noise` is a factor of drift and noise. `number` distinguishes the IMUs of one gimbal. `fault`
+  /// is a drift in deg/s that no calibration removes.
+  Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient, double warming,
+      const Vector& fault);
 
   /// The error of the estimated Euler angles (estimate minus true value), and its rate of change.
   const Axes<double>& error() const { return error_; }
@@ -65,6 +67,7 @@ class Imu {
   double noise_;
   double ambient_, warming_;
   double temperature_;
+  Vector fault_;          ///< constant part of the drift, deg/s
   Vector bias_{};         ///< of the gyroscope, deg/s
   double calibrated_at_;  ///< Celsius
   Vector offset_{};       ///< correction of the gyroscope, deg/s

@@ -8,10 +8,12 @@ import re
 import signal
 import subprocess
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import MODEL, PROGRAM, Result, run
+from screens import terminal
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -125,3 +127,42 @@ def test_wrong_values_say_once_where_the_fields_are_explained(value: str) -> Non
     result = run("calibrate", "gyro", value, "--yes", "-p", "tcp:127.0.0.1:1")
     assert result.status == 2
     assert result.error.count("`sbgc describe CMD_CALIB_GYRO`") == 1
+
+
+def test_the_status_names_what_is_calibrated(gimbal: EmulatedGimbal) -> None:
+    before = run("calibrate", "--status", "-p", gimbal.address)
+    assert before.status == 0
+    assert "accelerometer: none, not +X, -X, +Y, -Y, +Z, -Z" in " ".join(before.text.split())
+    assert calibrate(gimbal, "acc", "--yes").status == 0
+    after = run("calibrate", "--status", "-p", gimbal.address)
+    assert "accelerometer: +Z, not +X, -X, +Y, -Y, -Z" in " ".join(after.text.split())
+
+
+def test_motors_that_are_on() -> None:
+    with emulated_gimbal("--calibration-time", "5") as gimbal:
+        warned = calibrate(gimbal, "gyro", "--yes")
+        assert warned.status == 0 and "the motors are on; --motors-off turns" in warned.error
+        assert "--motors-off" not in calibrate(gimbal, "gyro", "--yes", "--no-check").error
+        assert calibrate(gimbal, "gyro", "--yes", "--motors-off").status == 0
+        assert re.search(r"^motors +off$", calibrate(gimbal, "--status").text, re.MULTILINE)
+        assert "the motors are on" not in calibrate(gimbal, "gyro", "--yes").error
+
+
+def test_a_camera_that_moves_is_not_calibrated() -> None:
+    with emulated_gimbal("--motion", "vehicle") as shaking:
+        assert run("motors", "off", "--yes", "-p", shaking.address).status == 0
+        result = calibrate(shaking, "gyro", "--yes", "-v")
+        assert result.status == 1 and "the camera is not still" in result.error
+        assert "CMD_CALIB_GYRO (103)" not in result.error, "nothing was sent"
+
+
+def test_the_six_positions_are_offered_one_after_another(tmp_path: Path) -> None:
+    with emulated_gimbal("--calibration-time", "5") as gimbal, terminal(tmp_path, 100, 30) as shell:
+        shell.run("calibrate", "acc", "-p", gimbal.address)
+        for question in ("Continue", "The motors are on", "Turn another"):
+            shell.wait(question)
+            shell.wait(lambda lines: "".join(lines).rstrip().endswith("[y/N]"))
+            shell.type("y")
+            shell.press("Enter")
+        shell.wait(lambda lines: sum("is done" in line for line in lines) == 2)
+        assert any("not +X, -X, +Y, -Y, -Z" in line for line in shell.lines())

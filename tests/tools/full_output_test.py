@@ -32,6 +32,7 @@ HELD = {
     "move": ("--yaw", "300", "--speed", "20", "--wait"),
     "speed": ("--yaw", "20", "--for", "100s"),
     "jog": (),
+    "tune": ("pitch",),
 }
 """Commands that stop the camera after a signal."""
 

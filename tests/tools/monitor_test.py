@@ -289,3 +289,23 @@ def test_without_utf8(tmp_path: Path) -> None:
 def test_without_a_terminal() -> None:
     result = run("monitor", "-p", "tcp:127.0.0.1:1")
     assert result.status == 1 and "monitor needs a terminal" in result.error
+
+
+def test_the_overview_shows_vibration(tmp_path: Path) -> None:
+    with emulated_gimbal("--fault", "resonance=37Hz:10:pitch") as shaking:
+        with terminal(tmp_path, 120, 30) as shell:
+            shell.run("monitor", "--rate", "50", "-p", shaking.address)
+
+            def shows_it(lines: list[str]) -> bool:
+                rows: dict[str, list[str]] = {}
+                for words in filter(None, map(str.split, lines)):
+                    rows.setdefault(words[0], words)  # before the charts
+                head = next((line.split() for line in lines if "deviation" in line), [])
+                if "vibration" not in head or "-" in rows.get("pitch", ["-"]):
+                    return False
+                place = head.index("vibration") + 1
+                pitch, roll = (float(rows[axis][place]) for axis in ("pitch", "roll"))
+                # A sine of this amplitude.
+                return abs(pitch - 10 / 2**0.5) < 1 and roll < 0.5
+
+            shell.wait(shows_it)

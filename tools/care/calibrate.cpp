@@ -14,12 +14,15 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "care/calibration_state.hpp"
 #include "command/arming.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/system.hpp"
 #include "command/wording.hpp"
+#include "motion/motor_state.hpp"
 #include "values/assignments.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
@@ -36,6 +39,9 @@ struct CalibrateOptions {
   std::string voltage{};
   bool temperature = false;
   bool list = false;
+  bool status = false;
+  bool motors_off = false;
+  bool no_check = false;
   Arming arming{};
 };
 
@@ -65,6 +71,7 @@ struct Chosen {
   AnyMessage request;
   Effects effects{};
   CalibrationOptions options{};
+  CalibrationConditions conditions{};
 };
 
 /// The values of the command line; those of the options last.
@@ -97,6 +104,8 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
     // Other actions than calibrating have other effects, which those of the whole form include.
     result.effects = says_action && !options.temperature ? result.form->info->effects
                                                          : calibration.info().effects;
+    // Other actions only manage what is stored.
+    if (!says_action || options.temperature) result.conditions = calibration.conditions;
     assign(result.request, assignments);
     const std::string problems = violations_of(result.request, newest);
     if (!problems.empty()) throw ValueError(problems);
@@ -128,18 +137,57 @@ std::string progress_text(const CalibrationProgress& progress) {
                      progress.state->progress.percent());
 }
 
-int calibrate(const CalibrateOptions& command, const CommandContext& context) {
-  if (command.list) {
-    list_calibrations();
-    return success;
+/// Makes sure that the gimbal is as the calibration expects it.
+void check_conditions(Client& client, const CalibrateOptions& command,
+                      const CalibrationConditions& conditions) {
+  if (command.no_check) return;
+  if (conditions.motors_off && value_of(are_motors_on(client))) {
+    const bool can_ask = !command.arming.yes && is_terminal(stdin) && is_terminal(stderr);
+    if (command.motors_off || can_ask) {
+      arm({.yes = command.motors_off},
+          "The motors are on. They lose power now, and the camera drops to its heavy side.");
+      CallOptions options;
+      options.expect_confirmation = true;
+      value_of(Result<void>(client.call(msg::MotorsOff{}, options)));
+    } else {
+      remark("sbgc: the motors are on; --motors-off turns them off first\n");
+    }
   }
-  if (command.name.empty()) {
-    throw CommandError("say what to calibrate; `sbgc calibrate --list` lists it", wrong_usage);
+  if (!conditions.still) return;
+  // Assumption: more than the noise of a gyroscope, less than that of a hand.
+  constexpr double rest = 1;
+  const double motion = motion_of(client);
+  if (motion <= rest) return;
+  throw CommandError(
+      fmt::format("the camera is not still: it turns by {:.1f} deg/s; leave it alone, or add "
+                  "--no-check",
+                  motion));
+}
+
+/// Says which positions of the accelerometer are calibrated. Returns true if the user wants to
+/// calibrate another one.
+bool wants_next_position(Client& client, const Chosen& chosen, const CalibrateOptions& command) {
+  const bool is_of_acc =
+      chosen.form->info->id == static_cast<std::uint8_t>(msg::CalibAcc::command) ||
+      chosen.form->info->id == static_cast<std::uint8_t>(msg::CalibAccExt::command);
+  if (!is_of_acc || !is_supported<msg::CalibInfoRequest>(client.identity().versions()))
+    return false;
+  msg::CalibInfoRequest request;
+  request.imu_type =
+      chosen.options.imu == msg::CalibImu::frame ? msg::SelectedImu::frame : msg::SelectedImu::main;
+  const Result<msg::CalibInfo> state = client.call(request);
+  if (!state) return false;  // the calibration is done, whatever it says
+  const std::string missing = missing_positions(*state);
+  remark("Calibrated positions: {}{}.\n", calibrated_positions(*state),
+         missing.empty() ? "" : "; not " + missing);
+  if (missing.empty() || command.arming.yes || !is_terminal(stdin) || !is_terminal(stderr)) {
+    return false;
   }
-  Chosen chosen = choose(calibration_named(command.name), command);
-  Client client = connect(context.gimbal);
-  require_possible(client, chosen.request);
-  arm(command.arming, sentences(chosen));
+  return agrees("Turn another of these sides upwards. Calibrate it as well? [y/N] ");
+}
+
+void run_once(Client& client, const CalibrateOptions& command, Chosen& chosen) {
+  check_conditions(client, command, chosen.conditions);
   const Interruption interruption;
   ProgressBar bar;
   chosen.options.progress = [&](const CalibrationProgress& progress) {
@@ -163,6 +211,28 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
       remark("The board has not confirmed the calibration, which it may leave out.\n");
       break;
   }
+}
+
+int calibrate(const CalibrateOptions& command, const CommandContext& context) {
+  if (command.list) {
+    list_calibrations();
+    return success;
+  }
+  if (command.status) {
+    Client client = connect(context.gimbal);
+    print_calibration_state(client);
+    return success;
+  }
+  if (command.name.empty()) {
+    throw CommandError("say what to calibrate; `sbgc calibrate --list` lists it", wrong_usage);
+  }
+  Chosen chosen = choose(calibration_named(command.name), command);
+  Client client = connect(context.gimbal);
+  require_possible(client, chosen.request);
+  arm(command.arming, sentences(chosen));
+  do {
+    run_once(client, command, chosen);
+  } while (wants_next_position(client, chosen, command));
   return success;
 }
 
@@ -177,6 +247,13 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
   command->add_option("values", options.values, "Fields of the request, as for `sbgc send`")
       ->type_name("FIELD=VALUE");
   command->add_flag("--list", options.list, "List what can be calibrated");
+  command->add_flag("--status", options.status, "Show what is calibrated, and change nothing");
+  command->add_flag(
+      "--motors-off", options.motors_off,
+      "Turn the motors off first if the calibration needs it; the camera drops to its "
+      "heavy side");
+  command->add_flag("--no-check", options.no_check,
+                    "Do not check whether the motors are off and the camera is still");
   command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
       ->type_name("active|main|frame");
   command->add_flag("--temperature", options.temperature,
@@ -185,11 +262,17 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       ->add_option("--voltage", options.voltage, "For battery: its measured voltage, such as 12.6V")
       ->type_name("VOLTAGE");
   command->footer(
-      "Says first how to hold the camera. A calibration replaces the stored one. No command stops "
+      "Says first how to hold the camera, and checks it: if the motors are on but should not be, "
+      "it "
+      "offers to turn them off, and a camera that is not still is not calibrated. After `acc`, it "
+      "says "
+      "which of the six positions are done, and goes on with another one. A calibration replaces "
+      "the stored one. No command stops "
       "it: after Ctrl-C, and if the line is lost, the board goes on.\n"
       "\n"
       "Examples:\n"
-      "  sbgc calibrate gyro\n"
+      "  sbgc calibrate --status\n"
+      "  sbgc calibrate gyro --motors-off\n"
       "  sbgc calibrate acc --imu frame\n"
       "  sbgc calibrate battery --voltage 12.6V\n"
       "\n"

@@ -27,13 +27,15 @@ void arm(const Arming& arming, const std::string& what_will_happen) {
   if (!is_terminal(stdin) || !is_terminal(stderr)) {
     throw CommandError("not confirmed: there is no terminal to ask on; add --yes");
   }
-  remark_as_is(Colors(stderr)(Color::bold, "Continue? [y/N] "));
+  if (!agrees("Continue? [y/N] ")) throw CommandError("not confirmed");
+}
+
+bool agrees(const std::string& question) {
+  remark_as_is(Colors(stderr)(Color::bold, question));
   background_stderr().wait();  // nothing moves yet
   std::string answer;
   std::getline(std::cin, answer);
-  if (!detail::is_same_word(answer, "y") && !detail::is_same_word(answer, "yes")) {
-    throw CommandError("not confirmed");
-  }
+  return detail::is_same_word(answer, "y") || detail::is_same_word(answer, "yes");
 }
 
 }  // namespace sbgc::tools

@@ -19,4 +19,7 @@ void add_arming(CLI::App& command, Arming& arming);
 /// can fail without the user's consent is done before.
 void arm(const Arming& arming, const std::string& what_will_happen);
 
+/// Asks the user, who is at a terminal. Anything but a yes is a no.
+bool agrees(const std::string& question);
+
 }  // namespace sbgc::tools

@@ -25,10 +25,11 @@ std::optional<int> run_helper(int argc, char** argv);
 
 /// The type of the functions that add a subcommand.
 using AddCommand = void(CLI::App& app, CommandContext& context);
-AddCommand add_ports, add_info, add_monitor, add_stream, add_describe;
+AddCommand add_ports, add_info, add_monitor, add_stream, add_plot, add_describe;
 AddCommand add_params, add_vars;
 AddCommand add_move, add_speed, add_jog, add_stop, add_motors, add_menu, add_bode;
-AddCommand add_calibrate, add_eeprom, add_files, add_script, add_module, add_reset;
+AddCommand add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module;
+AddCommand add_reset;
 AddCommand add_send, add_record, add_replay, add_decode, add_encode, add_emulate;
 AddCommand add_bridge;
 AddCommand add_shell, add_help, add_completion, add_manual;

@@ -28,6 +28,7 @@
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
 #include "serving/arguments.hpp"
+#include "serving/faults.hpp"
 #include "serving/service.hpp"
 #include "values/firmware_text.hpp"
 
@@ -209,6 +210,13 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->capture_default_str()
       ->group("The board");
   command
+      .add_option("--calibration-time", board.calibration_time,
+                  "Duration of calibrations and tuning in percent of the usual one")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("PERCENT")
+      ->capture_default_str()
+      ->group("The board");
+  command
       .add_flag("--strict", board.is_strict,
                 "Refuse requests with more bytes than the firmware knows, which real boards ignore")
       ->group("The board");
@@ -218,6 +226,21 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       "Motion of the frame: rest, handheld, drone, vehicle, or a CSV file with lines "
       "time,roll,pitch,yaw in seconds and degrees, which repeats [rest]",
       "rest|handheld|drone|vehicle|FILE")
+      ->group("The board");
+  command
+      .add_option_function<std::string>(
+          "--fault",
+          [&](const std::string& list) {
+            try {
+              serving::add_faults(list, board);
+            } catch (const std::invalid_argument& error) {
+              throw CLI::ValidationError("--fault", error.what());
+            }
+          },
+          "What is wrong with the gimbal, which `sbgc doctor` finds; several are joined by "
+          "commas: " +
+              serving::fault_names())
+      ->type_name("FAULT[,FAULT]")
       ->group("The board");
   add_parsed(
       command, "--reset-at", serving::parse_seconds,
@@ -369,6 +392,7 @@ void add_emulate(CLI::App& app, CommandContext& context) {
       "  sbgc emulate --link /tmp/gimbal --verbose\n"
       "  sbgc emulate --tcp 5000 --count 20 --state gimbals/state\n"
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
+      "  sbgc emulate --fault low-battery,resonance=37Hz:0.1:pitch\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
       "The exit status is 0 after Ctrl-C, a termination signal, --for or the end of standard "

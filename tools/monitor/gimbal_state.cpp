@@ -1,5 +1,6 @@
 #include "monitor/gimbal_state.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -40,6 +41,10 @@ LiveValues common_values(const M& message) {
       .joint = {missing, missing, missing},
       .balance = {missing, missing, missing},
       .power = shares(message.motor_power),
+      .rate = {message.axes.roll.gyro_data.degrees_per_second(),
+               message.axes.pitch.gyro_data.degrees_per_second(),
+               message.axes.yaw.gyro_data.degrees_per_second()},
+      .vibration = {missing, missing, missing},
       .battery = message.bat_level.real(),
       .current = missing,
       .temperature = missing,
@@ -73,6 +78,16 @@ LiveValues values_of(const msg::RealtimeData4& message) {
   return values;
 }
 
+/// Returns the standard deviation of the rates of an axis.
+double deviation_of(const std::deque<PerAxis>& rates, std::size_t axis) {
+  const auto count = static_cast<double>(rates.size());
+  double mean = 0;
+  for (const PerAxis& rate : rates) mean += rate[axis] / count;
+  double squares = 0;
+  for (const PerAxis& rate : rates) squares += (rate[axis] - mean) * (rate[axis] - mean);
+  return std::sqrt(squares / count);
+}
+
 }  // namespace
 
 void GimbalState::add(const LiveMessage& message) {
@@ -82,7 +97,15 @@ void GimbalState::add(const LiveMessage& message) {
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);
   arrivals_.push_back(now);
-  while (arrivals_.front() + window < now) arrivals_.pop_front();
+  rates_.push_back(values.rate);
+  while (arrivals_.front() + window < now) {
+    arrivals_.pop_front();
+    rates_.pop_front();
+  }
+  constexpr std::size_t least = 10;
+  for (std::size_t i = 0; i < values.vibration.size() && rates_.size() >= least; ++i) {
+    values.vibration[i] = deviation_of(rates_, i);
+  }
   if (arrivals_.size() > 1) {
     const std::chrono::duration<double> span = now - arrivals_.front();
     state_.rate = static_cast<double>(arrivals_.size() - 1) / span.count();
@@ -108,6 +131,7 @@ void GimbalState::add(const LinkChange& change) {
   state_.is_connected = change.state == LinkState::connected;
   state_.rate = 0;
   arrivals_.clear();
+  rates_.clear();
   log(change.message);
 }
 

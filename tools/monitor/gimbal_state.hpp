@@ -42,6 +42,8 @@ struct LiveValues {
   PerAxis joint{};        ///< in degrees
   PerAxis balance{};      ///< motor power lost to imbalance, in percent
   PerAxis power{};        ///< of the motors, 0 to 1
+  PerAxis rate{};         ///< of the gyroscope, in deg/s
+  PerAxis vibration{};    ///< deviation of the rates of the last seconds from their mean, in deg/s
   double battery{};       ///< in volts
   double current{};       ///< in milliamperes
   double temperature{};   ///< of the main IMU, in degrees Celsius
@@ -92,6 +94,7 @@ class GimbalState {
   mutable std::mutex mutex_;
   GimbalSnapshot state_{};
   std::deque<std::chrono::steady_clock::time_point> arrivals_{};  // within the last seconds
+  std::deque<PerAxis> rates_{};                                   // of the gyroscope, likewise
 };
 
 }  // namespace sbgc::tools

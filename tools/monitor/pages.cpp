@@ -14,8 +14,8 @@
 
 #include "command/help_text.hpp"
 #include "frames/value_rows.hpp"
-#include "monitor/chart.hpp"
 #include "motion/axis_values.hpp"
+#include "signal/chart.hpp"
 
 namespace sbgc::tools {
 
@@ -169,7 +169,7 @@ struct AxisColumn {
   unsigned rank{};
   std::string (*text)(const View& view, const LiveValues& values, std::size_t axis){};
 };
-constexpr std::array<AxisColumn, 6> axis_columns{{
+constexpr std::array<AxisColumn, 7> axis_columns{{
     {"angle", 0,
      [](const View& view, const LiveValues& values, std::size_t axis) {
        return fmt::format("{:.2f}", relative(view, values.angle[axis], axis));
@@ -182,7 +182,11 @@ constexpr std::array<AxisColumn, 6> axis_columns{{
      [](const View&, const LiveValues& values, std::size_t axis) {
        return fmt::format("{:.2f}", values.angle[axis] - values.target[axis]);
      }},
-    {"joint", 4,
+    {"vibration", 4,
+     [](const View&, const LiveValues& values, std::size_t axis) {
+       return number(values.vibration[axis], 2, "");
+     }},
+    {"joint", 5,
      [](const View&, const LiveValues& values, std::size_t axis) {
        return number(values.joint[axis], 2, "");
      }},
@@ -190,7 +194,7 @@ constexpr std::array<AxisColumn, 6> axis_columns{{
      [](const View&, const LiveValues& values, std::size_t axis) {
        return number(values.balance[axis], 0, "%");
      }},
-    {"power", 5,
+    {"power", 6,
      [](const View&, const LiveValues& values, std::size_t axis) {
        return fmt::format("{:.0f} %", values.power[axis] * 100);
      }},
@@ -201,10 +205,12 @@ std::size_t draw_axes(Screen& screen, std::size_t row, const View& view, const L
   constexpr std::size_t begin = 8;
   constexpr std::size_t column_width = 10;
   constexpr std::size_t least_bar = 8;
-  constexpr std::size_t bar_begin = begin + 5 * column_width + 3;
   constexpr std::size_t behind_bar = 8;
+  constexpr std::size_t wide = 100;
+  const std::size_t before_bar = screen.width() < wide ? 5 : 6;
+  const std::size_t bar_begin = begin + before_bar * column_width + 3;
   const bool has_bar = screen.width() >= bar_begin + least_bar + behind_bar;
-  const std::size_t fitting = has_bar ? 5 : (screen.width() - begin - 1) / column_width;
+  const std::size_t fitting = has_bar ? before_bar : (screen.width() - begin - 1) / column_width;
   std::size_t end = begin;
   for (const AxisColumn& column : axis_columns) {
     if (column.rank >= fitting) continue;
@@ -269,10 +275,10 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   const bool is_high = first_row(screen) == 3;
   std::size_t row = draw_axes(screen, first_row(screen), view, values);
   if (is_high) {
-    screen.put(
-        row++, 9,
-        fmt::format("degrees{}; {}", view.zero ? ", relative to the zero" : "", directions_text()),
-        Style::dim);
+    screen.put(row++, 9,
+               fmt::format("degrees{}; vibration in deg/s; {}",
+                           view.zero ? ", relative to the zero" : "", directions_text()),
+               Style::dim);
   }
   row = draw_facts(screen, row, end - 1, values);
   screen.put(row, 2, "errors", Style::bold);
@@ -292,7 +298,7 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
     constexpr double least = 0.5;  // degrees
     const std::vector<double> angles = gimbal.angles[axis].values();
-    const ValueRange range = range_of(angles, least);
+    const ValueRange range = range_of_values(angles, least);
     const auto lines = draw_chart(angles, range, screen.width() - 22, height, style_of(screen));
     screen.put(row, 2, axis_names[axis], Style::bold);
     screen.put(row, 8, fmt::format("{:>9.2f}", relative(view, range.high, axis)), Style::dim);
@@ -339,7 +345,7 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
     const Chart& chart = charts[i];
     std::vector<double> values = chart.history->values();
     for (double& value : values) value = value * chart.scale + chart.shift;
-    const ValueRange range = range_of(values, chart.least);
+    const ValueRange range = range_of_values(values, chart.least);
     const std::size_t top = first_row(screen) + (i / columns - window.begin) * height;
     const std::size_t left = i % columns * width + 1;
     const double last = values.empty() ? std::nan("") : values.back();

@@ -7,10 +7,12 @@
 
 namespace sbgc::tools {
 
-/// What the guard does after the stop.
+/// What the guard does besides the stop.
 enum class AfterStop : unsigned char {
   nothing,
   remove_timeout,  ///< so that RC does not take over: see set_control_timeout()
+  end_tuning,      ///< before the stop, which a board that tunes may not heed
+  all,             ///< for a guard of several commands
 };
 
 /// Runs a guard: a process of its own session that also holds the line. If this process ends

@@ -15,6 +15,7 @@
 #include <sbgc/messages/control.hpp>
 
 #include "command/command_error.hpp"
+#include "motion/end_tuning.hpp"
 #include "motion/guard_channel.hpp"
 
 namespace sbgc::tools {
@@ -36,9 +37,14 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   options.timeout = std::chrono::seconds(5);
   Result<Client> client = connect_over(adopt, options);
   if (!client) return client.error();
+  const auto does = [&](AfterStop what) {
+    return line.after == what || line.after == AfterStop::all;
+  };
+  // A board that does not tune may refuse it.
+  if (does(AfterStop::end_tuning)) static_cast<void>(end_tuning(*client));
   Result<void> stopped = client->stop();
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
-  if (!stopped || line.after != AfterStop::remove_timeout || !has_timeouts) return stopped;
+  if (!stopped || !does(AfterStop::remove_timeout) || !has_timeouts) return stopped;
   return client->set_control_timeout({});
 }
 

@@ -193,7 +193,7 @@ std::vector<ParametersChange> changes_of(const Backup& before, const Backup& aft
   return diff(before.parameters, after.parameters, before.board.versions(), after.board.versions());
 }
 
-int report_changes(const DiffOptions& options, const std::vector<ParametersChange>& changes,
+int report_differences(const DiffOptions& options, const std::vector<ParametersChange>& changes,
                    const std::string& before, const std::string& after) {
   if (options.format == "json") {
     fmt::print("{}\n", detail::json_text(to_json(changes), 2));
@@ -238,7 +238,7 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
     value_of(present.put(*before.parameters.find(block.id)));
   }
   const Availability versions = before.board.versions();
-  return report_changes(options, diff(defaults, present, versions, versions),
+  return report_differences(options, diff(defaults, present, versions, versions),
                         "the factory defaults", profile.text());
 }
 
@@ -257,7 +257,7 @@ int compare(const DiffOptions& options, const CommandContext& context) {
   for (const std::string& mismatch : mismatches(after.board, before.board)) {
     remark("note: {}\n", mismatch);
   }
-  return report_changes(options, changes_of(before, after), options.files[0], name);
+  return report_differences(options, changes_of(before, after), options.files[0], name);
 }
 
 int compare_or_tell(const DiffOptions& options, const CommandContext& context) {

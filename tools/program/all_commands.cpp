@@ -19,10 +19,12 @@ struct Heading {
   std::vector<AddCommand*> commands;
 };
 const std::vector<Heading> headings{
-    {"Look", {add_ports, add_info, add_monitor, add_stream, add_describe}},
+    {"Look", {add_ports, add_info, add_monitor, add_stream, add_plot, add_describe}},
     {"Parameters", {add_params, add_vars}},
     {"Move", {add_move, add_speed, add_jog, add_stop, add_motors, add_menu, add_bode}},
-    {"Care", {add_calibrate, add_eeprom, add_files, add_script, add_module, add_reset}},
+    {"Care",
+     {add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module,
+      add_reset}},
     {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
     {"Share", {add_bridge}},
     {"Shell", {add_shell, add_help, add_completion, add_manual}},

@@ -94,7 +94,7 @@ void ShellLine::close_place(bool is_left_to_guard) {
 bool ShellLine::hand_line_to(const Guard& guard) {
   const std::lock_guard lock(mutex_);
   if (!descriptor_) return false;
-  guard.take(descriptor_.get(), AfterStop::remove_timeout);  // as `speed` and `jog` need it
+  guard.take(descriptor_.get(), AfterStop::all);  // as each command of the shell needs it
   return true;
 }
 

@@ -110,6 +110,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::comm_errors)) {
     msg::CommErrors& errors = data.comm_errors.emplace();
     errors = {};
+    errors.i2c_errors = device.i2c_errors(now);
     errors.serial_errors = static_cast<std::uint16_t>(device.ports.errors(port));
   }
   if (blocks.has(Flag::system_state)) {

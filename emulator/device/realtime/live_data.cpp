@@ -73,6 +73,7 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
   // The counter wraps.
   data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
   data.system_error = device.errors(now);
+  data.system_sub_error = device.options.faults.sub_error;
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
   data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
   data.ext_fc_roll = controller_pulse(device.remote, parameters.rc_map_fc_roll);
@@ -80,7 +81,8 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
   data.angle = wire_angles(sample.angles);
   data.rc_angle = wire_angles(sample.targets);
   if (device.imus.has_frame) data.frame_imu_angle = wire_angles(sample.frame);
-  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
+  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.reported_cycle().us));
+  data.i2c_error_count = device.i2c_errors(now);
   data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
   if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
   data.cur_imu = device.imus.selected;

@@ -17,9 +17,14 @@ concept HasAction = requires(M request) {
 };
 
 template <Message... Forms>
-Calibration calibration(const char* name, bool needs_values = false) {
-  return {name, {CalibrationForm{&Meta<Forms>::info, HasAction<Forms>}...}, needs_values};
+Calibration calibration(const char* name, bool needs_values = false,
+                        CalibrationConditions conditions = {}) {
+  return {
+      name, {CalibrationForm{&Meta<Forms>::info, HasAction<Forms>}...}, needs_values, conditions};
 }
+
+constexpr CalibrationConditions at_rest{.motors_off = true, .still = true};
+constexpr CalibrationConditions by_hand{.motors_off = true};
 
 bool is_calibration(const MessageInfo* info) {
   return std::ranges::any_of(calibrations(), [&](const Calibration& one) {
@@ -31,12 +36,12 @@ bool is_calibration(const MessageInfo* info) {
 
 const std::vector<Calibration>& calibrations() {
   static const std::vector<Calibration> all{
-      calibration<msg::CalibGyro, msg::CalibGyroExt>("gyro"),
-      calibration<msg::CalibAcc, msg::CalibAccExt>("acc"),
-      calibration<msg::CalibAccExtRef>("acc-reference", true),
-      calibration<msg::CalibMag, msg::CalibMagExt>("mag"),
+      calibration<msg::CalibGyro, msg::CalibGyroExt>("gyro", false, at_rest),
+      calibration<msg::CalibAcc, msg::CalibAccExt>("acc", false, at_rest),
+      calibration<msg::CalibAccExtRef>("acc-reference", true, {.still = true}),
+      calibration<msg::CalibMag, msg::CalibMagExt>("mag", false, by_hand),
       calibration<msg::CalibOrientCorr>("orientation"),
-      calibration<msg::EncodersCalibOffset4>("encoders"),
+      calibration<msg::EncodersCalibOffset4>("encoders", false, by_hand),
       calibration<msg::EncodersCalibFldOffset4>("encoder-field"),
       calibration<msg::CalibPoles>("poles"),
       calibration<msg::CalibCogging>("cogging", true),

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include <sbgc/emulator/board_faults.hpp>
 #include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
@@ -27,6 +28,7 @@ struct BoardOptions {
   Bytes<9> device_id{{0x53, 0x42, 0x47, 0x43, 0, 0, 0, 0, 1}};
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
   bool has_frame_imu = true;
+  BoardFaults faults{};
   Gimbal::Options gimbal{};
   /// The size of the request queue in bytes; a request that does not fit is lost as a whole. 0
   /// selects one megabyte, more than a host that waits for responses ever fills.

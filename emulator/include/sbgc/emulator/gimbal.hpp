@@ -102,6 +102,13 @@ struct Sample {
   double frame_heading_error{};
 };
 
+/// A vibration of the camera that its motors excite: a resonance of the frame.
+struct Vibration {
+  double frequency{};    ///< hertz
+  double rate = 0.5;     ///< amplitude of the angular speed, deg/s
+  std::size_t axis = 1;  ///< 0 roll, 1 pitch, 2 yaw
+};
+
 struct Mechanics;
 
 /// The simulation. It advances in fixed steps of 4 ms, so its state depends only on time and
@@ -127,6 +134,9 @@ class Gimbal {
     double capacity = 3.0;  ///< ampere hours; 0 means that it never runs empty
     double ambient = 22;    ///< Celsius
     Axes<double> imbalance{0.02, 0.03, 0.01};  ///< share of the motor's torque at power 100
+    std::optional<Vibration> vibration{};      ///< while the motors are on
+    Axes<double> strain{};  ///< share of the motor's power that holds the camera against a force
+    Vector gyro_drift{};    ///< of the main gyroscope, deg/s; no calibration removes it
   };
 
   Gimbal(const Options& options, Instant start);

@@ -13,11 +13,19 @@ struct CalibrationForm {
   bool has_action{};  ///< what to do, and on which IMU
 };
 
+/// What a board expects while it calibrates, as far as live data tell it. MessageInfo::preparation
+/// says everything in words.
+struct CalibrationConditions {
+  bool motors_off{};
+  bool still{};
+};
+
 /// What a user calls a calibration, and its requests, the simplest first.
 struct Calibration {
   const char* name = "";
   std::vector<CalibrationForm> forms{};
   bool needs_values = false;  ///< without them, the request means nothing
+  CalibrationConditions conditions{};
 
   const MessageInfo& info() const { return *forms.front().info; }
 };

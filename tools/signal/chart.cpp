@@ -1,4 +1,4 @@
-#include "monitor/chart.hpp"
+#include "signal/chart.hpp"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ std::size_t row_of(double value, ValueRange range, std::size_t rows) {
 
 }  // namespace
 
-ValueRange range_of(std::span<const double> values, double least) {
+ValueRange range_of_values(std::span<const double> values, double least) {
   ValueRange range{std::nan(""), std::nan("")};
   for (const double value : values) {
     if (std::isnan(value)) continue;

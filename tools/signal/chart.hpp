@@ -21,7 +21,7 @@ struct ValueRange {
 
 /// Returns the range of the values, at least `least` wide, around their middle; [0, least] without
 /// values.
-ValueRange range_of(std::span<const double> values, double least);
+ValueRange range_of_values(std::span<const double> values, double least);
 
 /// Draws the last values, the newest at the right end, in `height` lines of `width` characters. A
 /// character of Braille shows two values. Values outside the range are drawn at its edge, NaN not

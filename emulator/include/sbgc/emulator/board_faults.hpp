@@ -1,0 +1,18 @@
+/// What is wrong with an emulated board, apart from its gimbal and its line.
+#pragma once
+
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/time.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::emulator {
+
+/// Faults that live data report. They do not change what the board does.
+struct BoardFaults {
+  Flags<msg::SystemError> errors{};  ///< in addition to those that the board finds itself
+  msg::SystemSubError sub_error{};
+  double i2c_errors = 0;  ///< per second
+  Duration cycle{};       ///< of the controller; zero selects the usual one
+};
+
+}  // namespace sbgc::emulator

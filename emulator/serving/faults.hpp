@@ -1,0 +1,17 @@
+/// The faults of `sbgc emulate --fault`, by name.
+#pragma once
+
+#include <string>
+
+#include <sbgc/emulator/board_options.hpp>
+
+namespace sbgc::serving {
+
+/// The names of all faults with their values, for the help: "low-battery, imu, resonance=37Hz …".
+std::string fault_names();
+
+/// Gives the board the faults of a list such as "low-battery,resonance=37Hz:0.1:pitch". Throws
+/// std::invalid_argument with a sentence that states the error and the expected format.
+void add_faults(const std::string& list, emulator::BoardOptions& board);
+
+}  // namespace sbgc::serving

@@ -1,0 +1,126 @@
+"""Tests of sbgc plot."""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import pytest
+
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import run
+
+
+def table(values: list[float], rate: float = 250, late: float = 0, name: str = "gyro[deg/s]") -> str:
+    """Samples at equal distances that arrive up to `late` seconds later."""
+    chance = random.Random(1)
+    rows = [f"time[s],{name}"]
+    last = 0.0
+    for number, value in enumerate(values):
+        last = max(last, number / rate + chance.random() * late)
+        rows.append(f"{last:.6f},{value:.6f}")
+    return "\n".join(rows) + "\n"
+
+
+def sine(hertz: float, amplitude: float, count: int = 1000, rate: float = 250) -> list[float]:
+    return [amplitude * math.sin(math.tau * hertz * at / rate) for at in range(count)]
+
+
+def strongest(text: str) -> tuple[float, float]:
+    found = re.search(r"strongest: ([\d.]+) Hz with ([\d.]+)", text)
+    assert found, text
+    return float(found[1]), float(found[2])
+
+
+@pytest.mark.parametrize("late", [0, 0.02], ids=["in time", "late"])
+def test_a_spectrum_names_the_frequency(late: float) -> None:
+    result = run("plot", "-", "--spectrum", stdin=table(sine(37, 0.4), late=late))
+    assert result.status == 0
+    hertz, amplitude = strongest(result.text)
+    assert hertz == pytest.approx(37, abs=0.5) and amplitude == pytest.approx(0.4, rel=0.1)
+    assert re.search(r"0 Hz +112(\.\d)? Hz", result.text), "45 % of the rate"
+
+
+@pytest.mark.parametrize("lost, status", [(100, 0), (30, 1)])
+def test_lost_samples(lost: int, status: int) -> None:
+    rows = table(sine(20, 1)).splitlines()
+    kept = "\n".join(row for at, row in enumerate(rows) if at < 5 or at % lost != 0)
+    result = run("plot", "-", "--spectrum", stdin=kept)
+    assert result.status == status
+    if status == 0:
+        assert strongest(result.text)[0] == pytest.approx(20, abs=0.5)
+    else:
+        assert "of its samples are lost, more than 1 %" in result.error
+
+
+def test_the_clock_of_the_samples_wraps_and_counts() -> None:
+    rows = ["time[s],timestamp_ms[ms],gyro[deg/s]"]
+    for at, value in enumerate(sine(37, 1)):
+        # They arrive in bundles of 25.
+        rows.append(f"{at // 25 * 0.1},{(65000 + 4 * at) % 65536},{value}")
+    result = run("plot", "-", "gyro", "--spectrum", stdin="\n".join(rows))
+    assert result.status == 0, result.error
+    assert strongest(result.text)[0] == pytest.approx(37, abs=0.5)
+
+
+def test_a_curve_in_the_terminal() -> None:
+    result = run("plot", "-", "--height", "4", "--ascii", stdin=table([0, 1, 2, 3], rate=1))
+    lines = result.text.splitlines()
+    assert lines[0] == "gyro [deg/s]"
+    assert [line.split()[0] for line in (lines[1], lines[4])] == ["3", "0"]
+    assert lines[1].endswith("*") and lines[4].split()[1].startswith("*")
+    assert lines[5].split() == ["0", "s", "3", "s"]
+    assert any("\u2801" <= c <= "\u28ff" for c in run("plot", "-", stdin=table([0, 1])).text)
+
+
+def test_a_picture(tmp_path: Path) -> None:
+    file = tmp_path / "picture.svg"
+    values = table([0, 5, 0], rate=1, name="a&<b")
+    assert run("plot", "-", "--svg", str(file), stdin=values).status == 0
+    picture = xml.parse(file).getroot()
+    assert "a&<b" in {text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")}
+    (path,) = picture.iter("{http://www.w3.org/2000/svg}path")
+    heights = [float(point.split()[1]) for point in re.split("[ML]", path.attrib["d"])[1:]]
+    assert heights[0] == heights[2] == heights[1] + 160
+
+
+def test_live() -> None:
+    with emulated_gimbal("--fault", "resonance=37Hz:0.5:pitch") as gimbal:
+        angles = run("plot", "live", "--for", "300ms", "-p", gimbal.address)
+        shaking = run(
+            *("plot", "live", "gyro_data.pitch", "--stream", "RealtimeDataCustom", "--spectrum"),
+            *("--rate", "250", "--for", "1s", "-p", gimbal.address),
+        )
+    assert angles.status == 0
+    assert re.findall(r"^angle\.(\w+) \[deg\]", angles.text, re.MULTILINE) == [
+        "roll",
+        "pitch",
+        "yaw",
+    ]
+    assert shaking.status == 0, shaking.error
+    assert strongest(shaking.text)[0] == pytest.approx(37, abs=1)
+
+
+@pytest.mark.parametrize(
+    "content, status, words",
+    [
+        ("", 1, "no two rows"),
+        ("time[s],a\n0,1\n", 1, "no two rows"),
+        ("time[s],a\n0,1\n1\n", 1, "line 3 of the table has 1 column instead of 2"),
+        ("time[s],a\n1,1\n0,1\n", 1, "line 3: the first column, 'time', is not a time that grows"),
+        ("time[s],a\nx,1\n0,1\n", 1, "line 2: the first column"),
+        ("time[s],a\n0,x\n1,\n", 1, "hold no numbers"),
+        ("\0\0\n", 1, "`sbgc decode --format csv CAPTURE`"),
+    ],
+)
+def test_tables_that_are_none(content: str, status: int, words: str) -> None:
+    result = run("plot", "-", stdin=content)
+    assert result.status == status and words in result.error
+
+
+def test_a_field_that_is_not_there() -> None:
+    result = run("plot", "-", "speed", stdin=table([0, 1]))
+    assert result.status == 2 and "no column is 'speed'; there are gyro" in result.error

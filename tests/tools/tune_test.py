@@ -1,0 +1,120 @@
+"""Tests of sbgc tune."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from sbgc_command import PROGRAM, run
+from screens import terminal
+
+QUICK = ("--firmware", "2.70b0", "--board", "3.6", "--calibration-time", "10")
+SLOW = ("--firmware", "2.70b0", "--board", "3.6")
+
+
+def gains(gimbal: EmulatedGimbal) -> dict[str, Any]:
+    result = run("params", "show", "--format", "json", "-p", gimbal.address)
+    assert result.status == 0
+    found: dict[str, Any] = json.loads(result.out)
+    return found
+
+
+@pytest.mark.parametrize("options", [QUICK, ("--calibration-time", "10")], ids=["new", "old"])
+def test_what_it_shows_is_on_the_board(options: tuple[str, ...]) -> None:
+    with emulated_gimbal(*options) as gimbal:
+        before = gains(gimbal)
+        result = run("tune", "pitch", "--yes", "-p", gimbal.address)
+        after = gains(gimbal)
+    assert result.status == 0, result.error
+    assert "The new values are kept." in result.error
+    assert before != after
+    rows = dict((line.split()[0], line.split()[1:]) for line in result.text.splitlines())
+    assert rows.pop("parameter") == ["old", "new"]
+    assert rows and all(name.startswith("axes.pitch.") for name in rows), "only this axis"
+    old, new = json.dumps(before), json.dumps(after)
+    for value_before, value_after in rows.values():
+        assert value_before in old and value_after in new
+
+
+def test_no_puts_the_old_values_back(tmp_path: Path) -> None:
+    with emulated_gimbal(*QUICK) as gimbal:
+        before = gains(gimbal)
+        with terminal(tmp_path, 100, 30) as shell:
+            shell.run("tune", "roll", "-p", gimbal.address)
+            shell.wait("Continue")
+            shell.type("y")
+            shell.press("Enter")
+            shell.wait("Keep the new values")
+            assert gains(gimbal) != before
+            shell.type("n")
+            shell.press("Enter")
+            shell.wait("not kept; the old values are back")
+        assert gains(gimbal) == before
+
+
+def test_ctrl_c_ends_the_tuning_and_nothing_changes() -> None:
+    with emulated_gimbal(*SLOW) as gimbal:
+        before = gains(gimbal)
+        with subprocess.Popen(
+            [PROGRAM, "tune", "--yes", "-v", "-p", gimbal.address],
+            stderr=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            text=True,
+        ) as tuning:
+            assert tuning.stderr is not None
+            for line in tuning.stderr:
+                if "CMD_AUTO_PID" in line and "board to host" in line:
+                    break
+            tuning.send_signal(signal.SIGINT)
+            text = tuning.stderr.read()
+            assert tuning.wait() == 130
+        assert "The old values are on the board." in text
+        assert text.rstrip().endswith("interrupted; the camera has stopped")
+        assert gains(gimbal) == before
+        data = json.loads(
+            run(*"send CMD_REALTIME_DATA_4 --format jsonl -p".split(), gimbal.address).out
+        )
+        assert data["fields"]["calib_mode"] == 0
+
+
+def test_a_guard_ends_the_tuning_of_a_dead_command() -> None:
+    with emulated_gimbal(*SLOW) as gimbal:
+        with subprocess.Popen(
+            [PROGRAM, "tune", "--yes", "-v", "-p", gimbal.address],
+            stderr=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            text=True,
+        ) as tuning:
+            assert tuning.stderr is not None
+            for line in tuning.stderr:
+                if "CMD_AUTO_PID" in line and "board to host" in line:
+                    break
+            tuning.kill()
+        deadline = time.monotonic() + 30
+        while time.monotonic() < deadline:
+            result = run(*"send CMD_REALTIME_DATA_4 --format jsonl -p".split(), gimbal.address)
+            if result.status == 0 and json.loads(result.out)["fields"]["calib_mode"] == 0:
+                return
+    raise AssertionError("the board still tunes")
+
+
+def test_what_is_not_possible() -> None:
+    with emulated_gimbal("--board", "3.6", "--firmware", "2.73") as gimbal:
+        later = run("tune", "--yes", "-p", gimbal.address)
+        assert later.status == 1 and "CMD_AUTO_PID" in later.error
+    with emulated_gimbal() as gimbal:
+        assert run("motors", "off", "--yes", "-p", gimbal.address).status == 0
+        off = run("tune", "--yes", "-p", gimbal.address)
+        assert off.status == 1 and "the motors are off" in off.error
+        assert run("motors", "on", "--yes", "-p", gimbal.address).status == 0
+        unasked = run("tune", "-p", gimbal.address)
+        assert unasked.status == 1 and "not confirmed" in unasked.error
+    wrong = run("tune", "tilt", "-p", "tcp:127.0.0.1:1")
+    assert wrong.status == 2

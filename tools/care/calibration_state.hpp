@@ -1,0 +1,23 @@
+/// The state of calibrations, and whether a gimbal is ready for one.
+#pragma once
+
+#include <string>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages/calibration.hpp>
+
+namespace sbgc::tools {
+
+/// The directions of the accelerometer that are calibrated, such as "+X, -Z", or "none".
+std::string calibrated_positions(const msg::CalibInfo& state);
+/// Those that are not; "" if all six are.
+std::string missing_positions(const msg::CalibInfo& state);
+
+/// Prints what is calibrated, for people. Throws CommandError.
+void print_calibration_state(Client& client);
+
+/// Returns how far the gyroscope leaves its mean within a second, in deg/s; an offset counts as
+/// rest. Throws CommandError.
+double motion_of(Client& client);
+
+}  // namespace sbgc::tools

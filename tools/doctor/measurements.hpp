@@ -1,0 +1,106 @@
+/// What `sbgc doctor` measures, before it judges.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/messages/parameters.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/types.hpp>
+
+#include "signal/uniform_samples.hpp"
+#include "signal/vibration.hpp"
+
+namespace sbgc::tools {
+
+/// The mean of the samples that were added.
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  /// Nothing without samples.
+  std::optional<double> value() const {
+    if (count_ == 0) return {};
+    return sum_ / static_cast<double>(count_);
+  }
+
+ private:
+  double sum_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// How often a counter of 16 bits rose while it was watched.
+class CountedErrors {
+ public:
+  void add(std::uint16_t count) {
+    if (last_) risen_ += static_cast<std::uint16_t>(count - *last_);
+    last_ = count;
+  }
+  std::uint64_t risen() const { return risen_; }
+
+ private:
+  std::optional<std::uint16_t> last_{};
+  std::uint64_t risen_ = 0;
+};
+
+/// How the gyroscope was sampled.
+enum class Sampling : std::uint8_t { stream, polls };
+
+struct Measurements {
+  double seconds = 0;  ///< from the first to the last message of live data
+
+  // From live data
+  std::size_t messages = 0;
+  msg::SystemErrors errors{};  ///< those that were ever reported
+  msg::SystemSubError sub_error{};
+  CountedErrors i2c{}, serial{};
+  Axes<Mean> power{};    ///< of the motors, in percent
+  Axes<Mean> balance{};  ///< size of the balance error, in percent; later live data only
+  Mean cycle{};          ///< in microseconds
+  Mean gravity_error{};  ///< in degrees; later live data only
+  std::optional<double> lowest_battery{};  ///< in volts
+  bool has_motors_on = false;              ///< in each message
+  unsigned profile = 0;                    ///< from 1
+  msg::CalibMode task{};
+
+  // From other messages; nothing if the board did not answer
+  std::optional<msg::ReadParams3> parameters{};
+  std::optional<msg::CalibInfo> calibration{};
+
+  // Of the line
+  std::uint64_t frames = 0;      ///< that arrived
+  double damaged_share = 0;      ///< of frames from the board
+  std::uint64_t unanswered = 0;  ///< requests
+
+  // Of the gyroscope
+  Sampling sampling{};
+  std::optional<UniformSamples> gyro{};  ///< in deg/s
+  std::string no_gyro{};                 ///< the reason why there are none
+
+  /// Takes a message of live data.
+  void add(const msg::RealtimeData3& data) { add_common(data); }
+  void add(const msg::RealtimeData4& data);
+
+  /// The vibration of each axis in deg/s; nothing if too many samples are lost.
+  std::optional<Axes<Vibration>> vibration() const;
+
+ private:
+  template <class M>
+  void add_common(const M& data);
+};
+
+/// The rates of the gyroscope in live data, in deg/s.
+template <class M>
+Axes<double> gyro_of(const M& data) {
+  return {data.axes.roll.gyro_data.degrees_per_second(),
+          data.axes.pitch.gyro_data.degrees_per_second(),
+          data.axes.yaw.gyro_data.degrees_per_second()};
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,47 @@
+/// Columns of numbers over time, from CSV as `sbgc stream` and `sbgc decode` write it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbgc::tools {
+
+/// A column. Cells that hold no number are NaN.
+struct Series {
+  std::string path{};  ///< such as "angle.roll"
+  std::string unit{};  ///< "" if it has none
+  std::vector<double> values{};
+};
+
+/// Reads a table line by line.
+class TableReader {
+ public:
+  /// Takes a line without its end; the first one has the names. Throws CommandError.
+  void add_line(std::string_view line);
+  /// Returns the columns; the first one is the time. Throws CommandError if there are no rows.
+  std::vector<Series> finish();
+
+ private:
+  std::vector<Series> columns_{};
+  std::size_t lines_ = 0;
+};
+
+/// Returns the columns after the first that the patterns choose: globs of whole paths, their
+/// beginnings before a dot, or their ends after one, separated by commas; all without patterns.
+/// Throws CommandError for a pattern that chooses nothing.
+std::vector<Series> chosen_series(const std::vector<Series>& columns, std::string_view patterns);
+
+/// Values at equal distances in time.
+struct UniformSeries {
+  double rate{};
+  double lost_share{};
+  std::vector<double> values{};  ///< empty if too many are lost
+};
+/// Finds the distance of the samples, in seconds, from their times of arrival, which may be late;
+/// `clock_ms` is a clock of the samples themselves that wraps at 16 bits, or empty.
+UniformSeries uniform(const std::vector<double>& times, const std::vector<double>& clock_ms,
+                      const std::vector<double>& values);
+
+}  // namespace sbgc::tools

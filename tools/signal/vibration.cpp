@@ -1,0 +1,69 @@
+#include "signal/vibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <sbgc/analysis/spectrum.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr std::size_t most_peaks = 3;
+/// The bins to each side over which the window of the spectrum spreads one frequency.
+constexpr std::size_t spread = 2;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Returns how far the top of a parabola through the logarithms of three values is from the second,
+/// -0.5 to 0.5.
+double top_of(double before, double at, double after) {
+  const double a = std::log(before);
+  const double b = std::log(at);
+  const double c = std::log(after);
+  const double curve = a - 2 * b + c;
+  if (!std::isfinite(curve) || curve >= 0) return 0;
+  return std::clamp((a - c) / (2 * curve), -0.5, 0.5);
+}
+
+}  // namespace
+
+Vibration vibration_of(std::span<const double> samples, double rate) {
+  // Three or more segments, so that noise averages out.
+  const std::size_t length = analysis::segment_length(samples.size() / 2);
+  const analysis::PowerSpectrum spectrum = analysis::power_spectrum(samples, rate, length);
+  if (spectrum.segments == 0) return {};
+  const std::vector<double>& density = spectrum.density;
+  const auto bin = [&](double frequency) {
+    return static_cast<std::size_t>(std::max(0.0, frequency / spectrum.resolution));
+  };
+  const std::size_t first = bin(slowest_vibration) + 1;
+  const std::size_t last = std::min(bin(highest_share * rate), density.size() - 1);
+  if (last < first + 2 * spread) return {};
+  Vibration result;
+  result.rms = std::sqrt(spectrum.power(first, last));
+  const double median = median_of({density.begin() + static_cast<std::ptrdiff_t>(first),
+                                   density.begin() + static_cast<std::ptrdiff_t>(last) + 1});
+  for (std::size_t at = first; at <= last; ++at) {
+    const std::size_t from = at - std::min(at, spread);
+    const std::size_t to = std::min(at + spread, last);
+    const auto begin = density.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = density.begin() + static_cast<std::ptrdiff_t>(to) + 1;
+    const auto highest = std::max_element(begin, end);
+    if (highest - density.begin() != static_cast<std::ptrdiff_t>(at) || density[at] <= 0) continue;
+    const double noise = median * spectrum.resolution * static_cast<double>(to - from + 1);
+    const double power = std::max(0.0, spectrum.power(from, to) - noise);
+    const double shift = at < last ? top_of(density[at - 1], density[at], density[at + 1]) : 0;
+    result.peaks.push_back({(static_cast<double>(at) + shift) * spectrum.resolution,
+                            std::sqrt(2 * power), median > 0 ? density[at] / median : 1e9});
+  }
+  std::ranges::sort(result.peaks, std::ranges::greater{}, &Peak::amplitude);
+  if (result.peaks.size() > most_peaks) result.peaks.resize(most_peaks);
+  return result;
+}
+
+}  // namespace sbgc::tools
