@@ -325,7 +325,7 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
 def _before(place: Place, field: Field, message: Message) -> Iterator[Fact]:
     """What bodies of firmware without the field have in its place."""
     if field.appended:
-        whole = "element" if "[]." in place.path else "body"
+        whole = "element" if "[]." in place.hook else "body"
         yield Fact(place, "field appended", f"before, the {whole} ends here", "meaning")
     elif message.was_reserved(field):
         yield Fact(place, "field reserved before", "before, its bytes are reserved", "meaning")
