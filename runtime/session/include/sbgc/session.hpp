@@ -228,7 +228,7 @@ class BasicSession {
   using Request = detail::SessionRequest<capacity.body>;
   using State = detail::RequestState;
 
-  /// A session for one request at a time needs neither order nor hosts.
+  /// A session for one request at a time needs neither order nor hosts, and knows no series.
   static constexpr bool is_shared = capacity.requests > 1;
 
   // Accepting requests
@@ -498,17 +498,8 @@ class BasicSession {
     } else if (!is_reset && !is_unclear && late.entry != nullptr) {
       event.is_late = true;
       late_replies_.take(*late.entry, settings_.duplicates);
-    } else if (meaning.kind == EventKind::unsolicited) {
-      for (Request& request : requests_) {
-        if (request.is_in_flight() && request.policy.series == frame.id) {
-          event.kind = EventKind::series;
-          event.handle = request.handle;
-          request.attempts = 0;
-          end_pause(request);
-          wait_for_more(request);
-          break;
-        }
-      }
+    } else if (is_shared && meaning.kind == EventKind::unsolicited) {
+      take_in_series(event);
     }
     if (event.is_late) count(&SessionStatistics::late_replies);
     const bool is_unsolicited = event.kind == EventKind::unsolicited && !event.is_late;
@@ -600,7 +591,7 @@ class BasicSession {
       complete(request, Outcome::failed, event.frame, sink);
     } else if (policy.response_required) {
       // A response message is still to come.
-      if (policy.series != 0) wait_for_more(request);
+      if (is_shared && policy.series != 0) wait_for_more(request);
     } else if (request.confirmations >= policy.confirmations) {
       complete(request, Outcome::confirmed, event.frame, sink);
     } else {
@@ -613,6 +604,18 @@ class BasicSession {
   Ticks finish_left(const Request& request) const noexcept {
     const Ticks late = settings_.late;
     return request.late_left > late ? request.late_left - late : 0;
+  }
+
+  /// Finds the request whose response a series of such messages precedes.
+  void take_in_series(Event& event) noexcept {
+    for (Request& request : requests_) {
+      if (!request.is_in_flight() || request.policy.series != event.frame.id) continue;
+      event.kind = EventKind::series;
+      event.handle = request.handle;
+      request.attempts = 0;
+      end_pause(request);
+      return wait_for_more(request);
+    }
   }
 
   /// The board has begun to respond: waits for the next message of a series, or the response.

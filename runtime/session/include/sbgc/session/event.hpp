@@ -45,7 +45,8 @@ enum class EventKind : std::uint8_t {
   completed,     ///< a request has ended; once for every request that send() accepted
   confirmation,  ///< a confirmation; for a request with `handle`, the last one just before it
                  ///< completes
-  series,        ///< a message that precedes the response to the request with `handle`
+  series,        ///< a message that precedes the response to the request with `handle`; not if
+                 ///< the session's capacity is one request
   board_error,   ///< an error that cannot be matched to a request
   stream,        ///< a sample of a data stream that this session has started
   unsolicited,   ///< any other message that no request waits for
