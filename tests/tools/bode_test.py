@@ -106,7 +106,6 @@ def interrupted(
     return status, " ".join(text.split()), time.monotonic() - begin
 
 
-
 def test_the_first_ctrl_c_waits_and_saves(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     file = tmp_path / "yaw.csv"
     status, text, seconds = interrupted(gimbal, file, signals=1)
@@ -177,7 +176,10 @@ def test_a_short_file_has_no_coherence(tmp_path: Path) -> None:
         (("roll", "--table"), "say --gain, --from and --to"),
         (("roll", *SHORT[2:], "--gain", "10001", "--table"), "10001"),
         (("roll", *SHORT[:-2], "--seconds", "61", "--table"), "61"),
-        (("roll", "--gain", "1", "--from", "9", "--to", "8", "--table"), "--from 9 is above --to 8"),
+        (
+            ("roll", "--gain", "1", "--from", "9", "--to", "8", "--table"),
+            "--from 9 is above --to 8",
+        ),
         (("roll", *SHORT, "--table", "--at", "5"), "'5' is not ROLL,PITCH"),
         (("roll", *SHORT, "--table", "--at", "5,x"), "'5,x' is not ROLL,PITCH"),
         (("roll", *SHORT, "--table", "--at", "181,0"), "'181,0' is not ROLL,PITCH"),

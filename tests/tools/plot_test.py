@@ -14,7 +14,9 @@ from emulated_gimbal import emulated_gimbal
 from sbgc_command import run
 
 
-def table(values: list[float], rate: float = 250, late: float = 0, name: str = "gyro[deg/s]") -> str:
+def table(
+    values: list[float], rate: float = 250, late: float = 0, name: str = "gyro[deg/s]"
+) -> str:
     """Samples at equal distances that arrive up to `late` seconds later."""
     chance = random.Random(1)
     rows = [f"time[s],{name}"]
@@ -84,7 +86,7 @@ def test_a_picture(tmp_path: Path) -> None:
     assert "a&<b" in {text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")}
     (path,) = picture.iter("{http://www.w3.org/2000/svg}path")
     heights = [float(point.split()[1]) for point in re.split("[ML]", path.attrib["d"])[1:]]
-    assert heights[0] == heights[2] == heights[1] + 160
+    assert heights[0] == heights[2] == heights[1] + 200
 
 
 def test_live() -> None:

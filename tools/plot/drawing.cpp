@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "signal/line_picture.hpp"
+
 namespace sbgc::tools {
 
 namespace {
@@ -20,62 +22,6 @@ std::string title_of(const Curve& curve) {
   if (!curve.unit.empty()) title += " [" + curve.unit + "]";
   if (!curve.note.empty()) title += "  " + curve.note;
   return title;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
-// The layout of a picture, in pixels.
-constexpr double picture_width = 900;
-constexpr double chart_height = 160;
-constexpr double chart_distance = 220;
-constexpr double left = 80;
-constexpr double right = 20;
-constexpr double top = 30;
-
-void append_chart(std::string& svg, const Curve& curve, double y) {
-  const ValueRange range = range_of_values(curve.values, least_range);
-  const double width = picture_width - left - right;
-  const auto text = [&](double at_x, double at_y, const char* anchor, const std::string& words) {
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", at_x, at_y,
-                       anchor, escaped(words));
-  };
-  text(left, y - 8, "start", title_of(curve));
-  svg += fmt::format(
-      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#999\"/>\n", left,
-      y, width, chart_height);
-  text(left - 6, y + 10, "end", short_number(range.high));
-  text(left - 6, y + chart_height, "end", short_number(range.low));
-  text(left, y + chart_height + 16, "start", short_number(curve.first_x) + " " + curve.x_unit);
-  text(left + width, y + chart_height + 16, "end", short_number(curve.last_x) + " " + curve.x_unit);
-  constexpr std::size_t most_points = 4000;
-  const std::vector<double> values = thinned(curve.values, most_points);
-  const double steps = static_cast<double>(std::max<std::size_t>(values.size(), 2) - 1);
-  std::string path;
-  bool is_broken = true;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) {
-      is_broken = true;
-      continue;
-    }
-    const double share = (values[i] - range.low) / (range.high - range.low);
-    path +=
-        fmt::format("{}{:.1f} {:.1f}", is_broken ? "M" : "L",
-                    left + width * static_cast<double>(i) / steps, y + chart_height * (1 - share));
-    is_broken = false;
-  }
-  svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#06c\"/>\n", path);
 }
 
 }  // namespace
@@ -128,19 +74,19 @@ std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::
 }
 
 std::string draw_svg(const std::vector<Curve>& curves) {
-  const double height = chart_distance * static_cast<double>(curves.size());
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-      "{1}\" "
-      "font-family=\"sans-serif\" font-size=\"13\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      picture_width, height);
-  double y = top;
+  constexpr std::size_t most_points = 4000;
+  std::vector<LinePlot> plots;
   for (const Curve& curve : curves) {
-    append_chart(svg, curve, y);
-    y += chart_distance;
+    LinePlot& plot = plots.emplace_back(LinePlot{.title = title_of(curve), .x_unit = curve.x_unit});
+    auto& line = plot.lines.emplace_back();
+    const std::vector<double> values = thinned(curve.values, most_points);
+    const double steps = static_cast<double>(std::max<std::size_t>(values.size(), 2) - 1);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double share = static_cast<double>(i) / steps;
+      line.push_back({curve.first_x + share * (curve.last_x - curve.first_x), values[i]});
+    }
   }
-  return svg + "</svg>\n";
+  return svg_picture("Curves", {}, plots);
 }
 
 }  // namespace sbgc::tools

@@ -1,0 +1,217 @@
+#include "signal/line_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sbgc::tools {
+
+namespace {
+
+// Distinct also for the color-blind.
+constexpr std::array line_colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+
+// The layout of a picture, in pixels.
+constexpr double picture_width = 800;
+constexpr double plot_left = 70;
+constexpr double plot_right = picture_width - 30;
+constexpr double plot_height = 200;
+constexpr double plot_gap = 50;
+constexpr double plot_top = 30;
+constexpr double legend_line = 18;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      default: result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+    }
+  }
+  return result;
+}
+
+/// The range of the finite numbers that were included, from `low` up.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  /// Where a value is, from 0 to 1.
+  double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
+};
+
+/// A round distance of lines, at most `most` in the range: 1, 2 or 5 times a power of ten, or
+/// degrees.
+double round_step(double size, bool is_angle, double most) {
+  if (is_angle) {
+    for (const double step : {5.0, 15.0, 45.0, 90.0, 180.0}) {
+      if (size / step <= most) return step;
+    }
+    return 360 * std::ceil(size / 360 / most);
+  }
+  const double power = std::pow(10, std::floor(std::log10(size / most)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (size / (factor * power) <= most) return factor * power;
+  }
+  return 10 * power;
+}
+
+class Picture {
+ public:
+  Picture(const std::vector<std::string>& names, const std::vector<LinePlot>& plots)
+      : names_(names), plots_(plots) {}
+
+  std::string draw(const std::string& title) {
+    double top = plot_top + legend_line * static_cast<double>(names_.size());
+    const double height = top + (plot_height + plot_gap) * static_cast<double>(plots_.size());
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+        "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+        "<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+        picture_width, height, escaped(title));
+    for (std::size_t i = 0; i < names_.size(); ++i) add_legend(i);
+    for (const LinePlot& plot : plots_) {
+      add_plot(plot, top);
+      top += plot_height + plot_gap;
+    }
+    add("</svg>\n");
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+  void add_text(double x, double y, const char* anchor, std::string_view words) {
+    add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
+        escaped(words));
+  }
+  static const char* color(std::size_t line) { return line_colors[line % line_colors.size()]; }
+
+  void add_legend(std::size_t line) {
+    const double middle = plot_top - 10 + legend_line * static_cast<double>(line);
+    add("<line x1=\"{0:.0f}\" y1=\"{1:.1f}\" x2=\"{2:.0f}\" y2=\"{1:.1f}\" stroke=\"{3}\" "
+        "stroke-width=\"2\"/>\n",
+        plot_left, middle - 4, plot_left + 24, color(line));
+    add_text(plot_left + 32, middle, "start", names_[line]);
+  }
+
+  void add_plot(const LinePlot& plot, double top) {
+    measure(plot, top);
+    add_text(plot_left, top - 6, "start", plot.title);
+    for (double value = values_.low; value < values_.high + step_ / 2; value += step_) {
+      add_grid_line(plot_left, y(value), plot_right, y(value));
+      const double shown = std::abs(value) < step_ / 2 ? 0 : value;
+      add_text(plot_left - 6, y(value) + 4, "end", fmt::format("{:.4g}", shown));
+    }
+    add_places(plot);
+    for (std::size_t i = 0; i < plot.lines.size(); ++i) add_line(plot.lines[i], i);
+  }
+
+  /// Prepares x() and y(). The range of values extends to the lines of its grid.
+  void measure(const LinePlot& plot, double top) {
+    top_ = top;
+    has_log_x_ = plot.has_log_x;
+    places_ = values_ = {};
+    for (const auto& line : plot.lines) {
+      for (const LinePoint& point : line) {
+        places_.include(point.x);
+        values_.include(point.y);
+      }
+    }
+    if (plot.values) values_ = {plot.values->low, plot.values->high};
+    if (values_.low > values_.high) values_ = {0, 1};
+    if (places_.low > places_.high) places_ = {1, 100};
+    constexpr double most_lines = 6;
+    const double least = std::max(1e-9, 1e-3 * std::abs(values_.high));
+    step_ = round_step(std::max(values_.high - values_.low, least), plot.shows_angles, most_lines);
+    values_.low = std::floor(values_.low / step_) * step_;
+    values_.high = std::ceil(values_.high / step_) * step_;
+    if (values_.low == values_.high) values_.high += step_;
+  }
+  double x(double place) const {
+    const double width = plot_right - plot_left;
+    if (!has_log_x_) return plot_left + width * places_.share(place);
+    const Interval logs{std::log10(places_.low), std::log10(places_.high)};
+    return plot_left + width * logs.share(std::log10(place));
+  }
+  double y(double value) const { return top_ + plot_height * (1 - values_.share(value)); }
+
+  void add_grid_line(double x1, double y1, double x2, double y2) {
+    add("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ddd\"/>\n", x1, y1,
+        x2, y2);
+  }
+  void add_place(double place, bool is_labeled) {
+    if (place < places_.low || place > places_.high) return;
+    add_grid_line(x(place), top_, x(place), top_ + plot_height);
+    if (is_labeled)
+      add_text(x(place), top_ + plot_height + 16, "middle", fmt::format("{:.4g}", place));
+  }
+
+  /// Lines at round places: for a logarithmic scale, at the digits of each power of ten.
+  void add_places(const LinePlot& plot) {
+    add_text(plot_right + 14, top_ + plot_height + 16, "start", plot.x_unit);
+    if (has_log_x_) {
+      constexpr int last_labeled = 5;
+      for (double power = std::pow(10, std::floor(std::log10(places_.low))); power <= places_.high;
+           power *= 10) {
+        for (int digit = 1; digit < 10; ++digit) {
+          add_place(power * digit, digit <= last_labeled);
+        }
+      }
+      return;
+    }
+    constexpr double most_lines = 10;
+    const double step = round_step(std::max(places_.high - places_.low, 1e-9), false, most_lines);
+    const double first = std::ceil(places_.low / step);
+    for (double i = first; i * step <= places_.high; ++i) add_place(i * step, true);
+  }
+
+  void add_line(const std::vector<LinePoint>& points, std::size_t line) {
+    std::string path;
+    bool is_down = false;
+    for (const LinePoint& point : points) {
+      const bool is_number = std::isfinite(point.y);
+      if (is_number) {
+        fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", is_down ? 'L' : 'M', x(point.x),
+                       y(point.y));
+      }
+      is_down = is_number;
+    }
+    if (path.empty()) return;
+    add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color(line));
+  }
+
+  const std::vector<std::string>& names_;
+  const std::vector<LinePlot>& plots_;
+  std::string text_{};
+
+  // Of the plot that is being drawn
+  Interval places_{}, values_{};
+  double step_{};  ///< between two lines of the grid of values
+  double top_{};
+  bool has_log_x_{};
+};
+
+}  // namespace
+
+std::string svg_picture(const std::string& title, const std::vector<std::string>& names,
+                        const std::vector<LinePlot>& plots) {
+  return Picture(names, plots).draw(title);
+}
+
+}  // namespace sbgc::tools
