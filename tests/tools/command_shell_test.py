@@ -78,6 +78,13 @@ def begin(terminal_of_test: Terminal, address: str) -> None:
     terminal_of_test.wait("^sbgc>$")
 
 
+def test_the_greeting_is_wrapped_between_words(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, 40, 10) as screen:
+        begin(screen, gimbal.address)
+        lines = [line.rstrip() for line in screen.lines()]
+    assert "`help` lists the commands; Ctrl-D or" in lines and "`exit` ends." in lines
+
+
 def test_keys_on_a_terminal(tmp_path: Path, history: Path) -> None:
     (tmp_path / "some file").touch()
     with emulated_gimbal() as gimbal, terminal(tmp_path) as screen:

@@ -70,4 +70,4 @@ def test_live_json_over_udp(folder: Path) -> None:
         messages = [json.loads(receiver.recv(65536)) for _ in range(5)]
     times = [message["time"] for message in messages]
     assert times == sorted(set(times))
-    assert all("pitch" in message["fields"]["angle"] for message in messages)
+    assert all("angle.pitch" in message["fields"] for message in messages)
