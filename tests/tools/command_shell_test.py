@@ -70,7 +70,7 @@ def test_options_of_the_shell_hold_for_its_commands() -> None:
         assert "CMD_GET_ANGLES (73)  host to board" in result.error
         result = shell(gimbal.address, f"info -p {other.address}", "info")
         assert result.text.index("2.70") < result.text.index("2.59"), "a gimbal of its own"
-        assert other.address in result.text and "pts" not in result.text, "not the shell's own line"
+        assert gimbal.address[4:] in result.text and "pts" not in result.text, "the real line"
 
 
 def begin(terminal_of_test: Terminal, address: str) -> None:
@@ -91,6 +91,13 @@ def test_a_line_with_a_password_is_neither_run_nor_kept(tmp_path: Path, history:
         screen.wait(r"^sbgc> \^D\n\$")
     kept = history.read_text("utf-8")
     assert "describe" in kept and "Sesam" not in kept
+
+
+def test_the_greeting_is_wrapped_between_words(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, 40, 10) as screen:
+        begin(screen, gimbal.address)
+        lines = [line.rstrip() for line in screen.lines()]
+    assert "`help` lists the commands; Ctrl-D or" in lines and "`exit` ends." in lines
 
 
 def test_keys_on_a_terminal(tmp_path: Path, history: Path) -> None:

@@ -150,6 +150,7 @@ def test_a_small_screen(tmp_path: Path) -> None:
         shell.press("3")
         lines = shell.wait("1–7 of 5")
         assert lines[2].split()[0].startswith("axes.roll.") and all(lines[2:9])
+        assert re.match(r" axes\.roll\.gyro_data {4}\S.* deg/s", lines[3]), "the unit has room"
         shell.press("4")
         lines = shell.wait("TCP connection to$")
         assert lines[3].strip() == gimbal.address[4:], "long texts go on in the next line"

@@ -42,6 +42,7 @@ def test_the_parameters_are_paged_on_a_terminal(tmp_path: Path) -> None:
         shell.run("params", "show", "-p", gimbal.address)
         lines = shell.wait("^:$")
         assert lines[0].startswith("profile 1") and len(lines) == 24
+        assert lines[1].startswith("pid: Gains of the controller (ReadParams3, ")
         shell.press("q")
         shell.wait(r"^\$ $|^\$$")
         shell.type("clear; PAGER='sed s/^/P./' ")

@@ -375,6 +375,8 @@ Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
   const std::size_t columns = std::max<std::size_t>(screen.width() / column_width, 1);
   const std::size_t lines = (count + columns - 1) / columns;
   const Window window = window_of(view, lines, end_row(screen) - first_row(screen));
+  std::size_t path_width = 0;
+  for (const Row& row : rows) path_width = std::max(path_width, row.path.text().size());
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t line = i % lines;
     if (line < window.begin || line >= window.end) continue;
@@ -385,7 +387,9 @@ Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
     const auto meaning = fmt::format("{}", rows.meaning(row));
     screen.put(top, left, row.path.text());
     if (screen.width() < column_width) {  // only one of both has room
-      screen.put(top, left + 26, meaning.empty() ? raw : meaning, Style::accent);
+      const std::size_t column = left + path_width + 2;
+      const std::size_t room = screen.width() - std::min(column, screen.width());
+      screen.put(top, column, cut(meaning.empty() ? raw : meaning, room), Style::accent);
       continue;
     }
     screen.put(top, left + 26, fmt::format("{:>10}", raw), Style::dim);

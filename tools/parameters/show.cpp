@@ -112,8 +112,8 @@ std::string table_of(const std::vector<ShownParameter>& parameters) {
   for (const TopicReference& topic : topic_references) {
     const std::vector<const ShownParameter*> listed = parameters_of(topic, parameters);
     if (listed.empty()) continue;
-    result += wrapped(fmt::format("{}: {} ({})", colors(Color::bold, topic.name), topic.summary,
-                                  messages_of(listed)),
+    result += wrapped(fmt::format("{}: {} ({})", colors(Color::bold, topic.name),
+                                  detail::without_period(topic.summary), messages_of(listed)),
                       line_width());
     result += '\n';
     for (const ShownParameter* const parameter : listed) {

@@ -19,6 +19,7 @@
 
 #include "board/connect_options.hpp"
 #include "board/connection.hpp"
+#include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -171,8 +172,8 @@ class CommandShell {
       struct sigaction action {};
       action.sa_handler = take_key;
       ::sigaction(SIGINT, &action, nullptr);
-      remark("{}\n", line_->description());
-      remark("`help` lists the commands; Ctrl-D or `exit` ends.\n");
+      greet();
+      tell("`help` lists the commands; Ctrl-D or `exit` ends.");
     }
     for (std::size_t number = 1;; ++number) {
       const std::optional<std::string> line = editor.read();
@@ -202,6 +203,9 @@ class CommandShell {
   }
 
  private:
+  static void tell(const std::string& text) { remark("{}\n", wrapped(text, line_width(stderr))); }
+  void greet() { tell(line_->description()); }
+
   std::vector<std::string> complete(std::string_view line) const {
     Words typed = split_typed(line);
     if (typed.words.size() > 1 && typed.words.front() == "sbgc") {
@@ -250,7 +254,7 @@ class CommandShell {
     if (line_ && line_->wait_until_connected()) return line_->report_changes();
     line_.reset();
     line_.emplace(gimbal_);
-    remark("{}\n", line_->description());
+    greet();
   }
 
   /// Returns the options of a command, with a place for it.
