@@ -292,6 +292,44 @@ def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> N
     assert seen > 2 * len([p for p in pages if p.startswith("messages/")])
 
 
+def test_tasks_of_the_guide_are_on_the_pages_of_their_messages(pages: Pages) -> None:
+    def tasks_of(page: str) -> list[str]:
+        return [
+            code.text for code in pages[f"messages/{page}.html"].root.with_class("example-task")
+        ]
+
+    assert tasks_of("calib-gyro") == ["sbgc calibrate gyro"]
+    assert tasks_of("control-ext")[0] == "sbgc move --pitch 5 --speed 30"
+    assert set(tasks_of("control")) == set(tasks_of("control-ext")) and "sbgc stop" in tasks_of(
+        "control"
+    )
+    assert tasks_of("get-angles") == [] == tasks_of("confirm")
+
+
+def test_what_is_related_is_linked_once(pages: Pages, layout: Layout) -> None:
+    for message in layout.definitions:
+        page = pages[f"messages/{slug(message.name)}.html"]
+        (section,) = [e for e in page.root.all("section") if e.get("id") == "see-also"]
+        links = [a.get("href") for a in section.all("a")]
+        assert links and len(links) == len(set(links)), page.path
+        assert f"../{page.path}" not in links
+    also = {
+        a.get("href")
+        for e in pages["messages/get-angles.html"].root.all("section")
+        if e.get("id") == "see-also"
+        for a in e.all("a")
+    }
+    assert "../messages/get-angles-request.html" in also, "what asks for it"
+    assert any(link.startswith("../guides/streams.html") for link in also), "a guide that names it"
+    also = {
+        a.get("href")
+        for e in pages["messages/write-params3.html"].root.all("section")
+        if e.get("id") == "see-also"
+        for a in e.all("a")
+    }
+    assert "../messages/read-params3.html" in also, "what reads the same parameters"
+
+
 def frames_of(text: str) -> list[list[str]]:
     """Returns the lines of `sbgc decode` by frame, without the summary in the last line."""
     frames: list[list[str]] = []

@@ -305,7 +305,7 @@ test("the languages of an example are tabs; the choice holds for other pages", a
   const names = ["Command line", "C++ client", "C++ codec", "Python", "Bytes"];
   assert.deepEqual(await page.getByRole("tab").allTextContents(), names);
   assert.equal(await shown(), "Command line");
-  await page.getByRole("tab", { name: "C++ codec" }).press("ArrowRight");
+  await page.getByRole("tab", { name: "Command line" }).press("ArrowRight");
   assert.equal(await shown(), "C++ client");
   await page.getByRole("tab", { name: "C++ codec" }).click();
   await visit(page, second);

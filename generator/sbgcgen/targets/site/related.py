@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from html import unescape
 
 from sbgcgen.model import Layout, Message, Struct
 from sbgcgen.targets.site.guides import Guide
@@ -32,6 +33,9 @@ class Related:
     structs: list[Message] = field(default_factory=list)  # with parts of the same types
     family: list[Message] = field(default_factory=list)
     guides: list[Mention] = field(default_factory=list)
+    tasks: list[str] = field(
+        default_factory=list
+    )  # command lines that send it, or another form of it
 
 
 class Relations:
@@ -46,6 +50,7 @@ class Relations:
             for name in _structs(message):
                 self._users.setdefault(name, []).append(message)
         self._mentions = _mentions(guides)
+        self._tasks = _tasks(guides)
 
     def of(self, message: Message) -> Related:
         seen = {message.name}
@@ -61,6 +66,7 @@ class Relations:
             new(user for name in _structs(message) for user in self._users[name]),
             new(self._neighbors(message)),
             self._guides(message),
+            self._tasks_of(message),
         )
 
     def _exchange(self, message: Message) -> Iterator[Message]:
@@ -86,6 +92,15 @@ class Relations:
         found = [*self._mentions.get(message.name, ()), *self._mentions.get(message.command, ())]
         return list(dict.fromkeys(found))[:_GUIDES]
 
+    def _tasks_of(self, message: Message) -> list[str]:
+        if all(
+            m.direction == "from_board" for m in self._layout.messages if m.name == message.name
+        ):
+            return []
+        forms = [m.name for m in self._layout.definitions if m.command == message.command]
+        names = [message.name, *forms]  # its own tasks first
+        return list(dict.fromkeys(task for name in names for task in self._tasks.get(name, ())))
+
 
 def _structs(message: Message) -> list[str]:
     types = [row.field.type for row in rows_of(message)]
@@ -104,4 +119,17 @@ def _mentions(guides: Sequence[Guide]) -> dict[str, list[Mention]]:
             )
             for word in dict.fromkeys(re.findall(r"\b[A-Z]\w+", part.html)):
                 found.setdefault(word, []).append(mention)
+    return found
+
+
+def _tasks(guides: Sequence[Guide]) -> dict[str, list[str]]:
+    """The command lines that guides list in tables beside the messages that they send, by message."""
+    found: dict[str, list[str]] = {}
+    for guide in guides:
+        rows = re.findall(
+            r"<tr>\s*<td><code>([^<]+)</code></td>\s*<td>(.*?)</td>", guide.html, re.DOTALL
+        )
+        for task, cell in rows:
+            for name in re.findall(r"<code>(\w+)</code>", cell) if " " in task else ():
+                found.setdefault(name, []).append(unescape(task))
     return found
