@@ -1,5 +1,6 @@
-// Fuzzes the reader of recorded frequency responses. Every text is a recording or an error that names
-// a line, in time in proportion to its size; a recording survives being written and read again.
+// Fuzzes the reader of recorded frequency responses. Every text is a recording or an error that
+// names a line, in time in proportion to its size; a recording survives being written and read
+// again.
 
 #include <chrono>
 #include <cmath>

@@ -16,7 +16,14 @@ from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalError, GimbalTimeout
 from sbgc.message import Message, wrap
-from sbgc.msg import BoardInfo, BoardInfo3, BodeTestStartStopRequest, CalibInfo, RunScript, ScriptMode
+from sbgc.msg import (
+    BoardInfo,
+    BoardInfo3,
+    BodeTestStartStopRequest,
+    CalibInfo,
+    RunScript,
+    ScriptMode,
+)
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)

@@ -45,7 +45,7 @@ int list_modules(const ModuleListChoice& options, const CommandContext& context)
   Client client = connect(context.gimbal);
   const msg::ModuleList list = modules_on(client);
   if (options.format == "json") {
-    fmt::print("{}\n", to_json(list));
+    fmt::print("{}\n", sbgc::to_json(list));
     return success;
   }
   if (list.modules.empty()) {

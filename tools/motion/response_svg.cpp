@@ -23,7 +23,8 @@ namespace {
 using analysis::ResponsePoint;
 
 // Distinct also for the color-blind.
-constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+constexpr std::array response_colors{"#0072b2", "#d55e00", "#009e73",
+                                     "#cc79a7", "#e69f00", "#56b4e9"};
 
 constexpr double picture_width = 800;
 constexpr double plot_left = 60;
@@ -33,7 +34,7 @@ constexpr double plot_gap = 50;
 constexpr double plot_top = 30;
 constexpr double legend_line = 18;
 
-struct Interval {
+struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -50,12 +51,12 @@ struct Interval {
 struct Plot {
   const char* title;
   std::function<std::optional<double>(const ResponsePoint&)> value;
-  Interval range{};
+  AxisRange range{};
   double step{};  ///< between two lines of the grid
   double top{};
 };
 
-std::string escaped(std::string_view text) {
+std::string xml_text(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -142,20 +143,22 @@ class Picture {
   }
 
   double x(double frequency) const {
-    const Interval logs{std::log10(frequencies_.low), std::log10(frequencies_.high)};
+    const AxisRange logs{std::log10(frequencies_.low), std::log10(frequencies_.high)};
     return plot_left + (plot_right - plot_left) * logs.share(std::log10(frequency));
   }
   static double y(const Plot& plot, double value) {
     return plot.top + plot_height * (1 - plot.range.share(value));
   }
-  static const char* color(std::size_t response) { return colors[response % colors.size()]; }
+  static const char* color(std::size_t response) {
+    return response_colors[response % response_colors.size()];
+  }
 
   void add_legend(std::size_t response) {
     const double middle = plot_top - 10 + legend_line * static_cast<double>(response);
     add("<path d=\"M{0:.0f} {1:.1f}h24\" stroke=\"{2}\" stroke-width=\"2\"/>"
         "<text x=\"{3:.0f}\" y=\"{4:.1f}\">{5}</text>\n",
         plot_left, middle - 4, color(response), plot_left + 32, middle,
-        escaped(responses_[response].name));
+        xml_text(responses_[response].name));
   }
 
   void add_grid(const Plot& plot) {
@@ -205,7 +208,7 @@ class Picture {
   }
 
   const std::vector<NamedResponse>& responses_;
-  Interval frequencies_{};
+  AxisRange frequencies_{};
   std::array<Plot, 3> plots_{
       Plot{"Gain in dB", [](const ResponsePoint& point) { return std::optional(point.gain); }},
       Plot{"Phase in degrees",
