@@ -183,6 +183,7 @@ def test_a_short_file_has_no_coherence(tmp_path: Path) -> None:
         (("roll", *SHORT, "--table", "--at", "5,x"), "'5,x' is not ROLL,PITCH"),
         (("roll", *SHORT, "--table", "--at", "181,0"), "'181,0' is not ROLL,PITCH"),
         (("roll", "--read", "x", "--table"), "takes no axis"),
+        (("roll", *SHORT, "--table", "--system", "plant"), "is none of CONTROLLER, OPEN_LOOP"),
     ],
 )
 def test_wrong_usage(arguments: tuple[str, ...], words: str) -> None:

@@ -55,19 +55,16 @@ struct BodeCommand {
   Arming arming{};
 };
 
+/// The value with this name. Throws CommandError, which lists the names.
 template <class E>
-std::vector<std::string> words_of_enum() {
-  std::vector<std::string> words;
-  for (const ValueInfo& value : EnumMeta<E>::info.values) words.emplace_back(value.name);
-  return words;
-}
-
-template <class E>
-E bode_value(const std::string& word) {
+E bode_value(const std::string& word, const char* option) {
+  std::string names;
   for (const ValueInfo& value : EnumMeta<E>::info.values) {
     if (detail::is_same_word(word, value.name)) return static_cast<E>(value.value);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", value.name);
   }
-  throw CommandError(fmt::format("unknown value '{}'", clipped(word)), wrong_usage);
+  throw CommandError(fmt::format("{} '{}' is none of {}", option, clipped(word), names),
+                     wrong_usage);
 }
 
 msg::BodeTestStartStopRequest bode_request(const BodeCommand& command) {
@@ -82,12 +79,12 @@ msg::BodeTestStartStopRequest bode_request(const BodeCommand& command) {
                        wrong_usage);
   }
   msg::BodeTestStartStopRequest request;
-  request.axis = bode_value<msg::BodeAxis>(command.axis);
-  request.stimulus_type = bode_value<msg::BodeStimulus>(command.stimulus);
+  request.axis = bode_value<msg::BodeAxis>(command.axis, "the axis");
+  request.stimulus_type = bode_value<msg::BodeStimulus>(command.stimulus, "--stimulus");
   request.stimulus_gain = static_cast<std::uint16_t>(command.gain);
   request.start_freq = msg::Frequency(static_cast<std::uint16_t>(command.from));
   request.end_freq = msg::Frequency(static_cast<std::uint16_t>(command.to));
-  request.system = bode_value<msg::BodeSystem>(command.system);
+  request.system = bode_value<msg::BodeSystem>(command.system, "--system");
   request.samples_num = bode_samples(command.seconds);
   return request;
 }
@@ -260,10 +257,10 @@ void add_bode(CLI::App& app, CommandContext& context) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command->add_option("--stimulus", options.stimulus, "What shakes the axis")
-      ->transform(one_of(words_of_enum<msg::BodeStimulus>()))
+      ->type_name("STIMULUS")
       ->capture_default_str();
   command->add_option("--system", options.system, "What to measure")
-      ->transform(one_of(words_of_enum<msg::BodeSystem>()))
+      ->type_name("SYSTEM")
       ->capture_default_str();
   command
       ->add_option("--at", options.positions,
@@ -284,6 +281,9 @@ void add_bode(CLI::App& app, CommandContext& context) {
   command->add_flag("--table", options.table, "Print frequency, gain, phase and coherence");
   command->add_option("--svg", options.svg, "Draw gain, phase and coherence")->type_name("FILE");
   command->footer(
+      "`sbgc describe BodeStimulus` and `sbgc describe BodeSystem` list what --stimulus and "
+      "--system take.\n"
+      "\n"
       "The board shakes the axis and sends what goes in and comes out, 1250 samples a second. No "
       "command "
       "ends a recording before its time: Ctrl-C waits, and a second one turns the motors off.\n"
