@@ -14,7 +14,7 @@
 namespace sbgc::analysis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rate = 1250;
 
 /// A system with two poles and a delay of `delay` samples.

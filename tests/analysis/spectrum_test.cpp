@@ -15,7 +15,7 @@
 namespace sbgc::analysis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> noise(std::size_t count, unsigned seed) {

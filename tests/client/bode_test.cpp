@@ -278,6 +278,8 @@ TEST(BodeFile, IsThatOfTheVendor) {
   EXPECT_EQ(read->input[1], -12345.5);
   EXPECT_FLOAT_EQ(static_cast<float>(read->output[0]), 1e-7F);
   EXPECT_EQ(read->lost, 1U);
+  recorded.output[1] = static_cast<double>(0.1F);
+  EXPECT_EQ(parse_bode_csv(to_csv(recorded))->output[1], recorded.output[1]) << "no digit is lost";
 }
 
 TEST(BodeFile, MayHaveWindowsLineEndsAndNoLastOne) {

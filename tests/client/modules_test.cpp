@@ -42,6 +42,7 @@ emulator::EmulatorOptions newest() {
 class PartsLine : public VirtualLine {
  public:
   void lose(Way way, int number) { lost_ = {way, number}; }
+  void lose_nothing() { lost_.reset(); }
 
   void send(Way way, std::span<const std::uint8_t> bytes, Instant at) override {
     parsers_[way == Way::to_board ? 0 : 1].feed(bytes, [&](const Frame& frame) {
@@ -141,6 +142,7 @@ TEST(Modules, LossesAndKillsNeverRepeatOrSkipAPart) {
     }
     // The next time starts from the beginning.
     line.parts.clear();
+    line.lose_nothing();
     const auto again = client.run(tasks::flash_module(driver, bytes));
     ASSERT_TRUE(again) << again.error().message;
     expect_in_order(line.parts);

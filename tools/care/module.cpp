@@ -45,7 +45,7 @@ int list_modules(const ModuleListChoice& options, const CommandContext& context)
   Client client = connect(context.gimbal);
   const msg::ModuleList list = modules_on(client);
   if (options.format == "json") {
-    fmt::print("{}\n", to_json(list));
+    fmt::print("{}\n", sbgc::to_json(list));
     return success;
   }
   if (list.modules.empty()) {
@@ -107,6 +107,8 @@ void add_module(CLI::App& app, CommandContext& context) {
   const Subcommand<NoOptions> command(app, context, "module",
                                       "List modules on the CAN bus, and load their firmware");
   command->require_subcommand(1);
+  command->footer(
+      "The exit status is 0 for success; 1 for a failure; 2 for wrong usage; 130 after Ctrl-C.");
 
   const Subcommand<ModuleListChoice> list(*command, context, "list", "List the modules");
   add_format(*list, list.options().format);
@@ -123,9 +125,6 @@ void add_module(CLI::App& app, CommandContext& context) {
       "Each part of the file is sent once, after the board has confirmed the one before. On any "
       "error the "
       "command ends and says which part was confirmed last; then start again from the beginning.\n"
-      "\n"
-      "Examples:\n"
-      "  sbgc module flash driver.bin --module CAN_DRV1\n"
       "\n"
       "The exit status is 0 if the board has confirmed all of it; 1 if not; 2 for wrong usage; 130 "
       "after "

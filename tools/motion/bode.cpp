@@ -24,6 +24,7 @@
 #include "command/subcommand.hpp"
 #include "memory/local_file.hpp"
 #include "motion/bode_recorder.hpp"
+#include "motion/paused_streams.hpp"
 #include "motion/response_table.hpp"
 
 namespace sbgc::tools {
@@ -54,22 +55,19 @@ struct BodeCommand {
   Arming arming{};
 };
 
+/// The value with this name. Throws CommandError, which lists the names.
 template <class E>
-std::vector<std::string> words_of_enum() {
-  std::vector<std::string> words;
-  for (const ValueInfo& value : EnumMeta<E>::info.values) words.emplace_back(value.name);
-  return words;
-}
-
-template <class E>
-E value_named(const std::string& word) {
+E bode_value(const std::string& word, const char* option) {
+  std::string names;
   for (const ValueInfo& value : EnumMeta<E>::info.values) {
     if (detail::is_same_word(word, value.name)) return static_cast<E>(value.value);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", value.name);
   }
-  throw CommandError(fmt::format("unknown value '{}'", clipped(word)), wrong_usage);
+  throw CommandError(fmt::format("{} '{}' is none of {}", option, clipped(word), names),
+                     wrong_usage);
 }
 
-msg::BodeTestStartStopRequest request_of(const BodeCommand& command) {
+msg::BodeTestStartStopRequest bode_request(const BodeCommand& command) {
   if (command.axis.empty()) throw CommandError("say the axis: roll, pitch or yaw", wrong_usage);
   if (command.gain == 0 || command.from == 0 || command.to == 0) {
     throw CommandError(
@@ -81,12 +79,12 @@ msg::BodeTestStartStopRequest request_of(const BodeCommand& command) {
                        wrong_usage);
   }
   msg::BodeTestStartStopRequest request;
-  request.axis = value_named<msg::BodeAxis>(command.axis);
-  request.stimulus_type = value_named<msg::BodeStimulus>(command.stimulus);
+  request.axis = bode_value<msg::BodeAxis>(command.axis, "the axis");
+  request.stimulus_type = bode_value<msg::BodeStimulus>(command.stimulus, "--stimulus");
   request.stimulus_gain = static_cast<std::uint16_t>(command.gain);
   request.start_freq = msg::Frequency(static_cast<std::uint16_t>(command.from));
   request.end_freq = msg::Frequency(static_cast<std::uint16_t>(command.to));
-  request.system = value_named<msg::BodeSystem>(command.system);
+  request.system = bode_value<msg::BodeSystem>(command.system, "--system");
   request.samples_num = bode_samples(command.seconds);
   return request;
 }
@@ -98,7 +96,7 @@ std::string position_file(const BodeCommand& command, const RecordingPosition& p
                      std::lround(position.roll), std::lround(position.pitch), std::lround(yaw));
 }
 
-void show(const BodeCommand& command, const std::vector<NamedResponse>& responses) {
+void show_responses(const BodeCommand& command, const std::vector<NamedResponse>& responses) {
   for (const NamedResponse& one : responses) {
     if (one.response.segments == 0) {
       throw CommandError(one.name + ": too few samples without a gap for a frequency response");
@@ -129,11 +127,11 @@ int show_files(const BodeCommand& command) {
     if (!recording) throw CommandError(fmt::format("{}: {}", file, recording.error().message));
     responses.push_back({file, response_of(*recording)});
   }
-  show(command, responses);
+  show_responses(command, responses);
   return success;
 }
 
-std::string warning(const BodeCommand& command, const msg::BodeTestStartStopRequest& request) {
+std::string bode_warning(const BodeCommand& command, const msg::BodeTestStartStopRequest& request) {
   const bool off_at_once = command.on_cancel == "motors-off";
   std::string text = fmt::format(
       "The {} axis shakes for {} s, from {} to {} Hz with a gain of {}, and no command ends that. "
@@ -151,13 +149,13 @@ std::string warning(const BodeCommand& command, const msg::BodeTestStartStopRequ
   return text;
 }
 
-void report_losses(const BodeRecording& recording) {
+void report_lost_samples(const BodeRecording& recording) {
   if (recording.lost == 0) return;
   remark("{} of {} were lost on the line; what contains a gap does not count.\n",
          counted(recording.lost, "sample"), recording.input.size());
 }
 
-void save(const std::string& file, const BodeRecording& recording, bool force) {
+void save_recording(const std::string& file, const BodeRecording& recording, bool force) {
   const std::string text = to_csv(recording);
   write_local_file(file, {text.begin(), text.end()}, force);
   remark("Saved {} to {}.\n", counted(recording.input.size(), "sample"), file);
@@ -166,8 +164,8 @@ void save(const std::string& file, const BodeRecording& recording, bool force) {
 /// Records where the camera is.
 std::vector<NamedResponse> record_here(const BodeCommand& command, const BodeRecorder& recorder) {
   const BodeRecording recording = recorder.record();
-  report_losses(recording);
-  if (!command.output.empty()) save(command.output, recording, command.force);
+  report_lost_samples(recording);
+  if (!command.output.empty()) save_recording(command.output, recording, command.force);
   return {{command.axis, response_of(recording)}};
 }
 
@@ -181,10 +179,11 @@ std::vector<NamedResponse> record_there(const BodeCommand& command, MovingGimbal
     recorder.go_to(position);
     const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
     const BodeRecording recording = recorder.record();
-    report_losses(recording);
+    report_lost_samples(recording);
     const std::string name = position_file(command, position, state.axes.yaw.imu_angle.degrees());
     if (!command.output.empty()) {
-      save((std::filesystem::path(command.output) / name).string(), recording, command.force);
+      save_recording((std::filesystem::path(command.output) / name).string(), recording,
+                     command.force);
     }
     responses.push_back({name, response_of(recording)});
     if (gimbal.must_stop()) gimbal.give_up({});
@@ -193,8 +192,8 @@ std::vector<NamedResponse> record_there(const BodeCommand& command, MovingGimbal
   return responses;
 }
 
-int record(const BodeCommand& command, const CommandContext& context) {
-  const msg::BodeTestStartStopRequest request = request_of(command);
+int record_responses(const BodeCommand& command, const CommandContext& context) {
+  const msg::BodeTestStartStopRequest request = bode_request(command);
   if (command.positions.size() > most_positions) {
     throw CommandError(fmt::format("at most {} positions are possible", most_positions),
                        wrong_usage);
@@ -216,14 +215,15 @@ int record(const BodeCommand& command, const CommandContext& context) {
 
   MovingGimbal gimbal(context.gimbal);
   require_possible(gimbal.client(), request);
-  arm(command.arming, warning(command, request));
+  arm(command.arming, bode_warning(command, request));
+  const PausedStreams streams(gimbal.client());
   gimbal.begins_to_move(AfterStop::nothing);
   const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
   const std::vector<NamedResponse> responses =
       positions.empty() ? record_here(command, recorder)
                         : record_there(command, gimbal, recorder, positions);
   gimbal.has_stopped();
-  show(command, responses);
+  show_responses(command, responses);
   if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
   return success;
 }
@@ -232,7 +232,7 @@ int run_bode(const BodeCommand& command, const CommandContext& context) {
   if (command.output.empty() && !command.table && command.svg.empty()) {
     throw CommandError("say what to do with the response: -o, --table or --svg", wrong_usage);
   }
-  return command.read.empty() ? record(command, context) : show_files(command);
+  return command.read.empty() ? record_responses(command, context) : show_files(command);
 }
 
 }  // namespace
@@ -257,10 +257,10 @@ void add_bode(CLI::App& app, CommandContext& context) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command->add_option("--stimulus", options.stimulus, "What shakes the axis")
-      ->transform(one_of(words_of_enum<msg::BodeStimulus>()))
+      ->type_name("STIMULUS")
       ->capture_default_str();
   command->add_option("--system", options.system, "What to measure")
-      ->transform(one_of(words_of_enum<msg::BodeSystem>()))
+      ->type_name("SYSTEM")
       ->capture_default_str();
   command
       ->add_option("--at", options.positions,
@@ -281,6 +281,9 @@ void add_bode(CLI::App& app, CommandContext& context) {
   command->add_flag("--table", options.table, "Print frequency, gain, phase and coherence");
   command->add_option("--svg", options.svg, "Draw gain, phase and coherence")->type_name("FILE");
   command->footer(
+      "`sbgc describe BodeStimulus` and `sbgc describe BodeSystem` list what --stimulus and "
+      "--system take.\n"
+      "\n"
       "The board shakes the axis and sends what goes in and comes out, 1250 samples a second. No "
       "command "
       "ends a recording before its time: Ctrl-C waits, and a second one turns the motors off.\n"

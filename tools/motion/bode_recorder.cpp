@@ -24,7 +24,7 @@ namespace {
 constexpr double position_speed = 20;  // deg/s
 constexpr std::chrono::seconds settling{2};
 
-std::string seconds_of(std::size_t samples) {
+std::string recording_seconds(std::size_t samples) {
   return fmt::format("{:.1f}", static_cast<double>(samples) / bode_sample_rate);
 }
 
@@ -58,10 +58,10 @@ BodeRecording BodeRecorder::record() const {
           "Interrupted. No command ends a recording; it is over in {} s. Ctrl-C again turns the "
           "motors "
           "off: hold the camera.\n",
-          seconds_of(seen.total - std::min(seen.samples, seen.total)));
+          recording_seconds(seen.total - std::min(seen.samples, seen.total)));
     }
-    bar.show(fmt::format("recording: {} of {} s{}", seconds_of(seen.samples),
-                         seconds_of(seen.total),
+    bar.show(fmt::format("recording: {} of {} s{}", recording_seconds(seen.samples),
+                         recording_seconds(seen.total),
                          seen.lost == 0 ? "" : fmt::format(", {} samples lost", seen.lost)));
     return true;
   };

@@ -27,7 +27,7 @@ constexpr double plot_gap = 50;
 constexpr double plot_top = 30;
 constexpr double legend_line = 18;
 
-std::string escaped(std::string_view text) {
+std::string xml_text(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -41,7 +41,7 @@ std::string escaped(std::string_view text) {
 }
 
 /// The range of the finite numbers that were included, from `low` up.
-struct Interval {
+struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -81,7 +81,7 @@ class Picture {
     add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
         "<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        picture_width, height, escaped(title));
+        picture_width, height, xml_text(title));
     for (std::size_t i = 0; i < names_.size(); ++i) add_legend(i);
     for (const LinePlot& plot : plots_) {
       add_plot(plot, top);
@@ -98,7 +98,7 @@ class Picture {
   }
   void add_text(double x, double y, const char* anchor, std::string_view words) {
     add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-        escaped(words));
+        xml_text(words));
   }
   static const char* color(std::size_t line) { return line_colors[line % line_colors.size()]; }
 
@@ -146,7 +146,7 @@ class Picture {
   double x(double place) const {
     const double width = plot_right - plot_left;
     if (!has_log_x_) return plot_left + width * places_.share(place);
-    const Interval logs{std::log10(places_.low), std::log10(places_.high)};
+    const AxisRange logs{std::log10(places_.low), std::log10(places_.high)};
     return plot_left + width * logs.share(std::log10(place));
   }
   double y(double value) const { return top_ + plot_height * (1 - values_.share(value)); }
@@ -201,7 +201,7 @@ class Picture {
   std::string text_{};
 
   // Of the plot that is being drawn
-  Interval places_{}, values_{};
+  AxisRange places_{}, values_{};
   double step_{};  ///< between two lines of the grid of values
   double top_{};
   bool has_log_x_{};

@@ -39,14 +39,16 @@ bool read_number(std::string_view text, Number& number) {
   return read.has_value();
 }
 
-/// Reads a sample: a number, or "nan" for a lost one.
+/// Reads a sample with the precision of the board: a number, or "nan" for a lost one.
 bool read_sample(std::string_view text, double& sample) {
   if (text == "nan") {
     sample = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
-  return read_number(text, sample) &&
-         std::abs(sample) <= static_cast<double>(std::numeric_limits<float>::max());
+  float number = 0;
+  if (!read_number(text, number) || !std::isfinite(number)) return false;
+  sample = static_cast<double>(number);
+  return true;
 }
 
 bool read_title(std::string_view line, msg::BodeTestStartStopRequest& request) {

@@ -58,7 +58,7 @@ TEST(ModuleFlash, AnErrorNamesTheModuleAndThePart) {
   host.ask(part(0, 0));
   const auto errors = all<msg::ErrorExt>(host.ask(part(7, 0)));
   ASSERT_THAT(errors, SizeIs(1));
-  EXPECT_EQ(errors[0].error_data, (Bytes<4>{{4, 0, 1, 0}}));  // CAN_DRV2, part 1
+  EXPECT_THAT(errors[0].error_data, ::testing::ElementsAre(4, 0, 1, 0));  // CAN_DRV2, part 1
 }
 
 TEST(ModuleFlash, ARestartDropsWhatIsLoading) {
