@@ -14,7 +14,9 @@ from emulated_gimbal import emulated_gimbal
 from sbgc_command import run
 
 
-def table(values: list[float], rate: float = 250, late: float = 0, name: str = "gyro[deg/s]") -> str:
+def table(
+    values: list[float], rate: float = 250, late: float = 0, name: str = "gyro[deg/s]"
+) -> str:
     """Samples at equal distances that arrive up to `late` seconds later."""
     chance = random.Random(1)
     rows = [f"time[s],{name}"]

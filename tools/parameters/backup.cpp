@@ -194,7 +194,7 @@ std::vector<ParametersChange> changes_of(const Backup& before, const Backup& aft
 }
 
 int report_differences(const DiffOptions& options, const std::vector<ParametersChange>& changes,
-                   const std::string& before, const std::string& after) {
+                       const std::string& before, const std::string& after) {
   if (options.format == "json") {
     fmt::print("{}\n", detail::json_text(to_json(changes), 2));
   } else if (!changes.empty()) {
@@ -239,7 +239,7 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
   }
   const Availability versions = before.board.versions();
   return report_differences(options, diff(defaults, present, versions, versions),
-                        "the factory defaults", profile.text());
+                            "the factory defaults", profile.text());
 }
 
 int compare(const DiffOptions& options, const CommandContext& context) {
