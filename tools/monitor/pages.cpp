@@ -200,14 +200,16 @@ constexpr std::array<AxisColumn, 7> axis_columns{{
      }},
 }};
 
+/// From this width on, the overview has a column more.
+constexpr std::size_t wide_screen = 100;
+
 /// Draws a row for each axis, and returns the row after them.
 std::size_t draw_axes(Screen& screen, std::size_t row, const View& view, const LiveValues& values) {
   constexpr std::size_t begin = 8;
   constexpr std::size_t column_width = 10;
   constexpr std::size_t least_bar = 8;
   constexpr std::size_t behind_bar = 8;
-  constexpr std::size_t wide = 100;
-  const std::size_t before_bar = screen.width() < wide ? 5 : 6;
+  const std::size_t before_bar = screen.width() < wide_screen ? 5 : 6;
   const std::size_t bar_begin = begin + before_bar * column_width + 3;
   const bool has_bar = screen.width() >= bar_begin + least_bar + behind_bar;
   const std::size_t fitting = has_bar ? before_bar : (screen.width() - begin - 1) / column_width;
@@ -275,10 +277,11 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   const bool is_high = first_row(screen) == 3;
   std::size_t row = draw_axes(screen, first_row(screen), view, values);
   if (is_high) {
-    screen.put(row++, 9,
-               fmt::format("degrees{}; vibration in deg/s; {}",
-                           view.zero ? ", relative to the zero" : "", directions_text()),
-               Style::dim);
+    screen.put(
+        row++, 9,
+        fmt::format("degrees{}{}; {}", view.zero ? ", relative to the zero" : "",
+                    screen.width() < wide_screen ? "" : ", vibration in deg/s", directions_text()),
+        Style::dim);
   }
   row = draw_facts(screen, row, end - 1, values);
   screen.put(row, 2, "errors", Style::bold);

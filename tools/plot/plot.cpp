@@ -190,6 +190,7 @@ int plot(PlotOptions options, const CommandContext& context) {
   }
   if (!options.svg.empty()) {
     value_of(detail::write_file_atomically(options.svg, draw_svg(curves), Existing::replace));
+    remark("The picture is in {}.\n", options.svg);
     return success;
   }
   const ChartStyle style = options.ascii ? ChartStyle::ascii : ChartStyle::braille;
