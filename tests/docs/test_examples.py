@@ -418,7 +418,7 @@ def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
 
 def test_examples_with_the_client(pages: Pages, layout: Layout, tmp_path: Path) -> None:
     """All have the statements of the codec; a sample of both directions compiles."""
-    sample = []
+    sample: list[str] = []
     for message in layout.definitions:
         page = pages[f"messages/{slug(message.name)}.html"]
         codec = only(page, "example-cpp").text
