@@ -16,7 +16,7 @@ namespace sbgc::tools {
 
 namespace {
 
-constexpr std::chrono::milliseconds tick_time{100};
+constexpr std::chrono::milliseconds shell_tick_time{100};
 /// A board that restarts is back by then.
 constexpr std::chrono::seconds longest_outage{5};
 
@@ -67,7 +67,7 @@ std::string ShellLine::description() {
 bool ShellLine::wait_until_connected() {
   const auto end = std::chrono::steady_clock::now() + longest_outage;
   while (!is_connected() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(tick_time);
+    std::this_thread::sleep_for(shell_tick_time);
   }
   return is_connected();
 }
@@ -116,7 +116,7 @@ void ShellLine::tell(const std::string& text) {
 
 void ShellLine::tick() {
   line_.tick();
-  timer_.expires_after(tick_time);
+  timer_.expires_after(shell_tick_time);
   timer_.async_wait([this](std::error_code error) {
     if (!error) tick();
   });
