@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t flash_part = 128;
 constexpr std::size_t flash_word = 4;
 
+/// How long a confirmation may be late. Before, that of another part could not be told from it.
+constexpr Duration flash_lateness = seconds(1);
+
 /// What the user has to know after a loading that did not end.
 ClientError flash_error(std::size_t confirmed_parts, ClientError reason) {
   const std::string last = confirmed_parts == 0
@@ -49,6 +52,7 @@ namespace tasks {
 Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> firmware,
                                 ProgressHandler progress) {
   if (auto problem = module_firmware_problem(firmware.size())) co_return *std::move(problem);
+  TaskMachine& task = co_await this_task();
   const Result<msg::ModuleList> list = co_await call(msg::ModuleListRequest{});
   if (!list) co_return list.error();
   const auto is_it = [&](const msg::ModuleInfo& one) { return one.id == module; };
@@ -67,7 +71,10 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
   start.firmware_size =
       msg::WordCount(static_cast<msg::WordCount::raw_type>(firmware.size() / flash_word));
   const Result<void> started = co_await call(start);
-  if (!started) co_return flash_error(0, detail::during("starting", started.error()));
+  if (!started) {
+    static_cast<void>(co_await wait_until(task.now() + flash_lateness));
+    co_return flash_error(0, detail::during("starting", started.error()));
+  }
 
   std::size_t parts = 0;
   for (std::size_t at = 0; at < firmware.size(); at += flash_part, ++parts) {
@@ -83,6 +90,7 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
     std::copy(data.begin(), data.end(), part.data.begin());
     const Result<void> written = co_await call(part);
     if (!written) {
+      static_cast<void>(co_await wait_until(task.now() + flash_lateness));
       co_return flash_error(parts,
                             detail::during(fmt::format("writing part {}", parts), written.error()));
     }
@@ -91,7 +99,10 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
   finish.device_id = module;
   finish.file_crc32 = detail::crc32(firmware);
   const Result<void> finished = co_await call(finish);
-  if (!finished) co_return flash_error(parts, detail::during("finishing", finished.error()));
+  if (!finished) {
+    static_cast<void>(co_await wait_until(task.now() + flash_lateness));
+    co_return flash_error(parts, detail::during("finishing", finished.error()));
+  }
   goes_on(firmware.size());
   co_return Result<void>();
 }
