@@ -20,7 +20,7 @@
 #include "connect.hpp"
 #include "driving/asio_driver.hpp"
 #include "operation.hpp"
-#include "reconnecting/impl.hpp"
+#include "reconnecting/reconnection.hpp"
 
 namespace sbgc::python {
 
@@ -32,7 +32,7 @@ inline py::object to_python(const Result<void>& result) {
   return py::none();
 }
 
-using Reconnecting = detail::ReconnectingOver::Impl;
+using Reconnecting = detail::Reconnection;
 
 /// Python owns it, and destroys it on any of its threads. In a forked child it has no thread: it
 /// refuses everything there, and leaves its memory alone.

@@ -128,15 +128,13 @@ std::shared_ptr<Operation> stream(const std::shared_ptr<Link>& link, const std::
   const auto queue = std::make_shared<SampleQueue>(link->bell(), link->time());
   const auto take = [queue, copy = kind.copy](const void* sample) { queue->put(copy(sample)); };
   if (const auto client = link->reconnecting()) {
-    const auto begin = [&kind, request](Client& on, const auto& pass_on, const CallOptions& left) {
-      const auto& conversation = detail::ClientMaker::conversation(on);
-      return conversation.stream(kind.requests(conversation, request, left), kind.key, pass_on,
-                                 left);
+    const auto prepare = [&kind, request, options](const detail::Conversation& conversation) {
+      return kind.requests(conversation, request, options);
     };
     const std::chrono::microseconds every(std::int64_t{roles::stream_interval_us} *
                                           roles::stream_interval(request).raw());
-    link->block(operation, [client, begin, take, every, options, queue] {
-      return result_of(queue, client->keep_stream(begin, take, every, options));
+    link->block(operation, [client, prepare, key = kind.key, take, every, options, queue] {
+      return result_of(queue, client->keep_stream(prepare, key, take, every, options));
     });
     return operation;
   }
