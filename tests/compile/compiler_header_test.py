@@ -13,8 +13,8 @@ PECULIAR = re.compile(
     r"__builtin|__attribute__|__restrict|\b(?:gnu|clang|msvc)::"
     r"|__(?:GNUC|clang|SSE|x86_64|arm|aarch64|BYTE_ORDER)|_MSC_VER|_WIN32|#pragma (?!once)"
 )
-# The decoder of the site is compiled by one compiler, and exports functions to JavaScript.
-FREE = {HEADER, "tools/web/decoder.cpp"}
+# The modules of the site are compiled by one compiler, and export functions to JavaScript.
+FREE = {HEADER, "tools/web/exchange.hpp"}
 
 
 def peculiar_lines(path: str) -> list[str]:

@@ -156,7 +156,10 @@ void check_conditions(Client& client, const CalibrateOptions& command,
   if (!conditions.still) return;
   // Assumption: more than the noise of a gyroscope, less than that of a hand.
   constexpr double rest = 1;
-  const double motion = motion_of(client);
+  // A camera that was just turned on, or let go, comes to rest.
+  constexpr int attempts = 5;
+  double motion = motion_of(client);
+  for (int i = 1; i < attempts && motion > rest; ++i) motion = motion_of(client);
   if (motion <= rest) return;
   throw CommandError(
       fmt::format("the camera is not still: it turns by {:.1f} deg/s; leave it alone, or add "
@@ -253,7 +256,7 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "Turn the motors off first if the calibration needs it; the camera drops to its "
       "heavy side");
   command->add_flag("--no-check", options.no_check,
-                    "Do not check whether the motors are off and the camera is still");
+                    "Do not check whether the motors are off, nor wait until the camera is still");
   command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
       ->type_name("active|main|frame");
   command->add_flag("--temperature", options.temperature,

@@ -21,8 +21,8 @@ NAMES = [target.name for target in targets()]
 ROOMS = ("model", "spec", "oracle", "views", "targets")
 
 TOY = '''
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Optional
 
 from sbgcgen.model import Layout
 from sbgcgen.oracle.example import Example
@@ -43,8 +43,8 @@ class Toy(Target):
             if message.name == "Toy":
                 found.add(message.at, "SBGC022", "'Toy' cannot be a name in toys", "take another")
 
-    def example(self, example: Example) -> Optional[Code]:
-        return Code("Toys", "toy", f"play({example.message.name})")
+    def examples(self, example: Example) -> Sequence[Code]:
+        return (Code("Toys", "toy", f"play({example.message.name})"),)
 '''
 TEMPLATES = {
     "toys/@family@.txt.j2": '{% import "toy/macros.jinja" as m %}'
