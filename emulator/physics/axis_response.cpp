@@ -30,6 +30,7 @@ double AxisResponse::operator()(double input) {
     case msg::BodeSystem::open_loop_controller_and_plant: input_ = controller * input; break;
     case msg::BodeSystem::closed_loop_controller_and_plant:
     case msg::BodeSystem::overall: input_ = controller * (input - output); break;
+    default: break;
   }
   return output;
 }

@@ -192,9 +192,14 @@ class Gimbal(Link):
         return end
 
     async def record_bode(
-        self, request: BodeTestStartStopRequest, *, progress: Optional[Progress] = None
+        self,
+        request: BodeTestStartStopRequest,
+        *,
+        progress: Optional[Progress] = None,
+        timeout: Optional[float] = None,
     ) -> BodeRecording:
-        return recording_of(await self._finish(self._link.record_bode(request._message), progress))
+        operation = self._link.record_bode(request._message)
+        return recording_of(await self._finish(operation, progress, timeout=timeout))
 
     async def active_profile(self, *, timeout: float = 10.0) -> int:
         found: int = await self._finish(self._link.active_profile(), timeout=timeout)

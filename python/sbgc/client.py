@@ -390,13 +390,19 @@ class Gimbal(Link):
         return end
 
     def record_bode(
-        self, request: BodeTestStartStopRequest, *, progress: Optional[Progress] = None
+        self,
+        request: BodeTestStartStopRequest,
+        *,
+        progress: Optional[Progress] = None,
+        timeout: Optional[float] = None,
     ) -> BodeRecording:
         """Record a frequency response. It shakes the camera, and no command ends it.
 
         An exception ends only the wait: the board goes on until its end, or until the motors are off.
+        Without a timeout, it waits twice as long as the recording takes, and 10 s.
         """
-        return recording_of(finish(self._link.record_bode(request._message), progress))
+        recorded = finish(self._link.record_bode(request._message), progress, timeout=timeout)
+        return recording_of(recorded)
 
     def active_profile(self, *, timeout: float = 10.0) -> int:
         """The profile that the board works with, from 1."""

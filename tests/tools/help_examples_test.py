@@ -84,7 +84,8 @@ def prepare(gimbal: EmulatedGimbal, *command: str) -> None:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A folder in which `sbgc` finds a gimbal with running motors, and what examples name."""
     path = tmp_path_factory.mktemp("examples")
-    with emulated_gimbal("--link", f"{path}/gimbal") as gimbal:
+    board = ("--board", "3.6", "--firmware", "2.70b0")  # with modules
+    with emulated_gimbal(*board, "--link", f"{path}/gimbal") as gimbal:
         ports = {"name": gimbal.address, "description": "", "usb": None}
         document = {"format": "sbgc-ports", "version": 1, "ports": [ports]}
         (path / "ports.json").write_text(json.dumps(document))
@@ -94,7 +95,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         (path / "capture").write_bytes(capture())
         (path / "commands").write_text("info\nparams get pitch.p\n")
         (path / "frames.jsonl").write_text('{"message": "CMD_MOTORS_ON", "fields": {}}\n')
-        (path / "part.bin").write_bytes(b"\0" * 64)
+        for name in ("part", "driver"):
+            (path / f"{name}.bin").write_bytes(b"\0" * 64)
         for name in ("gimbal", "other"):
             prepare(gimbal, "params", "backup", f"{path}/{name}.json")
         for number in ("0", "5"):

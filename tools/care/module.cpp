@@ -123,8 +123,11 @@ void add_module(CLI::App& app, CommandContext& context) {
       ->type_name("MODULE");
   flash->footer(
       "Each part of the file is sent once, after the board has confirmed the one before. On any "
-      "error the "
-      "command ends and says which part was confirmed last; then start again from the beginning.\n"
+      "error the command ends and says which part was confirmed last; then start again from the "
+      "beginning.\n"
+      "\n"
+      "Example:\n"
+      "  sbgc module flash driver.bin --module CAN_DRV1\n"
       "\n"
       "The exit status is 0 if the board has confirmed all of it; 1 if not; 2 for wrong usage; 130 "
       "after "
