@@ -223,8 +223,8 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
       positions.empty() ? record_here(command, recorder)
                         : record_there(command, gimbal, recorder, positions);
   gimbal.has_stopped();
-  show_responses(command, responses);
   if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
+  show_responses(command, responses);
   return success;
 }
 
