@@ -84,10 +84,9 @@ class HeldSpeed {
     });
   }
   void stop() {
-    change([](detail::DeadMansSwitch& rules) -> Result<void> {
-      rules.stop();
-      return {};
-    });
+    const Result<void> stopped = speed_->stop();
+    if (!stopped) raise_client(stopped.error());
+    wake_();
   }
   /// Stops the camera; the operation ends when it stands still.
   OperationPointer close() {

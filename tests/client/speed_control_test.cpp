@@ -8,6 +8,7 @@
 
 #include "task_test.hpp"
 #include "tasks/dead_mans_switch.hpp"
+#include "tasks/hold_speed.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -112,6 +113,26 @@ TEST_F(DeadMansSwitchTest, AStopThatFailedIsRepeated) {
   EXPECT_EQ(at(600), Action::stop) << "the owner does not wait";
   hold.stopped();
   EXPECT_EQ(at(10'000), Action::none);
+}
+
+TEST_F(DeadMansSwitchTest, WhatIsClosedNeverTurnsAgain) {
+  detail::HeldSpeed speed(hold);
+  const auto turn = [&] {
+    return speed.with([&](DeadMansSwitch& rules) -> Result<void> {
+      rules.set(slow, start);
+      return {};
+    });
+  };
+  ASSERT_TRUE(turn());
+  EXPECT_EQ(speed.next(start).action, Action::send);
+  speed.done(Action::send, {}, start);
+  speed.close();
+  EXPECT_EQ(speed.next(start).action, Action::stop);
+  EXPECT_FALSE(turn()) << "another thread goes on";
+  speed.done(Action::stop, {}, start);
+  EXPECT_FALSE(turn());
+  EXPECT_TRUE(speed.next(start).is_last);
+  EXPECT_TRUE(speed.stop());
 }
 
 TEST_F(DeadMansSwitchTest, StoppingWhatIsStillDoesNothing) {

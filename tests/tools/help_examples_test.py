@@ -84,8 +84,9 @@ def prepare(gimbal: EmulatedGimbal, *command: str) -> None:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A folder in which `sbgc` finds a gimbal with running motors, and what examples name."""
     path = tmp_path_factory.mktemp("examples")
-    board = ("--board", "3.6", "--firmware", "2.70b0")  # with modules
-    with emulated_gimbal(*board, "--link", f"{path}/gimbal") as gimbal:
+    modules = ("--board", "3.6", "--firmware", "2.70b0")
+    quick = ("--calibration-time", "5")
+    with emulated_gimbal(*modules, *quick, "--link", f"{path}/gimbal") as gimbal:
         ports = {"name": gimbal.address, "description": "", "usb": None}
         document = {"format": "sbgc-ports", "version": 1, "ports": [ports]}
         (path / "ports.json").write_text(json.dumps(document))
@@ -106,13 +107,15 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 def in_folder(folder: Path, example: str) -> str:
-    """Returns the example with a place here for each place that it names."""
+    """Returns the example with a place here for each place that it names, and shorter times."""
     gimbal = f"serial:{folder}/gimbal?baud=115200"
     for place, here in (
         ("/dev/ttyUSB0", gimbal),
         ("tcp:10.0.0.7:5000", gimbal),
         ("/tmp/gimbal", f"{folder}/link"),
         ("--tcp 5000", "--tcp 0"),
+        ("--for 20s", "--for 1s"),
+        ("--seconds 8", "--seconds 3"),
     ):
         example = example.replace(place, here)
     command = re.match(r"sbgc ([a-z]+(?: [a-z]+)?)", example)

@@ -61,6 +61,11 @@ class SpeedControl::Worker {
     wake();
     return changed;
   }
+  Result<void> stop() {
+    Result<void> stopped = speed_->stop();
+    wake();
+    return stopped;
+  }
   Result<void> wait() {
     return speed_->wait([this] { return now(); });
   }
@@ -136,11 +141,7 @@ Result<void> SpeedControl::refresh() {
 
 Result<void> SpeedControl::stop() {
   const auto current = worker();
-  if (!current) return {};
-  return current->with([](DeadMansSwitch& rules) -> Result<void> {
-    rules.stop();
-    return {};
-  });
+  return current ? current->stop() : Result<void>();
 }
 
 Result<void> SpeedControl::wait() {

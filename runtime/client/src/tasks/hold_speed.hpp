@@ -20,12 +20,20 @@ class HeldSpeed {
 
   // For the owner.
 
-  /// Applies `change(rules)`, unless sending has failed.
+  /// Applies `change(rules)`, unless sending has failed, or the camera is to stop for ever.
   template <class Change>
   Result<void> with(const Change& change) {
     const std::scoped_lock lock(mutex_);
     if (error_) return *error_;
+    if (is_closing_) return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
     return change(rules_);
+  }
+  /// Stops the camera, until it is to turn again.
+  Result<void> stop() {
+    const std::scoped_lock lock(mutex_);
+    if (error_) return *error_;
+    rules_.stop();
+    return {};
   }
   /// Waits until there is nothing to send; `now()` is the time of the task.
   template <class Now>
@@ -38,7 +46,7 @@ class HeldSpeed {
     const std::scoped_lock lock(mutex_);
     return rules_.state();
   }
-  /// Stops the camera and ends the task.
+  /// Stops the camera for ever, and ends the task.
   void close() {
     const std::scoped_lock lock(mutex_);
     rules_.stop();
