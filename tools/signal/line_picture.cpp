@@ -136,6 +136,7 @@ class Picture {
     if (plot.values) values_ = {plot.values->low, plot.values->high};
     if (values_.low > values_.high) values_ = {0, 1};
     if (places_.low > places_.high) places_ = {1, 100};
+    if (values_.low == values_.high) values_ = {values_.low - 0.5, values_.high + 0.5};
     constexpr double most_lines = 6;
     const double least = std::max(1e-9, 1e-3 * std::abs(values_.high));
     step_ = round_step(std::max(values_.high - values_.low, least), plot.shows_angles, most_lines);
