@@ -83,7 +83,7 @@ def test_several_positions_have_a_file_each(gimbal: EmulatedGimbal, tmp_path: Pa
 
 
 def interrupted(
-    gimbal: EmulatedGimbal, file: Path, *options: str, signals: int
+    gimbal: EmulatedGimbal, file: Path, *options: str, signals: int, number: int = signal.SIGINT
 ) -> tuple[int, str, float]:
     """Sends signals while the camera shakes. Returns status, remarks, and seconds until the end."""
     short = ("--gain", "1000", "--from", "6", "--to", "200", "--seconds", "3", "-v")
@@ -94,15 +94,24 @@ def interrupted(
             if b"CMD_BODE_TEST_DATA" in line:
                 break
         begin = time.monotonic()
-        process.send_signal(signal.SIGINT)
+        process.send_signal(number)
         for line in process.stderr:
             if signals == 1 or b"Interrupted" in line:
                 break
         for _ in range(signals - 1):
-            process.send_signal(signal.SIGINT)
+            process.send_signal(number)
         text = process.stderr.read().decode()
         status = process.wait(30)
     return status, " ".join(text.split()), time.monotonic() - begin
+
+
+def test_a_terminal_that_closes_does_not_turn_the_motors_off(
+    gimbal: EmulatedGimbal, tmp_path: Path
+) -> None:
+    file = tmp_path / "yaw.csv"
+    status, text, _ = interrupted(gimbal, file, signals=2, number=signal.SIGHUP)
+    assert status == 130 and "the recording is complete" in text
+    assert "CMD_MOTORS_OFF" not in text and file.exists()
 
 
 def test_the_first_ctrl_c_waits_and_saves(gimbal: EmulatedGimbal, tmp_path: Path) -> None:

@@ -126,3 +126,14 @@ def test_tables_that_are_none(content: str, status: int, words: str) -> None:
 def test_a_field_that_is_not_there() -> None:
     result = run("plot", "-", "speed", stdin=table([0, 1]))
     assert result.status == 2 and "no column is 'speed'; there are gyro" in result.error
+
+
+@pytest.mark.parametrize(
+    "rows",
+    ["0,1e308\n1,-1e308\n2,5", "0,inf\n1,1\n2,nan", "1700000000,1\n1700000000,2", "0,5\n1,5"],
+)
+def test_odd_numbers(rows: str, tmp_path: Path) -> None:
+    file = tmp_path / "picture.svg"
+    for options in ((), ("--ascii",), ("--svg", str(file))):
+        assert run("plot", "-", *options, stdin=f"time[s],a\n{rows}\n").status == 0
+    assert "nan" not in file.read_text("utf-8")

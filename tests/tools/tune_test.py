@@ -43,6 +43,14 @@ def test_what_it_shows_is_on_the_board(options: tuple[str, ...]) -> None:
         assert value_before in old and value_after in new
 
 
+def test_a_silent_line_is_no_end_of_the_tuning() -> None:
+    slower = ("--firmware", "2.70b0", "--board", "3.6", "--calibration-time", "60")
+    with emulated_gimbal(*slower, "--silence", "3:2") as gimbal:
+        result = run("tune", "pitch", "--yes", "-p", gimbal.address)
+    assert result.status == 0, result.error
+    assert "axes.pitch." in result.text, "it waits for the new values"
+
+
 def test_no_puts_the_old_values_back(tmp_path: Path) -> None:
     with emulated_gimbal(*QUICK) as gimbal:
         before = gains(gimbal)

@@ -25,7 +25,12 @@ int depth = 0;  // of Interruptions that exist
 
 extern "C" void take_signal(int number) {
   const int saved_errno = errno;
-  if (arrived != 0 && takes_second != 0 && has_second == 0) {
+  const bool is_repeated = arrived != 0 && takes_second != 0 && has_second == 0;
+  if (is_repeated && number != SIGINT) {
+    errno = saved_errno;
+    return;  // a terminal that closes, for one, sends the same signal twice
+  }
+  if (is_repeated) {
     has_second = 1;
   } else if (arrived != 0) {  // the user does not want to wait
     ::signal(number, SIG_DFL);

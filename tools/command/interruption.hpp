@@ -13,8 +13,8 @@ class Interruption {
   ~Interruption();
 };
 
-/// While it exists inside an Interruption, the program has a use for the second signal: only the
-/// third one ends it.
+/// While it exists inside an Interruption, the program has a use for a second signal, which only
+/// Ctrl-C sends: others that follow the first signal are ignored. The third one ends the program.
 class SecondSignal {
  public:
   SecondSignal() noexcept;
@@ -23,7 +23,7 @@ class SecondSignal {
   ~SecondSignal();
 };
 
-/// True if a second signal has arrived while a SecondSignal existed.
+/// True if Ctrl-C was the second signal, or one later, while a SecondSignal existed.
 bool was_interrupted_twice() noexcept;
 
 /// True if a signal asked the program to end while an Interruption existed.

@@ -157,9 +157,15 @@ class TuningRun {
     if (!started) give_up(started.error());
     wait_for_end();
     gimbal_.has_stopped();
-    const ParameterSet after = read();
-    print_changes(before_, after, client.identity().versions());
-    if (options_.arming.yes || wants_to_keep()) {
+    try {
+      print_changes(before_, read(), client.identity().versions());
+    } catch (const CommandError&) {
+      remark("The new values could not be read; the old ones return.\n");
+      restore();
+      throw;
+    }
+    const bool is_kept = options_.arming.yes || wants_to_keep();
+    if (is_kept && !gimbal_.must_stop()) {
       remark("The new values are kept.\n");
       return success;
     }
@@ -198,26 +204,27 @@ class TuningRun {
     constexpr std::chrono::seconds longest_start{20};
     const ProgressBar bar;
     bool has_said_so = false;  // in its live data
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    auto answered = now();
     for (;;) {
       gimbal_.wait(std::chrono::milliseconds(200));
       if (gimbal_.must_stop()) give_up({});
       const std::optional<msg::AutoPid> last = reports_.last();
       if (last) bar.show(report_text(*last, chosen_axes(options_)));
-      const bool says_so = is_tuning();
-      if (has_said_so && !says_so) return;
-      has_said_so = has_said_so || says_so;
-      if (says_so) continue;
+      const Result<bool> says_so = is_tuning(gimbal_.client());
+      if (!says_so) {  // which does not mean that it has ended
+        if (now() - answered > longest_silence) give_up(says_so.error());
+        continue;
+      }
+      answered = now();
+      if (has_said_so && !*says_so) return;
+      has_said_so = has_said_so || *says_so;
+      if (*says_so) continue;
       if (last && reports_.silence() > longest_silence) return;
       if (!last && reports_.silence() > longest_start) {
         give_up({ErrorCode::timeout, "the board reports no progress of the tuning"});
       }
     }
-  }
-
-  /// True if live data say that the board tunes; early firmware does not say it.
-  bool is_tuning() {
-    const Result<msg::RealtimeData4> data = gimbal_.client().call(msg::RealtimeData4Request{});
-    return data && data->calib_mode == msg::CalibMode::auto_pid;
   }
 
   bool wants_to_keep() const {
@@ -236,8 +243,13 @@ class TuningRun {
   /// Ends a tuning that went wrong.
   [[noreturn]] void give_up(const ClientError& problem) {
     Client& client = gimbal_.client();
-    static_cast<void>(end_tuning(client));
-    if (client.stop()) gimbal_.has_stopped();
+    const Result<void> ended = end_tuning(client);
+    const Result<void> stopped = client.stop();
+    if (stopped && ended) gimbal_.has_stopped();
+    if (!ended) {
+      remark("The board may go on tuning, and store new gains at its end: {}\n",
+             ended.error().message);
+    }
     const WriteReport restored = client.write_parameters(before_);
     remark("{}\n", restored ? "The old values are on the board."
                             : "The old values could not be written: " + to_text(restored));
@@ -276,7 +288,9 @@ void add_tune(CLI::App& app, CommandContext& context) {
   command->footer(
       "The motors must be on. It shows the progress, then the values before and after, and asks "
       "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
-      "--yes keeps them. If the command dies, a guard process ends the tuning. Firmware from 2.73 "
+      "--yes keeps them. If the command dies, a guard process ends the tuning; if it dies after "
+      "the "
+      "end, the new values stay. Firmware from 2.73 "
       "on tunes with another request, which this command does not send.\n"
       "\n"
       "Examples:\n"

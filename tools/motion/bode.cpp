@@ -19,6 +19,7 @@
 
 #include "command/arming.hpp"
 #include "command/choices.hpp"
+#include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
@@ -216,7 +217,9 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   MovingGimbal gimbal(context.gimbal);
   require_possible(gimbal.client(), request);
   arm(command.arming, bode_warning(command, request));
+  const Interruption interruption;  // from now on, something is to be restored
   const PausedStreams streams(gimbal.client());
+  if (was_interrupted()) throw CommandError("interrupted", interrupted);
   gimbal.begins_to_move(AfterStop::nothing);
   const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
   const std::vector<NamedResponse> responses =

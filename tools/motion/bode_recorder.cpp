@@ -45,6 +45,7 @@ RecordingPosition parse_position(const std::string& text) {
 }
 
 BodeRecording BodeRecorder::record() const {
+  if (gimbal_.must_stop()) gimbal_.give_up({});
   const SecondSignal second;
   ProgressBar bar;
   bool has_told = false;

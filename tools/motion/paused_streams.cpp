@@ -72,11 +72,16 @@ PausedStreams::PausedStreams(Client& client) : client_(client) {
   }
   for (msg::DataStreamInterval request : running_) {
     request.interval_ms = {};
-    value_of(Result<void>(client_.call(request)));
+    const Result<void> stopped(client_.call(request));
+    if (stopped) continue;
+    restart();  // those before it; the destructor will not run
+    value_of(stopped);
   }
 }
 
-PausedStreams::~PausedStreams() {
+PausedStreams::~PausedStreams() { restart(); }
+
+void PausedStreams::restart() const {
   for (const msg::DataStreamInterval& request : running_) {
     const Result<void> started(client_.call(request));
     if (started) continue;

@@ -20,6 +20,9 @@ class PausedStreams {
   ~PausedStreams();
 
  private:
+  /// Starts the streams again that were running.
+  void restart() const;
+
   Client& client_;
   std::vector<msg::DataStreamInterval> running_{};
 };

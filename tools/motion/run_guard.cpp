@@ -40,9 +40,10 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   const auto does = [&](AfterStop what) {
     return line.after == what || line.after == AfterStop::all;
   };
-  // A board that does not tune may refuse it.
-  if (does(AfterStop::end_tuning)) static_cast<void>(end_tuning(*client));
+  Result<void> ended;
+  if (does(AfterStop::end_tuning)) ended = end_tuning(*client);
   Result<void> stopped = client->stop();
+  if (!ended) return ended;
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
   if (!stopped || !does(AfterStop::remove_timeout) || !has_timeouts) return stopped;
   return client->set_control_timeout({});

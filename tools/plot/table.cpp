@@ -104,7 +104,8 @@ void TableReader::add_line(std::string_view line) {
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto number = sbgc::detail::parse_number<double>(cells[i]);
-    columns_[i].values.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+    const bool is_finite = number && std::isfinite(*number);
+    columns_[i].values.push_back(is_finite ? *number : std::numeric_limits<double>::quiet_NaN());
   }
 }
 

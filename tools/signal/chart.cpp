@@ -42,7 +42,8 @@ void append_braille(std::string& line, std::uint8_t dots) {
 
 /// Returns the row from the top, of `rows`, at which a value is drawn.
 std::size_t row_of(double value, ValueRange range, std::size_t rows) {
-  const double share = (value - range.low) / (range.high - range.low);
+  const double part = (value - range.low) / (range.high - range.low);
+  const double share = std::isfinite(part) ? part : 0.5;  // of a range that is no number
   const double from_top = (1 - std::clamp(share, 0.0, 1.0)) * static_cast<double>(rows - 1);
   return static_cast<std::size_t>(std::lround(from_top));
 }
@@ -52,7 +53,7 @@ std::size_t row_of(double value, ValueRange range, std::size_t rows) {
 ValueRange range_of_values(std::span<const double> values, double least) {
   ValueRange range{std::nan(""), std::nan("")};
   for (const double value : values) {
-    if (std::isnan(value)) continue;
+    if (!std::isfinite(value)) continue;
     range.low = std::fmin(range.low, value);
     range.high = std::fmax(range.high, value);
   }

@@ -113,7 +113,9 @@ class Picture {
   void add_plot(const LinePlot& plot, double top) {
     measure(plot, top);
     add_text(plot_left, top - 6, "start", plot.title);
-    for (double value = values_.low; value < values_.high + step_ / 2; value += step_) {
+    const double lines = std::round((values_.high - values_.low) / step_);
+    for (int i = 0; i <= lines; ++i) {
+      const double value = values_.low + i * step_;
       add_grid_line(plot_left, y(value), plot_right, y(value));
       const double shown = std::abs(value) < step_ / 2 ? 0 : value;
       add_text(plot_left - 6, y(value) + 4, "end", fmt::format("{:.4g}", shown));
@@ -177,9 +179,10 @@ class Picture {
       return;
     }
     constexpr double most_lines = 10;
-    const double step = round_step(std::max(places_.high - places_.low, 1e-9), false, most_lines);
+    const double least = std::max(1e-9, 1e-9 * std::abs(places_.high));
+    const double step = round_step(std::max(places_.high - places_.low, least), false, most_lines);
     const double first = std::ceil(places_.low / step);
-    for (double i = first; i * step <= places_.high; ++i) add_place(i * step, true);
+    for (int i = 0; i <= most_lines; ++i) add_place((first + i) * step, true);
   }
 
   void add_line(const std::vector<LinePoint>& points, std::size_t line) {
