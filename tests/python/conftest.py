@@ -11,7 +11,13 @@ import pytest
 import sbgc
 
 faulthandler.enable()
-faulthandler.dump_traceback_later(120, exit=True)
+
+
+@pytest.fixture(autouse=True)
+def tells_where_it_hangs() -> Iterator[None]:
+    faulthandler.dump_traceback_later(120, exit=True)
+    yield
+    faulthandler.cancel_dump_traceback_later()
 
 
 def is_still(board: sbgc.Board) -> bool:

@@ -137,3 +137,11 @@ def test_odd_numbers(rows: str, tmp_path: Path) -> None:
     for options in ((), ("--ascii",), ("--svg", str(file))):
         assert run("plot", "-", *options, stdin=f"time[s],a\n{rows}\n").status == 0
     assert "nan" not in file.read_text("utf-8")
+
+
+@pytest.mark.parametrize("place", [999, 1000, 1001])
+def test_a_single_spike_is_drawn(place: int) -> None:
+    values = [0.0] * 2000
+    values[place] = 1
+    top = run("plot", "-", "--ascii", stdin=table(values)).text.splitlines()[1]
+    assert top.split() == ["1", "*"]

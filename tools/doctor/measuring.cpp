@@ -153,6 +153,7 @@ class Measuring {
   /// Returns false as soon as too many samples are missing.
   bool ask_every(double interval) {
     result_.gyro.emplace(interval);
+    result_.i2c = result_.serial = {};  // per second of this attempt
     start_ = MeasuringClock::now();
     std::int64_t number = 0;
     while (!is_over()) {

@@ -102,6 +102,9 @@ void show_responses(const BodeCommand& command, const std::vector<NamedResponse>
     if (one.response.segments == 0) {
       throw CommandError(one.name + ": too few samples without a gap for a frequency response");
     }
+    if (one.response.points.empty()) {
+      throw CommandError(one.name + ": no frequency of the response is in the range");
+    }
     if (one.response.segments < analysis::least_segments) {
       remark("{}: too short for the coherence, which tells what can be trusted.\n", one.name);
     }

@@ -28,15 +28,21 @@ std::string title_of(const Curve& curve) {
 
 std::vector<double> thinned(const std::vector<double>& values, std::size_t count) {
   if (values.size() <= count) return values;
-  std::vector<double> result(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t begin = i * values.size() / count;
-    const std::size_t end = std::max(begin + 1, (i + 1) * values.size() / count);
-    double chosen = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t at = begin; at < end; ++at) {
-      chosen = i % 2 == 0 ? std::fmin(chosen, values[at]) : std::fmax(chosen, values[at]);
+  const std::size_t parts = std::max<std::size_t>(count / 2, 1);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i * values.size() / parts);
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>((i + 1) * values.size() / parts);
+    auto lowest = end;
+    auto highest = end;
+    for (auto at = begin; at != end; ++at) {
+      if (std::isnan(*at)) continue;
+      if (lowest == end || *at < *lowest) lowest = at;
+      if (highest == end || *at > *highest) highest = at;
     }
-    result[i] = chosen;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    result.push_back(lowest == end ? none : *std::min(lowest, highest));
+    result.push_back(lowest == end ? none : *std::max(lowest, highest));
   }
   return result;
 }

@@ -26,8 +26,8 @@ std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::
 /// Returns a picture of the curves.
 std::string draw_svg(const std::vector<Curve>& curves);
 
-/// Returns at most `count` values that show the same curve: the lowest and the highest of each part
-/// in turn.
+/// Returns at most `count` values that show the same curve: the lowest and the highest of each
+/// part, in their order.
 std::vector<double> thinned(const std::vector<double>& values, std::size_t count);
 
 }  // namespace sbgc::tools

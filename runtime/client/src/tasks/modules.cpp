@@ -71,6 +71,9 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
   start.firmware_size =
       msg::WordCount(static_cast<msg::WordCount::raw_type>(firmware.size() / flash_word));
   const Result<void> started = co_await call(start);
+  if (!started && started.error().code == ErrorCode::board_error) {
+    co_return detail::during("starting; the module is as before", started.error());
+  }
   if (!started) {
     static_cast<void>(co_await wait_until(task.now() + flash_lateness));
     co_return flash_error(0, detail::during("starting", started.error()));
