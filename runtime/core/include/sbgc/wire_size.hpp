@@ -44,6 +44,7 @@ concept GrownElement = requires {
 /// Returns true if elements of the struct have this size in some firmware.
 template <GrownElement T>
 constexpr bool is_element_size(std::size_t size) noexcept {
+  // NOLINTNEXTLINE(readability-use-anyofallof): no <algorithm> here
   for (const std::size_t known : T::element_sizes) {
     if (known == size) return true;
   }

@@ -24,7 +24,8 @@ inline constexpr double bode_sample_rate = 1250;
 
 /// The number of samples in a time, rounded to the nearest.
 constexpr std::uint32_t bode_samples(double seconds) noexcept {
-  return static_cast<std::uint32_t>(seconds * bode_sample_rate + 0.5);
+  const double doubled = 2 * seconds * bode_sample_rate;  // no lround() in a constant
+  return (static_cast<std::uint32_t>(doubled) + 1) / 2;
 }
 
 /// A recording. A sample that was lost is NaN in both signals.

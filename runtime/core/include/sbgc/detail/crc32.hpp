@@ -14,7 +14,7 @@ inline constexpr std::uint32_t crc32_polynomial = 0xEDB88320;
 inline constexpr auto& crc32_table = crc_table<crc32_polynomial, 8>[0];
 
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
-  constexpr auto& of = crc_table<crc32_polynomial, 8>;
+  constexpr const auto& of = crc_table<crc32_polynomial, 8>;
   std::uint32_t value = 0xFFFFFFFF;
   for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
     value ^= bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
