@@ -10,7 +10,7 @@
 
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/enums.hpp>
-#include <sbgc/text/values.hpp>
+#include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
@@ -43,13 +43,6 @@ struct Examination {
   std::optional<Axes<Vibration>> vibration{};
   std::vector<Finding> findings{};
 };
-
-template <class E>
-std::string name_of_value(E value) {
-  const auto number = static_cast<std::int64_t>(value);
-  const std::string_view name = detail::value_name(EnumMeta<E>::info, number);
-  return name.empty() ? std::to_string(number) : std::string(name);
-}
 
 /// The calibrated positions of the accelerometer, of six.
 int positions_of(const msg::CalibInfo& calibration) {
@@ -124,9 +117,9 @@ Json to_json(const Examination& examination) {
              {"serial_errors", measured.serial.risen()},
              {"damaged_share", measured.damaged_share},
              {"unanswered", measured.unanswered},
-             {"task", name_of_value(measured.task)}};
+             {"task", to_string(measured.task)}};
   if (measured.parameters) {
-    state["follow_mode"] = name_of_value(measured.parameters->follow_mode);
+    state["follow_mode"] = to_string(measured.parameters->follow_mode);
     state["battery_alarm_v"] = measured.parameters->bat_threshold_alarm.volts();
     state["battery_stop_v"] = measured.parameters->bat_threshold_motors.volts();
   }
@@ -177,9 +170,9 @@ std::string state_text(const Measurements& measured) {
   std::string text =
       fmt::format("motors {}, profile {}", measured.has_motors_on ? "on" : "off", measured.profile);
   if (measured.parameters) {
-    text += ", follow mode " + name_of_value(measured.parameters->follow_mode);
+    text += ", follow mode " + to_string(measured.parameters->follow_mode);
   }
-  if (measured.task != msg::CalibMode{}) text += ", running " + name_of_value(measured.task);
+  if (measured.task != msg::CalibMode{}) text += ", running " + to_string(measured.task);
   text += fmt::format(", cycle {:.0f} us", measured.cycle.value().value_or(0));
   return text;
 }

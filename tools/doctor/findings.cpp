@@ -7,7 +7,7 @@
 
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
-#include <sbgc/text/values.hpp>
+#include <sbgc/text.hpp>
 
 #include "command/wording.hpp"
 #include "motion/axis_values.hpp"
@@ -71,11 +71,6 @@ constexpr Advice advice_for(msg::SystemError error) {
   return {error, "Restart the board.", "sbgc reset"};
 }
 
-std::string name_of(const EnumInfo& info, std::int64_t value) {
-  const std::string_view name = detail::value_name(info, value);
-  return name.empty() ? std::to_string(value) : std::string(name);
-}
-
 /// Collects findings.
 class Judge {
  public:
@@ -105,9 +100,7 @@ class Judge {
       std::string sentence = fmt::format("The board reports {}: {}", error.name, error.summary);
       if (flag == msg::SystemError::emergency_stop &&
           measured_.sub_error != msg::SystemSubError{}) {
-        sentence += fmt::format(" The reason is {}.",
-                                name_of(EnumMeta<msg::SystemSubError>::info,
-                                        static_cast<std::int64_t>(measured_.sub_error)));
+        sentence += fmt::format(" The reason is {}.", to_string(measured_.sub_error));
       }
       const Advice advice = advice_for(flag);
       findings_.push_back({.id = error.name,

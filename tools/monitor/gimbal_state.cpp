@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <sbgc/text/values.hpp>
+#include <sbgc/text.hpp>
 
 namespace sbgc::tools {
 
@@ -21,14 +21,6 @@ PerAxis degrees(const Axes<T>& angles) {
 PerAxis shares(const Axes<std::uint8_t>& powers) {
   constexpr double full = std::numeric_limits<std::uint8_t>::max();
   return {powers.roll / full, powers.pitch / full, powers.yaw / full};
-}
-
-/// Returns the name of a value, or its number.
-template <class E>
-std::string name_or_number(E value) {
-  const auto number = static_cast<std::int64_t>(value);
-  const std::string_view name = detail::value_name(EnumMeta<E>::info, number);
-  return name.empty() ? std::to_string(number) : std::string(name);
 }
 
 /// Takes what both messages have.
@@ -60,7 +52,7 @@ LiveValues common_values(const M& message) {
     }
   }
   if (message.system_sub_error != msg::SystemSubError{}) {
-    values.sub_error = name_or_number(message.system_sub_error);
+    values.sub_error = to_string(message.system_sub_error);
   }
   return values;
 }
@@ -74,7 +66,7 @@ LiveValues values_of(const msg::RealtimeData4& message) {
                     message.balance_error.yaw.percent()};
   values.current = message.current.real();
   values.temperature = message.imu_temperature.real();
-  if (message.calib_mode != msg::CalibMode{}) values.task = name_or_number(message.calib_mode);
+  if (message.calib_mode != msg::CalibMode{}) values.task = to_string(message.calib_mode);
   return values;
 }
 
