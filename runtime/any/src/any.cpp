@@ -19,6 +19,11 @@ AnyMessage::AnyMessage(const MessageType& type)
   type.operations->construct(memory_.get());
 }
 
+AnyMessage::AnyMessage(const MessageType& type, const void* message)
+    : type_(&type), memory_(std::make_unique<std::byte[]>(type.memory)) {
+  type.operations->copy(message, memory_.get());
+}
+
 AnyMessage::AnyMessage(const AnyMessage& other) : AnyMessage(*other.type_) {
   std::memcpy(memory_.get(), other.memory_.get(), type_->memory);
 }

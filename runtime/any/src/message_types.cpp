@@ -5,9 +5,11 @@
 #include <type_traits>
 
 #include <sbgc/any.hpp>
+#include <sbgc/detail/check.hpp>
+#include <sbgc/detail/compiler.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/validate.hpp>
+#include <sbgc/surplus.hpp>
 
 #include "field_setter.hpp"
 #include "field_types.hpp"
@@ -24,9 +26,24 @@ struct Report {
   void operator()(const Violation& violation) const { use(user, violation); }
 };
 
-template <class T>
+template <class M, class T>
+constexpr auto teacher_of() -> decltype(detail::AnyOperations::teach) {
+  if constexpr (!Contexts::learns_from<M>) {
+    return nullptr;
+  } else {
+    return [](const void* message, Contexts& contexts) {
+      contexts.learn(without_surplus(*static_cast<const T*>(message)));
+    };
+  }
+}
+
+template <class M, class T = Received<M>>
 constexpr detail::AnyOperations operations_of = {
     .construct = [](void* message) { new (message) T{}; },
+    .copy =
+        [](const void* from, void* message) {
+          new (message) T{*static_cast<const M*>(from)};
+        },
     .equal =
         [](const void* message, const void* other) {
           return *static_cast<const T*>(message) == *static_cast<const T*>(other);
@@ -44,10 +61,7 @@ constexpr detail::AnyOperations operations_of = {
         [](const void* message, std::span<std::uint8_t> out) {
           return sbgc::encode(*static_cast<const T*>(message), out);
         },
-    .teach =
-        [](const void* message, Contexts& contexts) {
-          contexts.learn(without_surplus(*static_cast<const T*>(message)));
-        },
+    .teach = teacher_of<M, T>(),
     .leaves =
         [](const void* message, detail::LeafWalk& walk) {
           walk.members(*static_cast<const T*>(message), nullptr);
@@ -55,7 +69,11 @@ constexpr detail::AnyOperations operations_of = {
     .validate =
         [](const void* message, const Availability& versions,
            detail::AnyOperations::UseViolation use, void* user) {
-          return sbgc::validate(*static_cast<const T*>(message), versions, Report{use, user});
+          // Not validate(), whose fast path is inlined: it takes as long to compile as all of this.
+          const Report report{use, user};
+          detail::Check<const Report> check(versions, report);
+          check.members(*static_cast<const T*>(message), nullptr);
+          return check.passed();
         },
 #ifndef SBGC_ANY_WITHOUT_JSON  // the frame builder of the reference site, which readers download
     .write_json =
@@ -84,7 +102,7 @@ constexpr MessageType type_of() {
           .form = M::form,
           .memory = sizeof(T),
           .fields = fields_of<T>,
-          .operations = &operations_of<T>};
+          .operations = &operations_of<M>};
 }
 
 template <class M>
@@ -96,7 +114,19 @@ constexpr auto types_in(TypeList<Ms...>) {
 }
 constexpr auto types = types_in(AllMessages{});
 
+template <class... Ms>
+constexpr auto functions_of(TypeList<Ms...>) {
+  return std::array{&detail::message_type<Ms>...};
+}
+/// Makes the compiler emit message_type() for every message.
+SBGC_USED constexpr auto functions = functions_of(AllMessages{});
+
 }  // namespace
+
+template <Message M>
+const MessageType& detail::message_type() noexcept {
+  return type_object<M>;
+}
 
 std::span<const MessageType* const> message_types() noexcept { return types; }
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/raw_request.hpp>
-#include <sbgc/responses/all.hpp>
-#include <sbgc/surplus.hpp>
+
+#include "policy_of.hpp"
 
 namespace sbgc {
 
@@ -34,9 +35,10 @@ Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> bo
     return ClientError{ErrorCode::invalid, "not a request that a frame can carry"};
   }
   RawRequest request{id, {body.begin(), body.end()}, cautious_policy(id)};
-  static_cast<void>(visit_received(id, body, Direction::to_board, [&]<class M>(const M& message) {
-    if constexpr (requires { response_policy(message); }) request.policy = response_policy(message);
-  }));
+  if (const MessageType* const type = find_message(Direction::to_board, id, body.size())) {
+    AnyMessage message = type->make();
+    if (message.decode(body)) request.policy = detail::policy_of(message);
+  }
   return request;
 }
 

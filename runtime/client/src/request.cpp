@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 #include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/explain.hpp>
 #include <sbgc/message.hpp>
@@ -15,7 +14,7 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
-#include "entry_of_each.hpp"
+#include "policy_of.hpp"
 
 namespace sbgc::detail {
 
@@ -57,97 +56,82 @@ std::string lacking(const MessageInfo& info, const Availability& versions) {
   return text + (is_of_firmware ? has_firmware(versions) : lacks_it);
 }
 
-template <Message M>
-std::optional<ClientError> refusal(const M& message, const Availability& versions, bool validate) {
-  if (!is_supported<M>(versions)) {
-    return ClientError{ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
-  }
-  std::optional<ClientError> error;
-  if (!validate) return error;
-  sbgc::validate(message, versions, [&](const Violation& violation) {
+std::optional<ClientError> refusal(const MessageInfo& info, const Availability& versions) {
+  if (objection_to(info, versions).empty()) return std::nullopt;
+  return ClientError{ErrorCode::unsupported, lacking(info, versions)};
+}
+
+std::optional<ClientError> refusal(const AnyMessage& message, const Availability& versions,
+                                   bool validate) {
+  const MessageInfo& info = *message.type().info;
+  std::optional<ClientError> error = refusal(info, versions);
+  if (error || !validate) return error;
+  message.validate(versions, [&](const Violation& violation) {
     if (error) return;
     error = {ErrorCode::invalid,
-             std::string(Meta<M>::info.command) + ": " + text_of(violation, versions)};
+             std::string(info.command) + ": " + text_of(violation, versions)};
   });
   return error;
 }
 
+/// Returns the form that firmware takes which no longer takes this one, if there is one.
+std::optional<AnyMessage> later_form_of(const AnyMessage& message, const Availability& versions) {
+  std::optional<AnyMessage> later;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (requires(const M& request) { later_form(request); }) {
+      const auto* const request = message.get_if<M>();
+      if (request == nullptr || !is_available(M::until, versions)) return;
+      const auto form = later_form(*request);
+      later.emplace(message_type<std::remove_const_t<decltype(form)>>(), &form);
+    }
+  });
+  return later;
+}
+
 }  // namespace
 
-template <Message M>
-Result<Request> prepare(const M& message, const Availability& versions, bool validate) {
-  if constexpr (requires { later_form(message); }) {
-    // Firmware that no longer takes this form receives the equivalent later form.
-    if (is_available(M::until, versions)) {
-      return prepare(later_form(message), versions, validate);
+ResponsePolicy policy_of(const AnyMessage& message) {
+  ResponsePolicy policy;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (requires(const M& request) { response_policy(request); }) {
+      if (const auto* const request = message.get_if<M>()) policy = response_policy(*request);
     }
+  });
+  return policy;
+}
+
+Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate) {
+  const MessageType& type = message.type();
+  if (!type.is_sent_to_board()) {
+    return ClientError{ErrorCode::invalid, "only the board sends this message"};
+  }
+  if (const auto later = later_form_of(message, versions)) {
+    return prepare(*later, versions, validate);
   }
   if (auto error = refusal(message, versions, validate)) return *std::move(error);
-  Request request{.id = static_cast<std::uint8_t>(M::command),
-                  .policy = response_policy(message),
-                  .command = Meta<M>::info.command};
+  Request request{
+      .id = type.info->id, .policy = policy_of(message), .command = type.info->command};
   request.body.resize(max_body_size);
-  const WriteResult written = encode(message, request.body);
+  const WriteResult written = message.encode(request.body);
   if (!written) {
     Status status = written.status;
     if (status.code == Code::buffer_too_small) status.code = Code::too_long;
     return ClientError{ErrorCode::invalid, "the request cannot be encoded: " + to_string(status)};
   }
   request.body.resize(written.size);
-  if constexpr (Contexts::learns_from<M>) {
-    request.teach = [message](Contexts& contexts) { contexts.learn(message); };
+  if (type.operations->teach != nullptr) {
+    request.teach = [message](Contexts& contexts) { message.teach(contexts); };
   }
   return request;
 }
 
-Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate) {
-  Result<Request> result = ClientError{ErrorCode::invalid, "only the board sends this message"};
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (M::direction != Direction::from_board) {
-      const auto* const request = message.get_if<M>();
-      if (request == nullptr) return;
-      result = prepare(without_surplus(*request), versions, validate);
-      if constexpr (takes_surplus<M>) {
-        if (!result) return;
-        std::vector<std::uint8_t>& body = result->body;
-        body.insert(body.end(), request->tail.begin(), request->tail.end());
-        if (body.size() > max_body_size) {
-          result = ClientError{ErrorCode::invalid, "the tail is too long"};
-        }
-      }
-    }
-  });
-  return result;
+Result<Request> prepare(const MessageType& type, const void* message, const Availability& versions,
+                        bool validate) {
+  return prepare(AnyMessage(type, message), versions, validate);
 }
 
-template <Message M>
-std::optional<ClientError> stream_refusal(const Availability& versions) {
-  if (is_supported<M>(versions)) return std::nullopt;
-  return ClientError{ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
+std::optional<ClientError> stream_refusal(const MessageType& type, const Availability& versions) {
+  return refusal(*type.info, versions);
 }
-
-namespace {
-
-template <class M>
-struct StreamRefusal {
-  decltype(&stream_refusal<M>) function = &stream_refusal<M>;
-};
-
-/// Makes the compiler emit stream_refusal() for every message that boards stream.
-SBGC_USED const auto stream_refusals = entries_for<StreamRefusal>(roles::StreamMessages{});
-
-template <class M>
-struct Preparer {};
-
-template <class M>
-  requires(M::direction != Direction::from_board)
-struct Preparer<M> {
-  decltype(&prepare<M>) function = &prepare<M>;
-};
-
-/// Makes the compiler emit prepare() for every message to the board.
-SBGC_USED const auto preparers = entries_for<Preparer>(AllMessages{});
-
-}  // namespace
 
 }  // namespace sbgc::detail

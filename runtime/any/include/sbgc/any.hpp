@@ -44,10 +44,11 @@ struct AnyOperations {
   using UseViolation = void (*)(void* user, const Violation& violation);
 
   void (*construct)(void* message);
+  void (*copy)(const void* from, void* message);  ///< `from` is an M
   bool (*equal)(const void* message, const void* other);
   Status (*decode)(std::span<const std::uint8_t> body, void* message, const Contexts& contexts);
   WriteResult (*encode)(const void* message, std::span<std::uint8_t> out);
-  void (*teach)(const void* message, Contexts& contexts);
+  void (*teach)(const void* message, Contexts& contexts);  ///< null if it has no such facts
   void (*leaves)(const void* message, LeafWalk& walk);
   bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
   void (*write_json)(const void* message, TextOutput& out, Secrets secrets);
@@ -77,6 +78,14 @@ struct MessageType {
   AnyMessage make() const;
 };
 
+namespace detail {
+
+/// Returns the type of M. The library defines this function for every message.
+template <Message M>
+const MessageType& message_type() noexcept;
+
+}  // namespace detail
+
 /// Returns all types, in the order of the specification's families.
 std::span<const MessageType* const> message_types() noexcept;
 
@@ -91,6 +100,8 @@ const MessageType* find_message(Direction direction, std::uint8_t id, std::size_
 class AnyMessage {
  public:
   explicit AnyMessage(const MessageType& type);
+  /// Copies a message of this type, without surplus.
+  AnyMessage(const MessageType& type, const void* message);
   AnyMessage(const AnyMessage& other);
   AnyMessage(AnyMessage&&) noexcept = default;
   AnyMessage& operator=(const AnyMessage& other) { return *this = AnyMessage(other); }
@@ -111,7 +122,7 @@ class AnyMessage {
                                          std::span<std::uint8_t> out) const noexcept;
   /// Stores the facts of the message that decoding later ones needs.
   void teach(Contexts& contexts) const noexcept {
-    type_->operations->teach(memory_.get(), contexts);
+    if (type_->operations->teach != nullptr) type_->operations->teach(memory_.get(), contexts);
   }
 
   /// Calls `use(const Leaf&)` for every value, in wire order, as for_each_leaf().
@@ -180,12 +191,15 @@ class AnyMessage {
   /// null.
   template <Message M>
   const Received<M>* get_if() const noexcept {
-    return type_->info == &Meta<M>::info ? static_cast<const Received<M>*>(value()) : nullptr;
+    return type_->info == &Meta<M>::info ? static_cast<const Received<M>*>(address()) : nullptr;
   }
   template <Message M>
   Received<M>* get_if() noexcept {
-    return type_->info == &Meta<M>::info ? static_cast<Received<M>*>(value()) : nullptr;
+    return type_->info == &Meta<M>::info ? static_cast<Received<M>*>(static_cast<void*>(memory_.get())) : nullptr;
   }
+
+  /// Returns the address of the message, a Received<M>.
+  const void* address() const noexcept { return memory_.get(); }
 
   friend bool operator==(const AnyMessage& a, const AnyMessage& b) noexcept {
     return a.type_ == b.type_ && a.type_->operations->equal(a.memory_.get(), b.memory_.get());
@@ -195,9 +209,6 @@ class AnyMessage {
   bool set(std::string_view path, const AnyValue* value);
   std::string assign(const FieldType& type, const std::string& path, std::string_view text,
                      const Availability& versions);
-
-  const void* value() const noexcept { return memory_.get(); }
-  void* value() noexcept { return memory_.get(); }
 
   const MessageType* type_;
   std::unique_ptr<std::byte[]> memory_;

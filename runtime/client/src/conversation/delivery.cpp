@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <sbgc/any.hpp>
+
 #include "board_text.hpp"
 
 namespace sbgc::detail {
@@ -9,26 +11,20 @@ namespace sbgc::detail {
 void Delivery::deliver(const Frame& frame) {
   MessageHandlers::call(messages_->with_key({frame.id, {}, true}),
                         [&](const auto& handler) { handler(&frame); });
-  const auto use = [&]<class M>(Type<M>) {
-    const MessageKey key{frame.id, M::form};
-    const auto handlers = messages_->with_key(key);
-    if (handlers.empty() && !Contexts::learns_from<M>) return;
-    M message{};
-    Status status{};
-    if constexpr (requires { contexts_.of(message); }) {
-      status = decode(frame.body, message, contexts_.of(message));
-    } else {
-      status = decode(frame.body, message);
-    }
-    if (!status) return report_unreadable(frame, status, handlers.size());
-    contexts_.learn(message);
-    MessageHandlers::call(handlers, [&](const auto& handler) { handler(&message); });
-  };
-  const Code code = select(Direction::from_board, frame.id, frame.body.size(), use);
-  if (code != Code::unknown_form) return;
-  const auto subscribers =
-      messages_->count([&](const MessageKey& key) { return key.id == frame.id && !key.is_raw; });
-  report_unreadable(frame, {code}, subscribers);
+  const MessageType* const type =
+      find_message(Direction::from_board, frame.id, frame.body.size());
+  if (type == nullptr) {
+    const auto subscribers =
+        messages_->count([&](const MessageKey& key) { return key.id == frame.id && !key.is_raw; });
+    return report_unreadable(frame, {Code::unknown_form}, subscribers);
+  }
+  const auto handlers = messages_->with_key({frame.id, type->form});
+  if (handlers.empty() && type->operations->teach == nullptr) return;
+  AnyMessage message = type->make();
+  const Status status = message.decode(frame.body, contexts_);
+  if (!status) return report_unreadable(frame, status, handlers.size());
+  message.teach(contexts_);
+  MessageHandlers::call(handlers, [&](const auto& handler) { handler(message.address()); });
 }
 
 void Delivery::report_unreadable(const Frame& frame, const Status& status,

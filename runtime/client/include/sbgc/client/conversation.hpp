@@ -68,7 +68,7 @@ class Conversation {
   /// Returns the error if this board has no data stream of M.
   template <Message M>
   std::optional<ClientError> stream_refusal() const {
-    return detail::stream_refusal<M>(versions());
+    return detail::stream_refusal(message_type<M>(), versions());
   }
 
   /// Prepares a request that is sent as it is.

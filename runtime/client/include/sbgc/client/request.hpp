@@ -14,6 +14,7 @@
 namespace sbgc {
 
 class AnyMessage;
+struct MessageType;
 struct Availability;
 struct Contexts;
 
@@ -39,20 +40,27 @@ struct Request {
   std::function<void(const Frame&)> on_frame{};
 };
 
-/// Encodes a request for a board with these versions. Fails if the board does not have the command
-/// or, if `validate`, does not allow a value. If the board takes another form of the message,
-/// encodes that one. The library defines this function for every message to the board.
+/// Returns the type of M, which sbgc::any defines.
 template <Message M>
-Result<Request> prepare(const M& message, const Availability& versions, bool validate);
+const MessageType& message_type() noexcept;
 
-/// The same for a message whose type is known at run time; also encodes its surplus. Fails for a
-/// message from the board.
+/// Encodes a request, with its surplus, for a board with these versions. Fails if the board does not
+/// have the command or, if `validate`, does not allow a value; fails for a message from the board.
+/// If the board takes another form of the message, encodes that one.
 Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate);
 
-/// Returns the error if a board with these versions does not have M, of which it would have to send
-/// a data stream. The library defines this function for every message of roles::StreamMessages.
+/// The same for a message of this type, without surplus.
+Result<Request> prepare(const MessageType& type, const void* message, const Availability& versions,
+                        bool validate);
+
 template <Message M>
-std::optional<ClientError> stream_refusal(const Availability& versions);
+Result<Request> prepare(const M& message, const Availability& versions, bool validate) {
+  return prepare(message_type<M>(), &message, versions, validate);
+}
+
+/// Returns the error if a board with these versions does not have this message, of which it would
+/// have to send a data stream.
+std::optional<ClientError> stream_refusal(const MessageType& type, const Availability& versions);
 
 }  // namespace detail
 }  // namespace sbgc
