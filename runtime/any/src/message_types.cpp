@@ -40,10 +40,7 @@ constexpr auto teacher_of() -> decltype(detail::AnyOperations::teach) {
 template <class M, class T = Received<M>>
 constexpr detail::AnyOperations operations_of = {
     .construct = [](void* message) { new (message) T{}; },
-    .copy =
-        [](const void* from, void* message) {
-          new (message) T{*static_cast<const M*>(from)};
-        },
+    .copy = [](const void* from, void* message) { new (message) T{*static_cast<const M*>(from)}; },
     .equal =
         [](const void* message, const void* other) {
           return *static_cast<const T*>(message) == *static_cast<const T*>(other);

@@ -68,8 +68,7 @@ std::optional<ClientError> refusal(const AnyMessage& message, const Availability
   if (error || !validate) return error;
   message.validate(versions, [&](const Violation& violation) {
     if (error) return;
-    error = {ErrorCode::invalid,
-             std::string(info.command) + ": " + text_of(violation, versions)};
+    error = {ErrorCode::invalid, std::string(info.command) + ": " + text_of(violation, versions)};
   });
   return error;
 }
@@ -109,8 +108,7 @@ Result<Request> prepare(const AnyMessage& message, const Availability& versions,
     return prepare(*later, versions, validate);
   }
   if (auto error = refusal(message, versions, validate)) return *std::move(error);
-  Request request{
-      .id = type.info->id, .policy = policy_of(message), .command = type.info->command};
+  Request request{.id = type.info->id, .policy = policy_of(message), .command = type.info->command};
   request.body.resize(max_body_size);
   const WriteResult written = message.encode(request.body);
   if (!written) {

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include <sbgc/detail/message_type.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/field_type.hpp>
 #include <sbgc/framing.hpp>
@@ -77,14 +78,6 @@ struct MessageType {
   /// Returns a message whose fields are 0, empty or absent, unless the specification has a default.
   AnyMessage make() const;
 };
-
-namespace detail {
-
-/// Returns the type of M. The library defines this function for every message.
-template <Message M>
-const MessageType& message_type() noexcept;
-
-}  // namespace detail
 
 /// Returns all types, in the order of the specification's families.
 std::span<const MessageType* const> message_types() noexcept;
@@ -195,7 +188,9 @@ class AnyMessage {
   }
   template <Message M>
   Received<M>* get_if() noexcept {
-    return type_->info == &Meta<M>::info ? static_cast<Received<M>*>(static_cast<void*>(memory_.get())) : nullptr;
+    return type_->info == &Meta<M>::info
+               ? static_cast<Received<M>*>(static_cast<void*>(memory_.get()))
+               : nullptr;
   }
 
   /// Returns the address of the message, a Received<M>.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sbgc/client/result.hpp>
+#include <sbgc/detail/message_type.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/response_policy.hpp>
@@ -14,7 +15,6 @@
 namespace sbgc {
 
 class AnyMessage;
-struct MessageType;
 struct Availability;
 struct Contexts;
 
@@ -40,13 +40,9 @@ struct Request {
   std::function<void(const Frame&)> on_frame{};
 };
 
-/// Returns the type of M, which sbgc::any defines.
-template <Message M>
-const MessageType& message_type() noexcept;
-
-/// Encodes a request, with its surplus, for a board with these versions. Fails if the board does not
-/// have the command or, if `validate`, does not allow a value; fails for a message from the board.
-/// If the board takes another form of the message, encodes that one.
+/// Encodes a request, with its surplus, for a board with these versions. Fails if the board does
+/// not have the command or, if `validate`, does not allow a value; fails for a message from the
+/// board. If the board takes another form of the message, encodes that one.
 Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate);
 
 /// The same for a message of this type, without surplus.
