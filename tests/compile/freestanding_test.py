@@ -202,7 +202,10 @@ unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t
 """
 
 
-@pytest.mark.parametrize("target", COMPILERS)
+# g++ is in the long run: `./dev size` links code of it for processors without any library.
+@pytest.mark.parametrize(
+    "target", [pytest.param(c, marks=[pytest.mark.long] if c == "g++" else []) for c in COMPILERS]
+)
 def test_code_needs_nothing(target: str, tmp_path: Path) -> None:
     """No allocation, exceptions or library: only functions that freestanding compilers expect."""
     program = tmp_path / "use.o"

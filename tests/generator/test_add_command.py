@@ -92,6 +92,7 @@ def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     assert list((tmp_path / "generated/fuzz/messages").glob("to_board_set_lights_*"))
 
 
+@pytest.mark.long
 def test_no_test_refuses_the_command_of_the_guide(tmp_path: Path) -> None:
     """Runs the tests that compare what is generated with other sources, in a copy of the project."""
     unwanted = shutil.ignore_patterns("__pycache__", "node_modules")
