@@ -21,10 +21,6 @@ namespace sbgc::fuzz {
 /// changes, repeats and forges them, which 8-bit checksums do not always reveal.
 class HostileLine final : public test::VirtualLine {
  public:
-  /// How long a frame can be held up. A client that has given up still expects its response for
-  /// 500 ms.
-  static constexpr Duration longest_delay = milliseconds(200);
-
   /// From now on, `script` decides; without one, the line is good.
   void follow(Input* script, bool is_foul) {
     script_ = script;

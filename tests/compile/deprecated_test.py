@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from compiler import COMPILERS, Compiler
+from compiler import LAST_COMPILER, Compiler
 
 HEADERS = """
 #include <sbgc/client/client.hpp>
@@ -41,7 +41,7 @@ NAMED = {
 }
 
 
-@pytest.fixture(params=COMPILERS, name="compiler", scope="module")
+@pytest.fixture(params=LAST_COMPILER, name="compiler", scope="module")
 def with_headers(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Compiler:

@@ -45,16 +45,6 @@ class ExactCopy {
   std::size_t size_;
 };
 
-/// Calls decode() with the context that the message needs, if any.
-template <class M>
-Status decode_in(std::span<const std::uint8_t> body, M& message, const Contexts& contexts) {
-  if constexpr (requires { contexts.of(message); }) {
-    return decode(body, message, contexts.of(message));
-  } else {
-    return decode(body, message);
-  }
-}
-
 /// Returns the body of a message, or an empty vector if it does not encode.
 template <class M>
 ByteVector body_of(const M& message) {

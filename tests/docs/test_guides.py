@@ -172,9 +172,25 @@ def test_names_of_the_library_exist(guide: Path) -> None:
 
 def test_commands_of_dev_exist() -> None:
     known = subprocess.run([ROOT / "dev"], capture_output=True, text=True, check=True).stdout
-    for guide in GUIDES:
+    for guide in PROSE:
         for command in re.findall(r"\./dev ([a-z]+)", guide.read_text(encoding="utf-8")):
             assert re.search(rf"^  {command}\b", known, re.MULTILINE), command
+
+
+@pytest.mark.parametrize("name", ["first_frame", "tilt"])
+def test_the_examples_of_readme_are_those_that_are_built(name: str) -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    example = (ROOT / f"examples/{name}.cpp").read_text(encoding="utf-8")
+    assert f"`examples/{name}.cpp`" in readme and f"```cpp\n{example}```" in readme
+
+
+def test_every_folder_of_the_map_exists() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`[a-z/]+/`(?: `[a-z/]+/`)*) \|", text, re.MULTILINE)
+    folders = [name for row in rows for name in re.findall(r"`([a-z/]+)/`", row)]
+    assert len(folders) >= 9
+    for folder in folders:
+        assert (ROOT / folder).is_dir(), folder
 
 
 def test_a_compiler_is_there() -> None:

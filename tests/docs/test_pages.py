@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from pathlib import Path
 from urllib.parse import urljoin
 
 from sbgcgen.model import Layout
@@ -24,6 +25,11 @@ def test_there_is_a_page_for_everything(pages: Pages, layout: Layout) -> None:
     assert len([p for p in pages if p.startswith("enums/")]) == len(things[1])
     assert len([p for p in pages if p.startswith("packed/")]) == len(things[2])
     assert len([p for p in pages if p.startswith("units/")]) == len(things[3])
+
+
+def test_each_guide_has_a_page(pages: Pages) -> None:
+    docs = Path(__file__).resolve().parents[2] / "docs"
+    assert len([p for p in pages if p.startswith("guides/")]) == len(list(docs.glob("*.md")))
 
 
 # Compiled, not rendered; ./dev docs copies it into the site.

@@ -7,13 +7,11 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from html import escape, unescape
-from os.path import normpath
 from pathlib import Path
 
 import pytest
 from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from html_pages import HtmlPages
-from spec_maker import write_spec
 
 from sbgcgen.build import load_protocol
 from sbgcgen.targets import target
@@ -71,29 +69,6 @@ def test_no_fact_of_the_exported_model_is_left_out_of_the_count() -> None:
     assert counts["command"] == len(MODEL["commands"])
 
 
-@pytest.mark.parametrize("seed", range(1, 4))
-def test_every_fact_of_any_other_protocol_too(seed: int, tmp_path: Path) -> None:
-    """Random protocols use all features of the spec language; this one does not."""
-    write_spec(tmp_path / "spec", seed, 8)
-    layout = load_protocol(tmp_path / "spec", allow_slips=True).layout
-    made = target("site").files(layout, tmp_path)
-    files = {name: data.decode() for name, data in made if name.endswith(".html")}
-    # The site names the elements of a list together.
-    facts = [f for f in all_facts(layout) if f.kind != "field spec name" or "[" not in f.place.hook]
-    assert len(facts) > 500
-    absent = missing(facts, HtmlPages(files, {c.name: c.family for c in layout.commands}))
-    assert not absent, absent[:20]
-
-
-def test_guides_link_pages_of_the_site(files: dict[str, str]) -> None:
-    guides = {name: text for name, text in files.items() if name.startswith("guides/")}
-    assert len(guides) == len(list((ROOT / "docs").glob("*.md")))
-    for name, text in guides.items():
-        for link in re.findall(r'href="([^"#]+)', page_part(text)):
-            path = (Path("/") / Path(name).parent / link).as_posix()
-            assert normpath(path).lstrip("/") in files, f"{name}: {link}"
-
-
 def test_types_have_the_names_of_the_generated_code(files: dict[str, str]) -> None:
     headers = [data.decode() for name, data in target("cpp").files(LAYOUT, ROOT) if "enums" in name]
     code = "".join(headers)
@@ -104,11 +79,6 @@ def test_types_have_the_names_of_the_generated_code(files: dict[str, str]) -> No
         namespace, _, type_ = name.rpartition("::")
         assert f"namespace sbgc::{namespace} {{" in code, name
         assert re.search(rf"^(enum class|class|using) {type_}\b", code, re.M), name
-
-
-def page_part(text: str) -> str:
-    """Returns the part that is specific to this page."""
-    return text[text.index("<main") : text.index("</main>")]
 
 
 @pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=kind_of)

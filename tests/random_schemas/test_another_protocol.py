@@ -88,6 +88,7 @@ int main() {
     assert run(program, lamp).splitlines() == [f"a5{covered.hex()}{crc:02x}", "3e49004900"]
 
 
+@pytest.mark.long
 def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
     """All vectors, frames, and random messages in both directions."""
     trial = Trial(1, lamp, options_of(["--compiler", COMPILER, "--launcher", LAUNCHER]))

@@ -24,7 +24,6 @@ std::string_view Colors::begin(Color color) const {
     case Color::red: return "\033[31m";
     case Color::green: return "\033[32m";
     case Color::yellow: return "\033[33m";
-    case Color::blue: return "\033[34m";
     case Color::cyan: return "\033[36m";
   }
   return "";

@@ -7,7 +7,7 @@
 
 namespace sbgc::tools {
 
-enum class Color : unsigned char { bold, dim, red, green, yellow, blue, cyan };
+enum class Color : unsigned char { bold, dim, red, green, yellow, cyan };
 
 /// True if TERM is "dumb": the terminal obeys no escape sequences.
 bool is_dumb_terminal();

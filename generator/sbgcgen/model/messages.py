@@ -116,10 +116,6 @@ class Message:
         """The size of the largest body of the protocol."""
         return self.min_size + self.tail_capacity
 
-    @property
-    def has_fixed_size(self) -> bool:
-        return self.body.size is not None
-
     @cached_property
     def lengths(self) -> tuple[tuple[Availability, int], ...]:
         """The sizes of the body by the versions that introduced them; empty if there is only one."""

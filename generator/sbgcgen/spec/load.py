@@ -26,8 +26,6 @@ except ImportError:  # a PyYAML without libyaml: slower, same result
 # A key that only the main file has, at the start of a line.
 _MAIN_KEY = re.compile(rb"^(\xef\xbb\xbf)?(protocol|framings|families):", re.MULTILINE)
 _ERRATA = "errata.yaml"
-# Sections of a family file; each has one namespace across all files.
-SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
 _WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}

@@ -14,8 +14,7 @@ class Row:
     """A row of a field table: a field with all its leaves, or a group of fields.
 
     `path` has a * for each axis and [] for each index; `leaves` is empty for a group. `since` is
-    the availability of the field and of the groups around it. Rows of fields in a tagged union
-    have `is_case`.
+    the availability of the field and of the groups around it.
     """
 
     path: str
@@ -23,7 +22,6 @@ class Row:
     field: Field
     leaves: tuple[Leaf, ...]
     since: Availability
-    is_case: bool = False
 
     @property
     def first(self) -> str:
@@ -70,7 +68,7 @@ def _rows(
                 cases = [case for leaf in found for case in leaf.cases if case.field is inner]
                 later = since.later(inner.since)
                 path_ = f"{name}.{inner.name}"
-                yield Row(path_, depth + 1, inner, tuple(cases), later, True)
+                yield Row(path_, depth + 1, inner, tuple(cases), later)
 
 
 def _indices(member: Field) -> str:

@@ -791,11 +791,16 @@ class Comparison:
 
     def additions(self) -> Iterator[Check]:
         """Checks messages, limits, units and names without a fact in the text."""
-        for message in self.model["messages"]:
-            name = message["name"]
+        bodies = [(message["name"], body_paths(message)) for message in self.model["messages"]]
+        for message, (name, paths) in zip(self.model["messages"], bodies):
             if (name, message["direction"]) not in self.met:
                 yield Check("extra message", 0, name, None, message["direction"])
-            same = self.same_elsewhere(message)
+            # Other messages that have the same body, or whose body starts this one.
+            same = [
+                other
+                for other, theirs in bodies
+                if theirs == paths or (len(theirs) > 9 and paths[: len(theirs)] == theirs)
+            ]
             seen: set[str] = set()
             for leaf in message["layout"]:
                 keys = {(n, leaf["path"]) for n in same} | {(name, leaf["path"])}
@@ -822,13 +827,3 @@ class Comparison:
         for variable in self.model["adjustable_variables"]:
             if variable["name"] not in variables:
                 yield Check("extra variable", 0, variable["name"], None, variable["id"])
-
-    def same_elsewhere(self, message: Json) -> list[str]:
-        """Returns other messages that have the same body, or whose body starts this one."""
-        paths = body_paths(message)
-        found = []
-        for other in self.model["messages"]:
-            theirs = body_paths(other)
-            if theirs == paths or (len(theirs) > 9 and paths[: len(theirs)] == theirs):
-                found.append(other["name"])
-        return found

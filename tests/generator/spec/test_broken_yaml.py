@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 import time
 from pathlib import Path
 
 import pytest
 
-from broken_yaml import LIMIT, PROJECT, broken, outcome
+from broken_yaml import LIMIT, broken, outcome
 from sbgcgen.build import load_protocol
 from sbgcgen.targets import outputs
 from support import HERE, findings, write_spec
@@ -67,16 +66,6 @@ def test_a_small_spec(part: int, tmp_path: Path) -> None:
             assert outputs(load_protocol(spec).layout, tmp_path)
         file.write_bytes(contents[file])
     assert refused > 40
-
-
-@pytest.mark.parametrize("seed", [7, 12, 44, 45])
-def test_the_spec_of_the_project(seed: int, tmp_path: Path) -> None:
-    """`broken_yaml.py` tries more, in minutes."""
-    spec = tmp_path / "spec"
-    shutil.copytree(PROJECT / "spec", spec)
-    file = spec / ("system.yaml", "units.yaml", "simplebgc.yaml")[seed % 3]
-    file.write_bytes(broken(seed, file.read_bytes()))
-    outcome(spec)
 
 
 def test_what_a_finding_quotes_is_one_short_line(tmp_path: Path) -> None:

@@ -38,7 +38,6 @@ def test_one_number_of_each_type(tmp_path: Path) -> None:
         ("f32", 14),
     ]
     assert (made.min_size, made.max_size) == (18, 18)
-    assert made.has_fixed_size
 
 
 def test_array_over_axes_gives_each_the_same_protocol_name(tmp_path: Path) -> None:
@@ -238,7 +237,6 @@ def test_conditional_fields_make_what_follows_movable(tmp_path: Path) -> None:
     )
     assert [i.offset for i in made.leaves] == [0, 1, None]
     assert (made.min_size, made.max_size) == (2, 4)
-    assert not made.has_fixed_size
     when = made.fields[1].when
     assert when is not None
     assert (when.source, when.from_context, when.may_be_missing) == ("mode", False, False)
