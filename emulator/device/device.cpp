@@ -9,6 +9,16 @@
 
 namespace sbgc::emulator {
 
+namespace {
+
+/// How often something happened since the board has started.
+std::uint64_t count_of(double per_second, Instant started, Instant now) {
+  const double seconds = static_cast<double>((now - started).us) * 1e-6;
+  return static_cast<std::uint64_t>(std::llround(seconds * per_second));
+}
+
+}  // namespace
+
 Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
       memory(std::move(kept)),
@@ -34,10 +44,15 @@ Duration Device::reported_cycle() const {
   return options.faults.cycle == Duration{} ? cycle() : options.faults.cycle;
 }
 
+// The counters wrap.
+
 std::uint16_t Device::i2c_errors(Instant now) const {
-  const double seconds = static_cast<double>((now - restarts.started()).us) * 1e-6;
-  // The counter wraps.
-  return static_cast<std::uint16_t>(std::llround(seconds * options.faults.i2c_errors));
+  return static_cast<std::uint16_t>(count_of(options.faults.i2c_errors, restarts.started(), now));
+}
+
+std::uint16_t Device::serial_errors(std::size_t port, Instant now) const {
+  return static_cast<std::uint16_t>(
+      ports.errors(port) + count_of(options.faults.serial_errors, restarts.started(), now));
 }
 
 double Device::battery_factor() const {

@@ -91,6 +91,7 @@ struct Device {
   /// The cycle time and the errors of the I2C bus that live data report.
   Duration reported_cycle() const;
   std::uint16_t i2c_errors(Instant now) const;
+  std::uint16_t serial_errors(std::size_t port, Instant now) const;
   /// The reading of the battery sensor per volt; 0 without a sensor.
   double battery_factor() const;
   /// The reading of the calibrated sensor in volts; 0 without a sensor.

@@ -127,6 +127,10 @@ constexpr std::array faults{
           [](BoardOptions& board, Value& value) {
             board.faults.i2c_errors = value.number(20, 0, 10000);
           }},
+    Fault{"line", "[=RATE]",
+          [](BoardOptions& board, Value& value) {
+            board.faults.serial_errors = value.number(20, 0, 10000);
+          }},
     Fault{"slow-cycle", "[=US]",
           [](BoardOptions& board, Value& value) {
             board.faults.cycle =

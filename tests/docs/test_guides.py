@@ -196,3 +196,12 @@ def test_every_folder_of_the_map_exists() -> None:
 def test_a_compiler_is_there() -> None:
     """Without a compiler, the tests above would check nothing."""
     assert shutil.which("g++")
+
+
+def test_each_problem_has_a_command_and_a_page_of_the_reference() -> None:
+    sections = re.split(r"^## ", (ROOT / "docs/20-problems.md").read_text("utf-8"), flags=re.M)[1:]
+    assert len(sections) >= 11
+    for section in sections:
+        name = section.splitlines()[0]
+        assert re.search(r"`sbgc [a-z]+|^sbgc [a-z]+", section, re.MULTILINE), name
+        assert re.search(r"\]\(\.\./(generated/fields|spec)/", section), name

@@ -1,7 +1,11 @@
 // Tests of `sbgc doctor` on emulated boards in virtual time: a healthy board has no finding, and
 // each fault has one.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +15,7 @@
 
 #include "../emulator/device/host.hpp"
 #include "doctor/findings.hpp"
+#include "doctor/polling.hpp"
 #include "serving/faults.hpp"
 
 namespace sbgc::tools {
@@ -20,17 +25,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr std::uint16_t interval_ms = 4;
-
-/// Measures a board for some seconds, as measure() does with a data stream.
-Measurements measured(const emulator::BoardOptions& options, int tenths = 30,
-                      const std::function<void(test::Host&)>& disturb = {}) {
-  test::Host host(options);
-  host.listen(milliseconds(100 * tenths));
-  Measurements result;
-  result.parameters = host.get<msg::ReadParams3>(
-      msg::ReadParams3Request{.profile_id = msg::ReadParams3Request::active_profile});
-  result.gyro.emplace(1e-3 * interval_ms);
+/// Takes live data and samples of the gyroscope for some tenths of a second.
+UniformSamples sampled(test::Host& host, std::uint16_t interval_ms, int tenths,
+                       Measurements& result, const std::function<void(test::Host&)>& disturb) {
+  UniformSamples samples(1e-3 * interval_ms);
   msg::DataStreamInterval stream;
   stream.cmd_id = msg::CommandFromBoard::realtime_data_custom;
   stream.interval_ms = decltype(stream.interval_ms)(interval_ms);
@@ -45,11 +43,25 @@ Measurements measured(const emulator::BoardOptions& options, int tenths = 30,
       msg::RealtimeDataCustom data;
       if (packet.id != static_cast<std::uint8_t>(msg::RealtimeDataCustom::command)) continue;
       EXPECT_TRUE(decode(std::span(packet.body), data, {*stream.config.flags}));
-      result.gyro->add_at(data.timestamp_ms.raw(), {data.gyro_data->roll.degrees_per_second(),
-                                                    data.gyro_data->pitch.degrees_per_second(),
-                                                    data.gyro_data->yaw.degrees_per_second()});
+      samples.add_at(data.timestamp_ms.raw(), {data.gyro_data->roll.degrees_per_second(),
+                                               data.gyro_data->pitch.degrees_per_second(),
+                                               data.gyro_data->yaw.degrees_per_second()});
     }
   }
+  return samples;
+}
+
+/// Measures a board for some seconds, as measure() does with data streams.
+Measurements measured(const emulator::BoardOptions& options, int tenths = 50,
+                      const std::function<void(test::Host&)>& disturb = {}) {
+  test::Host host(options);
+  host.listen(milliseconds(100 * tenths));
+  Measurements result;
+  result.has_battery_meter = options.features.has(msg::BoardFeature::bat_monitoring);
+  result.parameters = host.get<msg::ReadParams3>(
+      msg::ReadParams3Request{.profile_id = msg::ReadParams3Request::active_profile});
+  result.gyro = sampled(host, 4, tenths / 2, result, disturb);
+  result.again = sampled(host, 5, tenths - tenths / 2, result, disturb);
   result.seconds = 0.1 * tenths;
   return result;
 }
@@ -72,9 +84,10 @@ TEST(Doctor, AHealthyBoardHasNoFindingIn100Runs) {
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
     emulator::BoardOptions options;
     options.gimbal.seed = seed;
-    const Measurements healthy = measured(options, 10);
-    ASSERT_EQ(healthy.messages, 10U);
-    ASSERT_GT(healthy.gyro->size(), 240U);
+    const Measurements healthy = measured(options);
+    ASSERT_EQ(healthy.messages, 50U);
+    ASSERT_GT(healthy.gyro->size(), 600U);
+    ASSERT_GT(healthy.again->size(), 480U);
     ASSERT_EQ(healthy.gyro->lost_share(), 0);
     EXPECT_THAT(ids_of(findings_of(healthy)), IsEmpty()) << "seed " << seed;
   }
@@ -99,7 +112,9 @@ TEST(Doctor, EachFaultHasItsFindingAlone) {
       {"overload=yaw", "motor-power:2"},
       {"resonance=37Hz:0.1:pitch", "vibration:1"},
       {"resonance=90Hz:2:roll", "vibration:0"},
+      {"resonance=2Hz", "vibration:1"},
       {"i2c-errors", "i2c"},
+      {"line", "line"},
       {"slow-cycle", "cycle-time"},
       {"drift", "attitude"},
   };
@@ -130,14 +145,128 @@ TEST(Doctor, SeveralFaultsHaveSeveralFindings) {
 }
 
 TEST(Doctor, NamesAResonanceWithin1Hz) {
-  const Measurements shaking = with_faults("resonance=37Hz:0.1:yaw");
-  const auto vibration = shaking.vibration();
-  ASSERT_TRUE(vibration && !vibration->yaw.peaks.empty());
-  EXPECT_NEAR(vibration->yaw.peaks.front().frequency, 37, 1);
-  EXPECT_NEAR(vibration->yaw.peaks.front().amplitude, 0.1, 0.03);
+  for (const double hertz : {2.0, 3.0, 5.0, 12.5, 37.0, 50.0, 70.0, 85.0}) {
+    SCOPED_TRACE(hertz);
+    const std::string fault = "resonance=" + std::to_string(hertz) + ":0.1:yaw";
+    const Measurements shaking = with_faults(fault);
+    const auto vibration = shaking.vibration();
+    ASSERT_TRUE(vibration && !vibration->yaw.frequencies.empty());
+    const Frequency& found = vibration->yaw.frequencies.front();
+    EXPECT_TRUE(found.is_real);
+    EXPECT_NEAR(found.peak.frequency, hertz, 1);
+    EXPECT_NEAR(found.peak.amplitude, 0.1, 0.03);
+    const std::vector<Finding> findings = findings_of(shaking);
+    ASSERT_THAT(ids_of(findings), ElementsAre("vibration:2"));
+    EXPECT_THAT(findings[0].sentence, HasSubstr(frequency_text(found)));
+  }
+}
+
+TEST(Doctor, NoAliasIsNamedAsAFrequency) {
+  // At 250 per second, they appear at 37 Hz, 30 Hz and 7 Hz.
+  for (const double hertz : {213.0, 280.0, 243.0}) {
+    SCOPED_TRACE(hertz);
+    const std::string fault = "resonance=" + std::to_string(hertz) + ":1:pitch";
+    const std::vector<Finding> findings = findings_of(with_faults(fault));
+    ASSERT_THAT(ids_of(findings), ElementsAre("vibration:1"));
+    EXPECT_THAT(findings[0].sentence, HasSubstr(" (an alias at "));
+    EXPECT_THAT(findings[0].sentence,
+                testing::ContainsRegex(std::to_string(static_cast<int>(hertz)) + "\\.[0-9]|" +
+                                       std::to_string(static_cast<int>(hertz) - 1) + "\\.[5-9]"));
+  }
+}
+
+TEST(Doctor, WithoutASecondRateEachFrequencyMayBeAnAlias) {
+  Measurements shaking = with_faults("resonance=37Hz:1:pitch");
+  shaking.again.reset();
   const std::vector<Finding> findings = findings_of(shaking);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(findings[0].sentence, testing::AnyOf(HasSubstr(" at 36."), HasSubstr(" at 37.")));
+  EXPECT_THAT(findings[0].sentence, testing::ContainsRegex("37\\.. Hz \\(or an alias of 21[23]"));
+}
+
+TEST(Doctor, EachThresholdOfTheBattery) {
+  Measurements board = measured({}, 2);
+  const auto hundredths = [](double volts) {
+    return msg::VoltageThreshold(static_cast<std::int16_t>(100 * volts));
+  };
+  const auto judge = [&](double volts, double alarm, double motors) {
+    board.lowest_battery = volts;
+    board.parameters->bat_threshold_alarm = hundredths(alarm);
+    board.parameters->bat_threshold_motors = hundredths(motors);
+    std::string text;
+    for (const Finding& one : findings_of(board)) text += one.sentence;
+    return text;
+  };
+  EXPECT_EQ(judge(13, 12, 11), "");
+  EXPECT_THAT(judge(11.5, 12, 11), HasSubstr("below the alarm threshold of 12.00 V"));
+  EXPECT_THAT(judge(10.5, 12, 11),
+              HasSubstr("below the threshold of 11.00 V at which the motors stop"));
+  EXPECT_THAT(judge(10.5, -12, 11), HasSubstr("11.00 V at which the motors stop"));
+  EXPECT_EQ(judge(10.5, -12, -11), "") << "a negative one is none";
+  EXPECT_THAT(judge(0, -12, -11), HasSubstr("measures no battery voltage"));
+  board.has_battery_meter = false;
+  EXPECT_EQ(judge(0, 12, 11), "");
+}
+
+/// A board in virtual time, that answers within some time.
+struct SlowBoard {
+  double time = 0;
+  double frequency = 0;
+  std::function<double(int)> answer_time{};  ///< of the request with this number
+  int requests = 0;
+  std::vector<double> intervals{};
+
+  PollingParts parts() {
+    return {.now = [this] { return time; },
+            .wait_until = [this](double until) { time = std::max(time, until); },
+            .ask =
+                [this] {
+                  time += answer_time(requests++);
+                  const double value = std::sin(2 * std::numbers::pi * frequency * time);
+                  return Axes<double>{value, 0, 0};
+                },
+            .must_end = [] { return false; }};
+  }
+};
+
+TEST(Polling, TakesTheRateThatTheBoardKeepsUpWith) {
+  SlowBoard board{.answer_time = [](int) { return 0.0155; }};
+  const UniformSamples samples = poll_often(board.parts(), 2);
+  EXPECT_DOUBLE_EQ(samples.rate(), 50) << "a quarter more than an answer takes";
+  EXPECT_EQ(samples.lost_share(), 0);
+  EXPECT_EQ(samples.size(), 100U);
+}
+
+TEST(Polling, BeginsAgainAtHalfOfTheRate) {
+  // Later, each tenth answer takes longer than the interval.
+  SlowBoard board{
+      .answer_time = [](int number) { return number > 40 && number % 10 == 0 ? 0.030 : 0.0075; }};
+  const UniformSamples samples = poll_often(board.parts(), 2);
+  EXPECT_DOUBLE_EQ(samples.rate(), 25) << "after 100 and 50";
+  EXPECT_TRUE(samples.is_usable());
+  EXPECT_LT(board.time, 3) << "it did not wait for the end of what failed";
+}
+
+TEST(Polling, GivesUpOnABoardThatNeverKeepsUp) {
+  SlowBoard board{
+      .answer_time = [](int number) { return number > 20 && number % 3 == 0 ? 0.4 : 0.001; }};
+  EXPECT_FALSE(poll_often(board.parts(), 2).is_usable());
+}
+
+TEST(Polling, AnAliasOfSlowPollsIsKnownAsOne) {
+  const auto seen = [](double frequency) {
+    SlowBoard board{.frequency = frequency, .answer_time = [](int) { return 0.001; }};
+    Measurements measured;
+    measured.gyro = poll_at(board.parts(), 1 / 45.0, 2.5);
+    measured.again = poll_at(board.parts(), 1.25 / 45.0, 2.5);
+    return measured.vibration()->roll.frequencies.front();
+  };
+  const Frequency fast = seen(37);  // which appears at 8 Hz
+  EXPECT_NEAR(fast.peak.frequency, 8, 0.5);
+  EXPECT_FALSE(fast.is_real);
+  EXPECT_THAT(fast.others, testing::Contains(testing::DoubleNear(37, 0.5)));
+  const Frequency slow = seen(8);
+  EXPECT_TRUE(slow.is_real);
+  EXPECT_NEAR(slow.peak.frequency, 8, 0.5);
 }
 
 TEST(Doctor, LostSamplesAreRefusedAbove1Percent) {
@@ -153,6 +282,7 @@ TEST(Doctor, LostSamplesAreRefusedAbove1Percent) {
     }
     return some;
   };
+  shaking.again.reset();
   shaking.gyro = without(120);
   EXPECT_THAT(ids_of(findings_of(shaking)), ElementsAre("vibration:1"));
   shaking.gyro = without(80);

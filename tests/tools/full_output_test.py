@@ -40,7 +40,7 @@ SENT = [
     (("move", "--yaw", "300", "--speed", "20", "--yes"), CONTROL),
     (("motors", "on", "--yes"), 77),
     (("menu", "home_position", "--yes"), 69),
-    (("calibrate", "gyro", "--yes"), 103),
+    (("calibrate", "gyro", "--yes", "--no-check"), 103),
     (("reset", "--yes"), 114),
     (("send", "CMD_MOTORS_ON", "--yes"), 77),
     (

@@ -88,9 +88,9 @@ TEST(InterruptedCalls, ATerminalThatIsGoneHasNoKeys) {
 
 TEST(InterruptedCalls, AGuardGetsTheLastLineOfAClosedChannel) {
   Channel channel;
-  EXPECT_TRUE(send_line(channel.ends[0], {STDERR_FILENO, AfterStop::nothing}));
+  EXPECT_TRUE(send_line(channel.ends[0], {STDERR_FILENO, AfterStop::nothing, {}}));
   errno = EINTR;
-  EXPECT_TRUE(send_line(channel.ends[0], {STDERR_FILENO, AfterStop::remove_timeout}));
+  EXPECT_TRUE(send_line(channel.ends[0], {STDERR_FILENO, AfterStop::remove_timeout, {}}));
   channel.close(0);
   errno = EINTR;
   const GuardedLine line = receive_line(channel.ends[1]);
@@ -99,10 +99,29 @@ TEST(InterruptedCalls, AGuardGetsTheLastLineOfAClosedChannel) {
   ::close(line.descriptor);
 }
 
+TEST(InterruptedCalls, AGuardGetsParametersToRestore) {
+  Channel channel;
+  msg::ReadParams3 first;
+  first.profile_id = 1;
+  first.axes.pitch.p = 33;
+  ParameterSet sent;
+  ASSERT_TRUE(sent.set(first));
+  first.profile_id = 4;
+  ASSERT_TRUE(sent.set(first));
+  for (const Parameters& one : sent.all()) EXPECT_TRUE(send_parameters(channel.ends[0], one));
+  EXPECT_TRUE(send_line(channel.ends[0], {STDERR_FILENO, AfterStop::end_tuning, {}}));
+  EXPECT_FALSE(send_parameters(channel.ends[0], {{std::string(2000, 'x'), 0}, {}}));
+  channel.close(0);
+  const GuardedLine line = receive_line(channel.ends[1]);
+  EXPECT_EQ(line.restored, sent);
+  EXPECT_EQ(line.after, AfterStop::end_tuning);
+  ::close(line.descriptor);
+}
+
 TEST(InterruptedCalls, AGuardThatHasEndedGetsNoLine) {
   Channel channel;
   channel.close(1);
-  EXPECT_FALSE(send_line(channel.ends[0], {STDERR_FILENO, {}}));
+  EXPECT_FALSE(send_line(channel.ends[0], {STDERR_FILENO, {}, {}}));
   EXPECT_EQ(errno, EPIPE);
   EXPECT_EQ(receive_line(-1).descriptor, -1) << "there is no channel at all";
 }

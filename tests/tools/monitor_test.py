@@ -306,6 +306,9 @@ def test_the_overview_shows_vibration(tmp_path: Path) -> None:
                     return False
                 place = head.index("vibration") + 1
                 pitch, roll = (float(rows[axis][place]) for axis in ("pitch", "roll"))
+                # The frequencies are those of the same spectrum as that of `sbgc doctor`.
+                if not re.search(r"vibration in deg/s from [12] to \d\d Hz", "\n".join(lines)):
+                    return False
                 # A sine of this amplitude.
                 return abs(pitch - 10 / 2**0.5) < 1 and roll < 0.5
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "signal/frequencies.hpp"
 #include "signal/uniform_samples.hpp"
 #include "signal/vibration.hpp"
 
@@ -79,7 +80,7 @@ std::vector<double> sine(double frequency, double amplitude, double rate, std::s
 }
 
 TEST(Vibration, FrequencyAndAmplitudeOfASine) {
-  for (const double frequency : {5.0, 17.3, 37.0, 61.49, 99.9}) {
+  for (const double frequency : {1.9, 2.5, 5.0, 17.3, 37.0, 61.49, 99.9}) {
     const Vibration found = vibration_of(sine(frequency, 0.4, 250, 1250), 250);
     ASSERT_FALSE(found.peaks.empty()) << frequency;
     EXPECT_NEAR(found.peaks.front().frequency, frequency, 0.3);
@@ -88,8 +89,8 @@ TEST(Vibration, FrequencyAndAmplitudeOfASine) {
   }
 }
 
-TEST(Vibration, NothingAbove45PercentOfTheRateOrBelow3Hz) {
-  for (const double frequency : {0.5, 1.5, 118.0, 124.0}) {
+TEST(Vibration, NothingAbove45PercentOfTheRateOrBelow1Hz) {
+  for (const double frequency : {0.3, 0.5, 118.0, 124.0}) {
     const Vibration found = vibration_of(sine(frequency, 1, 250, 2500), 250);
     EXPECT_LT(found.rms, 0.05) << frequency;
     for (const Peak& peak : found.peaks) {
@@ -110,10 +111,54 @@ TEST(Vibration, TheStrongestFirst) {
 }
 
 TEST(Vibration, TooFewSamplesHaveNone) {
-  for (const std::size_t count : {0U, 1U, 2U, 16U}) {
-    EXPECT_TRUE(vibration_of(sine(5, 1, 250, count), 250).peaks.empty()) << count;
+  for (const std::size_t count : {0U, 1U, 2U, 13U}) {
+    EXPECT_FALSE(vibration_of(sine(5, 1, 250, count), 250).is_known()) << count;
   }
   EXPECT_EQ(vibration_of(std::vector<double>(1000, 7.0), 250).rms, 0) << "at rest";
+}
+
+TEST(Frequencies, WhereAliasesAppear) {
+  EXPECT_DOUBLE_EQ(alias_of(37, 250), 37);
+  EXPECT_DOUBLE_EQ(alias_of(213, 250), 37);
+  EXPECT_DOUBLE_EQ(alias_of(287, 250), 37);
+  EXPECT_DOUBLE_EQ(alias_of(213, 200), 13);
+  EXPECT_DOUBLE_EQ(alias_of(250, 250), 0);
+}
+
+/// Samples at 250 and at 200 per second.
+std::vector<Frequency> seen_twice(double frequency, double amplitude_later = 1) {
+  return frequencies_of(vibration_of(sine(frequency, 1, 250, 625), 250),
+                        vibration_of(sine(frequency, amplitude_later, 200, 500), 200));
+}
+
+TEST(Frequencies, TwoRatesTellAliases) {
+  for (const double frequency : {2.5, 10.0, 37.0, 60.0, 88.0}) {
+    const Frequency found = seen_twice(frequency).front();
+    EXPECT_TRUE(found.is_real) << frequency;
+    EXPECT_NEAR(found.peak.frequency, frequency, 0.5);
+  }
+  EXPECT_EQ(frequency_text(seen_twice(37).front()), "37.0 Hz");
+  for (const double frequency : {163.0, 213.0, 287.0, 333.0}) {
+    const Frequency found = seen_twice(frequency).front();
+    EXPECT_FALSE(found.is_real) << frequency;
+    ASSERT_FALSE(found.others.empty());
+    EXPECT_NEAR(found.others.front(), frequency, 0.5) << frequency_text(found);
+  }
+  EXPECT_EQ(frequency_text(seen_twice(213).front()), "213.0 Hz (an alias at 37.0 Hz)");
+  const Frequency both = seen_twice(50).front();
+  EXPECT_EQ(frequency_text(both), "50.0 Hz (or an alias of 200.0 or 300.0 Hz)")
+      << "which the second rate does not show";
+  EXPECT_TRUE(seen_twice(100).front().is_real) << "nor this";
+}
+
+TEST(Frequencies, WhatOnlyOneRateShowsIsNone) {
+  for (const Frequency& found : seen_twice(37, 0.01)) EXPECT_LT(found.peak.amplitude, 0.1);
+}
+
+TEST(Frequencies, OneRateLeavesAllOpen) {
+  const Frequency found = frequencies_of(vibration_of(sine(37, 1, 250, 1250), 250)).front();
+  EXPECT_TRUE(found.is_real);
+  EXPECT_EQ(frequency_text(found), "37.0 Hz (or an alias of 213.0 or 287.0 Hz)");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import time
@@ -92,8 +93,20 @@ def test_ctrl_c_ends_the_tuning_and_nothing_changes() -> None:
         assert data["fields"]["calib_mode"] == 0
 
 
+def wait_for_end_of_tuning(gimbal: EmulatedGimbal, before: dict[str, Any]) -> None:
+    """Waits until a guard has ended the tuning and put the gains back."""
+    deadline = time.monotonic() + 60
+    while time.monotonic() < deadline:
+        result = run(*"send CMD_REALTIME_DATA_4 --format jsonl -p".split(), gimbal.address)
+        if result.status == 0 and json.loads(result.out)["fields"]["calib_mode"] == 0:
+            if gains(gimbal) == before:
+                return
+    raise AssertionError("the board still tunes, or has other gains")
+
+
 def test_a_guard_ends_the_tuning_of_a_dead_command() -> None:
     with emulated_gimbal(*SLOW) as gimbal:
+        before = gains(gimbal)
         with subprocess.Popen(
             [PROGRAM, "tune", "--yes", "-v", "-p", gimbal.address],
             stderr=subprocess.PIPE,
@@ -105,18 +118,31 @@ def test_a_guard_ends_the_tuning_of_a_dead_command() -> None:
                 if "CMD_AUTO_PID" in line and "board to host" in line:
                     break
             tuning.kill()
-        deadline = time.monotonic() + 30
-        while time.monotonic() < deadline:
-            result = run(*"send CMD_REALTIME_DATA_4 --format jsonl -p".split(), gimbal.address)
-            if result.status == 0 and json.loads(result.out)["fields"]["calib_mode"] == 0:
-                return
-    raise AssertionError("the board still tunes")
+        wait_for_end_of_tuning(gimbal, before)
+
+
+def test_a_guard_puts_the_old_values_back_if_the_command_dies_at_the_question(
+    tmp_path: Path,
+) -> None:
+    with emulated_gimbal(*QUICK) as gimbal:
+        before = gains(gimbal)
+        with terminal(tmp_path, 100, 30) as shell:
+            shell.run("tune", "roll", "-p", gimbal.address)
+            shell.wait("Continue")
+            shell.type("y")
+            shell.press("Enter")
+            shell.wait("Keep the new values")
+            assert gains(gimbal) != before
+            os.kill(shell.process(), signal.SIGKILL)
+            wait_for_end_of_tuning(gimbal, before)
 
 
 def test_what_is_not_possible() -> None:
     with emulated_gimbal("--board", "3.6", "--firmware", "2.73") as gimbal:
         later = run("tune", "--yes", "-p", gimbal.address)
-        assert later.status == 1 and "CMD_AUTO_PID" in later.error
+        assert later.status == 1 and "no document says what its gain means" in " ".join(
+            later.error.split()
+        )
     with emulated_gimbal() as gimbal:
         assert run("motors", "off", "--yes", "-p", gimbal.address).status == 0
         off = run("tune", "--yes", "-p", gimbal.address)

@@ -15,6 +15,7 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "care/calibration_state.hpp"
+#include "care/readiness.hpp"
 #include "command/arming.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
@@ -22,7 +23,6 @@
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
-#include "motion/motor_state.hpp"
 #include "values/assignments.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
@@ -83,6 +83,19 @@ std::vector<Assignment> assignments_of(const CalibrateOptions& options) {
   return result;
 }
 
+/// True unless the request only manages what is stored.
+bool measures(const AnyMessage& request, bool is_of_sensor) {
+  bool does = true;
+  request.with_leaf("action", [&](const Leaf& leaf) {
+    const auto of_sensor = static_cast<msg::CalibAction>(leaf.integer);
+    does =
+        is_of_sensor
+            ? of_sensor == msg::CalibAction::regular || of_sensor == msg::CalibAction::temperature
+            : static_cast<msg::CoggingAction>(leaf.integer) == msg::CoggingAction::calibrate;
+  });
+  return does;
+}
+
 Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
   try {
     std::vector<Assignment> assignments = assignments_of(options);
@@ -104,9 +117,10 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
     // Other actions than calibrating have other effects, which those of the whole form include.
     result.effects = says_action && !options.temperature ? result.form->info->effects
                                                          : calibration.info().effects;
-    // Other actions only manage what is stored.
-    if (!says_action || options.temperature) result.conditions = calibration.conditions;
     assign(result.request, assignments);
+    if (measures(result.request, result.form->has_action)) {
+      result.conditions = calibration.conditions;
+    }
     const std::string problems = violations_of(result.request, newest);
     if (!problems.empty()) throw ValueError(problems);
     result.request.with_leaf("imu_idx", [&](const Leaf& leaf) {
@@ -137,34 +151,18 @@ std::string progress_text(const CalibrationProgress& progress) {
                      progress.state->progress.percent());
 }
 
-/// Makes sure that the gimbal is as the calibration expects it.
-void check_conditions(Client& client, const CalibrateOptions& command,
-                      const CalibrationConditions& conditions) {
-  if (command.no_check) return;
-  if (conditions.motors_off && value_of(are_motors_on(client))) {
-    const bool can_ask = !command.arming.yes && is_terminal(stdin) && is_terminal(stderr);
-    if (command.motors_off || can_ask) {
-      arm({.yes = command.motors_off},
-          "The motors are on. They lose power now, and the camera drops to its heavy side.");
-      CallOptions options;
-      options.expect_confirmation = true;
-      value_of(Result<void>(client.call(msg::MotorsOff{}, options)));
-    } else {
-      remark("sbgc: the motors are on; --motors-off turns them off first\n");
-    }
-  }
-  if (!conditions.still) return;
-  // Assumption: more than the noise of a gyroscope, less than that of a hand.
-  constexpr double rest = 1;
-  // A camera that was just turned on, or let go, comes to rest.
-  constexpr int attempts = 5;
-  double motion = motion_of(client);
-  for (int i = 1; i < attempts && motion > rest; ++i) motion = motion_of(client);
-  if (motion <= rest) return;
-  throw CommandError(
-      fmt::format("the camera is not still: it turns by {:.1f} deg/s; leave it alone, or add "
-                  "--no-check",
-                  motion));
+/// What has to be true before the calibration begins.
+Readiness::Options readiness_of(const CalibrateOptions& command, const Chosen& chosen) {
+  Readiness::Options options{
+      .conditions = chosen.conditions,
+      .of_frame = chosen.options.imu == msg::CalibImu::frame,
+      .can_ask = !command.arming.yes && is_terminal(stdin) && is_terminal(stderr),
+      .motors_off = command.motors_off,
+      .checks = !command.no_check};
+  chosen.request.with_leaf("actual_voltage", [&](const Leaf& leaf) {
+    options.voltage = msg::Voltage(static_cast<msg::Voltage::raw_type>(leaf.integer)).volts();
+  });
+  return options;
 }
 
 /// Says which positions of the accelerometer are calibrated. Returns true if the user wants to
@@ -189,8 +187,7 @@ bool wants_next_position(Client& client, const Chosen& chosen, const CalibrateOp
   return agrees("Turn another of these sides upwards. Calibrate it as well? [y/N] ");
 }
 
-void run_once(Client& client, const CalibrateOptions& command, Chosen& chosen) {
-  check_conditions(client, command, chosen.conditions);
+void run_once(Client& client, Chosen& chosen) {
   const Interruption interruption;
   ProgressBar bar;
   chosen.options.progress = [&](const CalibrationProgress& progress) {
@@ -233,8 +230,10 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
   Client client = connect(context.gimbal);
   require_possible(client, chosen.request);
   arm(command.arming, sentences(chosen));
+  Readiness readiness(client, readiness_of(command, chosen));
   do {
-    run_once(client, command, chosen);
+    readiness.require();
+    run_once(client, chosen);
   } while (wants_next_position(client, chosen, command));
   return success;
 }
@@ -256,7 +255,7 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "Turn the motors off first if the calibration needs it; the camera drops to its "
       "heavy side");
   command->add_flag("--no-check", options.no_check,
-                    "Do not check whether the motors are off, nor wait until the camera is still");
+                    "Do not check whether the gimbal is as the calibration expects it");
   command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
       ->type_name("active|main|frame");
   command->add_flag("--temperature", options.temperature,
@@ -265,13 +264,13 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       ->add_option("--voltage", options.voltage, "For battery: its measured voltage, such as 12.6V")
       ->type_name("VOLTAGE");
   command->footer(
-      "Says first how to hold the camera, and checks it: if the motors are on but should not be, "
-      "it "
-      "offers to turn them off, and a camera that is not still is not calibrated. After `acc`, it "
-      "says "
-      "which of the six positions are done, and goes on with another one. A calibration replaces "
-      "the stored one. No command stops "
-      "it: after Ctrl-C, and if the line is lost, the board goes on.\n"
+      "Says first how to hold the camera, and checks what the board can tell: motors off, camera "
+      "still, a side of the accelerometer upwards, a balanced camera and motors with power before "
+      "they turn it, a voltage near the measured one. It offers to turn the motors off; otherwise, "
+      "nothing is calibrated. After `acc`, it says which of the six positions are done, and goes "
+      "on "
+      "with another one. A calibration replaces the stored one. No command stops it: after Ctrl-C, "
+      "and if the line is lost, the board goes on.\n"
       "\n"
       "Examples:\n"
       "  sbgc calibrate --status\n"

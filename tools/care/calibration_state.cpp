@@ -1,14 +1,9 @@
 #include "care/calibration_state.hpp"
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <string_view>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,6 +12,7 @@
 #include <sbgc/meta/enums.hpp>
 
 #include "board/connection.hpp"
+#include "care/sensor_motion.hpp"
 #include "command/help_text.hpp"
 
 namespace sbgc::tools {
@@ -35,10 +31,6 @@ std::string positions(const msg::CalibInfo& state, bool are_done) {
     names += (names.empty() ? "" : ", ") + std::string(name);
   }
   return names;
-}
-
-msg::RealtimeData3 live_data(Client& client) {
-  return value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
 }
 
 void print_line(const char* name, const std::string& text) {
@@ -79,7 +71,8 @@ std::string calibrated_positions(const msg::CalibInfo& state) {
 std::string missing_positions(const msg::CalibInfo& state) { return positions(state, false); }
 
 void print_calibration_state(Client& client) {
-  const msg::RealtimeData3 data = live_data(client);
+  const msg::RealtimeData3 data =
+      value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
   print_line("motors", data.other_flags.has(msg::OtherFlag::motors_on) ? "on" : "off");
   std::string problems;
   for (const auto error : {msg::SystemError::calib_acc, msg::SystemError::calib_poles}) {
@@ -91,33 +84,10 @@ void print_calibration_state(Client& client) {
     }
   }
   print_line("errors", problems.empty() ? "none of a calibration" : problems);
-  print_line("motion", fmt::format("{:.2f} deg/s", motion_of(client)));
+  print_line("motion", motion_text(motion_of(client, false)));
   if (!is_supported<msg::CalibInfoRequest>(client.identity().versions())) return;
   print_imu(client, msg::SelectedImu::main, "main IMU");
   print_imu(client, msg::SelectedImu::frame, "frame IMU");
-}
-
-double motion_of(Client& client) {
-  constexpr int samples = 20;
-  constexpr std::chrono::milliseconds pause{50};
-  std::vector<Axes<double>> rates;
-  Axes<double> mean{};
-  for (int i = 0; i < samples; ++i) {
-    if (i != 0) std::this_thread::sleep_for(pause);
-    const msg::RealtimeData3 data = live_data(client);
-    auto& rate = rates.emplace_back();
-    for (std::size_t axis = 0; axis < rate.size(); ++axis) {
-      rate[axis] = data.axes[axis].gyro_data.degrees_per_second();
-      mean[axis] += rate[axis] / samples;
-    }
-  }
-  double most = 0;
-  for (const Axes<double>& rate : rates) {
-    for (std::size_t axis = 0; axis < rate.size(); ++axis) {
-      most = std::max(most, std::abs(rate[axis] - mean[axis]));
-    }
-  }
-  return most;
 }
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-/// The state of calibrations, and whether a gimbal is ready for one.
+/// The state of calibrations.
 #pragma once
 
 #include <string>
@@ -15,9 +15,5 @@ std::string missing_positions(const msg::CalibInfo& state);
 
 /// Prints what is calibrated, for people. Throws CommandError.
 void print_calibration_state(Client& client);
-
-/// Returns how far the gyroscope leaves its mean within a second, in deg/s; an offset counts as
-/// rest. Throws CommandError.
-double motion_of(Client& client);
 
 }  // namespace sbgc::tools

@@ -40,7 +40,7 @@ struct DoctorOptions {
 struct Examination {
   std::string board{}, firmware{}, line{};
   Measurements measured{};
-  std::optional<Axes<Vibration>> vibration{};
+  std::optional<Axes<AxisVibration>> vibration{};
   std::vector<Finding> findings{};
 };
 
@@ -56,6 +56,7 @@ std::string no_vibration_text(const Examination& examination) {
   if (examination.vibration) return "";
   const auto& gyro = examination.measured.gyro;
   if (!gyro || gyro->size() < 2) return "the gyroscope sent no samples";
+  if (gyro->is_usable()) return "the samples are too few";
   return fmt::format("{:.1f} % of the samples were lost, more than {:.0f} %",
                      100 * gyro->lost_share(), 100 * most_lost);
 }
@@ -89,11 +90,14 @@ Json axis_json(const Examination& examination, std::size_t axis) {
   Json result{{"motor_power_percent", number_or_null(measured.power[axis].value())},
               {"balance_error_percent", number_or_null(measured.balance[axis].value())}};
   if (!examination.vibration) return result;
-  const Vibration& vibration = (*examination.vibration)[axis];
+  const AxisVibration& vibration = (*examination.vibration)[axis];
   result["vibration_rms"] = vibration.rms;
   result["frequencies"] = Json::array();
-  for (const Peak& peak : vibration.peaks) {
-    result["frequencies"].push_back({{"hz", peak.frequency}, {"deg_per_s", peak.amplitude}});
+  for (const Frequency& one : strongest(vibration.frequencies)) {
+    result["frequencies"].push_back({{"hz", one.is_real ? Json(one.peak.frequency) : Json(nullptr)},
+                                     {"seen_at_hz", one.peak.frequency},
+                                     {"or_hz", one.others},
+                                     {"deg_per_s", one.peak.amplitude}});
   }
   return result;
 }
@@ -107,6 +111,7 @@ Json to_json(const Examination& examination) {
     sampling["lost_share"] = measured.gyro->lost_share();
     sampling["highest_hz"] = highest_share * measured.gyro->rate();
   }
+  if (measured.again) sampling["second_rate_hz"] = measured.again->rate();
   if (!examination.vibration) sampling["problem"] = no_vibration_text(examination);
   Json state{{"motors_on", measured.has_motors_on},
              {"profile", measured.profile},
@@ -158,8 +163,11 @@ std::string sampling_text(const Examination& examination) {
     text = fmt::format("{:.1f} s, {} messages of live data", measured.seconds, measured.messages);
   }
   if (!measured.gyro) return text;
-  text += fmt::format("; the gyroscope {:.0f} times per second ({})", measured.gyro->rate(),
-                      measured.sampling == Sampling::stream ? "a data stream" : "by requests");
+  const std::string again =
+      measured.again ? fmt::format(" and then {:.0f}", measured.again->rate()) : "";
+  text +=
+      fmt::format("; the gyroscope {:.0f}{} times per second ({})", measured.gyro->rate(), again,
+                  measured.sampling == Sampling::stream ? "a data stream" : "by requests");
   if (!examination.vibration) return text + "; no vibration: " + no_vibration_text(examination);
   return text + fmt::format(", {:.1f} % lost, which shows frequencies up to {:.0f} Hz",
                             100 * measured.gyro->lost_share(),
@@ -194,9 +202,12 @@ std::string cell(const std::optional<double>& value, int decimals) {
 
 void print_axes(const Examination& examination) {
   const Measurements& measured = examination.measured;
-  const auto row = [](const std::string& name, const auto& text_of) {
-    fmt::print("{:<26}", name);
-    for (std::size_t axis = 0; axis < axis_names.size(); ++axis) fmt::print("{:>9}", text_of(axis));
+  const std::size_t cell_width = line_width() < 60 ? 7 : 9;
+  const auto row = [&](const std::string& name, const auto& text_of) {
+    fmt::print("{:<19}", name);
+    for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+      fmt::print("{:>{}}", text_of(axis), cell_width);
+    }
     fmt::print("\n");
   };
   fmt::print("\n");
@@ -211,15 +222,23 @@ void print_axes(const Examination& examination) {
     };
   };
   row("vibration, deg/s",
-      of_vibration([](const Vibration& one) { return fmt::format("{:.2f}", one.rms); }));
-  row("  strongest frequency, Hz", of_vibration([](const Vibration& one) {
-        return one.peaks.empty() ? std::string("-")
-                                 : fmt::format("{:.1f}", one.peaks.front().frequency);
+      of_vibration([](const AxisVibration& one) { return fmt::format("{:.2f}", one.rms); }));
+  bool has_alias = false;
+  row("  strongest, Hz", of_vibration([&](const AxisVibration& one) {
+        if (one.frequencies.empty()) return std::string("-");
+        const Frequency& first = one.frequencies.front();
+        has_alias = has_alias || !first.others.empty();
+        return fmt::format("{:.1f}{}", first.peak.frequency, first.others.empty() ? "" : "?");
       }));
-  row("  its amplitude, deg/s", of_vibration([](const Vibration& one) {
-        return one.peaks.empty() ? std::string("-")
-                                 : fmt::format("{:.2f}", one.peaks.front().amplitude);
+  row("  with, deg/s", of_vibration([](const AxisVibration& one) {
+        return one.frequencies.empty()
+                   ? std::string("-")
+                   : fmt::format("{:.2f}", one.frequencies.front().peak.amplitude);
       }));
+  if (has_alias) {
+    fmt::print("{}\n", wrapped("? A higher frequency can look the same at this sample rate.",
+                               line_width(), 0, 2));
+  }
 }
 
 void print_findings(const std::vector<Finding>& findings) {
@@ -265,10 +284,11 @@ void print_text(const Examination& examination) {
 void print_thresholds() {
   fmt::print("{}\n", wrapped("All thresholds are assumptions: no document says what is normal.",
                              line_width()));
-  constexpr std::size_t column = 34;
+  const bool is_narrow = line_width() < 60;
+  const std::size_t column = is_narrow ? 2 : 34;
   for (const Threshold& one : thresholds()) {
     const std::string value = fmt::format("{} {}", one.value, one.unit);
-    fmt::print("{:20}{:14}{}\n", one.name, value,
+    fmt::print("{:20}{:{}}{}{}\n", one.name, value, is_narrow ? 0 : 14, is_narrow ? "\n  " : "",
                wrapped(one.meaning, line_width(), column, column));
   }
 }
@@ -318,9 +338,13 @@ void add_doctor(CLI::App& app, CommandContext& context) {
                     "List the limits beyond which a measurement is a finding");
   add_format(*command, options.format);
   command->footer(
-      "It moves nothing and changes nothing: leave the camera as it is used, with its motors on. "
-      "Vibration is that of the gyroscope, from 3 Hz to 45 % of the rate at which it was sampled: "
+      "It moves nothing and changes nothing: leave the camera as it is used, with its motors on, "
+      "and "
+      "do not touch it. "
+      "Vibration is that of the gyroscope, from 1 Hz to 45 % of the rate at which it was sampled: "
       "with a data stream, or, where the firmware has none or another host uses it, with requests. "
+      "A higher frequency looks like a lower one, its alias; so the time has two halves, with two "
+      "rates, and what remains uncertain is said. "
       "Lost samples are interpolated up to 1 %; with more, there is no spectrum.\n"
       "\n"
       "Examples:\n"

@@ -20,9 +20,9 @@ constexpr std::array table{
     Threshold{Limit::power, "motor-power", 90, "%", "mean power of a motor"},
     Threshold{Limit::balance, "balance-error", 10, "%", "mean motor power that imbalance takes"},
     Threshold{Limit::vibration, "vibration", 0.5, "deg/s",
-              "root mean square of the gyroscope from 3 Hz to 45 % of the sample rate"},
+              "root mean square of the gyroscope from 1 Hz to 45 % of the sample rate"},
     Threshold{Limit::resonance, "resonance", 0.05, "deg/s", "amplitude of one frequency"},
-    Threshold{Limit::contrast, "resonance-contrast", 10, "",
+    Threshold{Limit::contrast, "resonance-contrast", least_contrast, "",
               "power of that frequency relative to the median of all"},
     Threshold{Limit::cycle, "cycle-time", 1200, "us", "mean duration of a control cycle"},
     Threshold{Limit::i2c_errors, "i2c-errors", 0.5, "1/s", "errors of the I2C bus"},
@@ -112,19 +112,35 @@ class Judge {
 
   void judge_battery() {
     const double volts = measured_.lowest_battery.value_or(0);
+    if (measured_.has_battery_meter && measured_.lowest_battery && volts <= 0) {
+      findings_.push_back(
+          {.id = "battery",
+           .sentence = "The board measures no battery voltage.",
+           .advice = "Connect the battery: USB alone turns no motor. If it is connected, calibrate "
+                     "the sensor.",
+           .command = "sbgc calibrate battery --voltage VOLTS"});
+      return;
+    }
+    // The worst one that applies. A negative threshold is none.
     std::string limit;
-    bool is_low = false;
-    if (measured_.parameters) {
-      // A negative threshold is none.
-      const double alarm = measured_.parameters->bat_threshold_alarm.volts();
-      is_low = volts > 0 && volts < alarm;
-      limit = fmt::format(", below the alarm threshold of {:.2f} V", alarm);
+    if (measured_.parameters && volts > 0) {
+      const auto is_below = [&](msg::VoltageThreshold one) {
+        return one.raw() >= 0 && volts < one.volts();
+      };
+      const auto& parameters = *measured_.parameters;
+      if (is_below(parameters.bat_threshold_motors)) {
+        limit = fmt::format(", below the threshold of {:.2f} V at which the motors stop",
+                            parameters.bat_threshold_motors.volts());
+      } else if (is_below(parameters.bat_threshold_alarm)) {
+        limit = fmt::format(", below the alarm threshold of {:.2f} V",
+                            parameters.bat_threshold_alarm.volts());
+      }
     }
     const bool stops = measured_.errors.has(msg::SystemError::low_bat2);
-    if (!is_low && !stops && !measured_.errors.has(msg::SystemError::low_bat1)) return;
+    if (limit.empty() && !stops && !measured_.errors.has(msg::SystemError::low_bat1)) return;
     findings_.push_back(
         {.id = "battery",
-         .sentence = fmt::format("The battery has {:.2f} V{}{}.", volts, is_low ? limit : "",
+         .sentence = fmt::format("The battery has {:.2f} V{}{}.", volts, limit,
                                  stops ? "; the board stops the motors" : ""),
          .advice = "Charge or replace it. If a meter shows another voltage, calibrate the sensor.",
          .command = "sbgc calibrate battery --voltage VOLTS"});
@@ -212,14 +228,14 @@ class Judge {
     const auto vibration = measured_.vibration();
     if (!vibration) return;
     for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
-      const Vibration& one = (*vibration)[axis];
+      const AxisVibration& one = (*vibration)[axis];
       std::string frequencies;
-      for (const Peak& peak : one.peaks) {
-        const bool is_resonance = peak.amplitude >= threshold(Limit::resonance) &&
-                                  peak.contrast >= threshold(Limit::contrast);
+      for (const Frequency& found : strongest(one.frequencies)) {
+        const bool is_resonance = found.peak.amplitude >= threshold(Limit::resonance) &&
+                                  found.peak.contrast >= threshold(Limit::contrast);
         if (!is_resonance) continue;
-        frequencies += fmt::format("{}{:.1f} Hz with {:.2f} deg/s", frequencies.empty() ? "" : ", ",
-                                   peak.frequency, peak.amplitude);
+        frequencies += fmt::format("{}{} with {:.2f} deg/s", frequencies.empty() ? "" : ", ",
+                                   frequency_text(found), found.peak.amplitude);
       }
       const bool is_strong = one.rms > threshold(Limit::vibration);
       if (frequencies.empty() && !is_strong) continue;

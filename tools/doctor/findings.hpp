@@ -1,6 +1,7 @@
 /// What the measurements of `sbgc doctor` mean.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,12 @@ struct Threshold {
 };
 std::span<const Threshold> thresholds();
 double threshold(Limit limit);
+
+/// The frequencies to show.
+inline std::span<const Frequency> strongest(const std::vector<Frequency>& all) {
+  constexpr std::size_t most = 3;
+  return std::span(all).first(std::min(all.size(), most));
+}
 
 /// Something that is wrong, and what helps.
 struct Finding {

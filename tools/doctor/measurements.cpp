@@ -36,11 +36,15 @@ void Measurements::add(const msg::RealtimeData4& data) {
   if (data.calib_mode != msg::CalibMode{}) task = data.calib_mode;
 }
 
-std::optional<Axes<Vibration>> Measurements::vibration() const {
+std::optional<Axes<AxisVibration>> Measurements::vibration() const {
   if (!gyro || !gyro->is_usable()) return {};
-  Axes<Vibration> result;
+  Axes<AxisVibration> result;
   for (std::size_t axis = 0; axis < result.size(); ++axis) {
-    result[axis] = vibration_of(gyro->axis(axis), gyro->rate());
+    const Vibration first = vibration_of(gyro->axis(axis), gyro->rate());
+    if (!first.is_known()) return {};
+    Vibration second;
+    if (again && again->is_usable()) second = vibration_of(again->axis(axis), again->rate());
+    result[axis] = {first.rms, frequencies_of(first, second)};
   }
   return result;
 }

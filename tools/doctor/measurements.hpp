@@ -5,13 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/types.hpp>
 
+#include "signal/frequencies.hpp"
 #include "signal/uniform_samples.hpp"
 #include "signal/vibration.hpp"
 
@@ -52,6 +53,12 @@ class CountedErrors {
 /// How the gyroscope was sampled.
 enum class Sampling : std::uint8_t { stream, polls };
 
+/// How an axis vibrates.
+struct AxisVibration {
+  double rms{};                          ///< in deg/s
+  std::vector<Frequency> frequencies{};  ///< the strongest first
+};
+
 struct Measurements {
   double seconds = 0;  ///< from the first to the last message of live data
 
@@ -69,7 +76,9 @@ struct Measurements {
   unsigned profile = 0;                    ///< from 1
   msg::CalibMode task{};
 
-  // From other messages; nothing if the board did not answer
+  // From other messages
+  bool has_battery_meter = false;
+  // Nothing if the board did not answer
   std::optional<msg::ReadParams3> parameters{};
   std::optional<msg::CalibInfo> calibration{};
 
@@ -78,17 +87,17 @@ struct Measurements {
   double damaged_share = 0;      ///< of frames from the board
   std::uint64_t unanswered = 0;  ///< requests
 
-  // Of the gyroscope
+  // Of the gyroscope, in deg/s
   Sampling sampling{};
-  std::optional<UniformSamples> gyro{};  ///< in deg/s
-  std::string no_gyro{};                 ///< the reason why there are none
+  std::optional<UniformSamples> gyro{};
+  std::optional<UniformSamples> again{};  ///< at another rate, which tells aliases
 
   /// Takes a message of live data.
   void add(const msg::RealtimeData3& data) { add_common(data); }
   void add(const msg::RealtimeData4& data);
 
-  /// The vibration of each axis in deg/s; nothing if too many samples are lost.
-  std::optional<Axes<Vibration>> vibration() const;
+  /// Nothing if too many samples are lost, or too few were taken.
+  std::optional<Axes<AxisVibration>> vibration() const;
 
  private:
   template <class M>

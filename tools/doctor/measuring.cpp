@@ -1,20 +1,17 @@
 #include "doctor/measuring.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 #include <type_traits>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include <sbgc/roles.hpp>
 
 #include "board/connection.hpp"
 #include "command/interruption.hpp"
+#include "doctor/polling.hpp"
 
 namespace sbgc::tools {
 
@@ -29,10 +26,10 @@ double seconds_since(MeasuringClock::time_point start) {
 /// A data stream of the gyroscope alone, whose samples are short.
 class GyroStream {
  public:
-  /// Starts it as fast as the line carries it. Returns why there is none.
-  std::string start(Client& client) {
-    std::string problem;
-    for (const int interval_ms : {4, 8, 16}) {
+  /// Starts it with one of these intervals, the shortest that the line carries. Returns false if
+  /// there is none.
+  bool start(Client& client, std::span<const int> intervals_ms) {
+    for (const int interval_ms : intervals_ms) {
       {
         const std::lock_guard lock(mutex_);
         samples_.emplace(1e-3 * interval_ms);
@@ -46,12 +43,11 @@ class GyroStream {
           request, [this](const msg::RealtimeDataCustom& data) { take(data); });
       if (stream) {
         subscription_ = *std::move(stream);
-        return "";
+        return true;
       }
-      problem = stream.error().message;
       if (stream.error().code != ErrorCode::overload) break;
     }
-    return problem;
+    return false;
   }
   UniformSamples end() {
     subscription_.cancel();
@@ -81,18 +77,8 @@ class Measuring {
 
   Measurements run() {
     read_state();
-    GyroStream stream;
-    const std::string problem = stream.start(client_);
     start_ = MeasuringClock::now();
-    if (problem.empty()) {
-      result_.sampling = Sampling::stream;
-      ask_slowly();
-      result_.gyro = stream.end();
-    } else {
-      result_.sampling = Sampling::polls;
-      result_.no_gyro = problem;
-      ask_often();
-    }
+    if (!use_streams()) use_requests();
     const SessionStatistics session = client_.statistics().session;
     result_.frames = session.parser.frames;
     result_.damaged_share = line_quality(session).damaged;
@@ -101,11 +87,10 @@ class Measuring {
   }
 
  private:
-  bool is_over() const { return was_interrupted() || seconds_since(start_) >= time_; }
-
   /// Reads what does not change. An answer that is missing is not needed.
   void read_state() {
     value_of(Result<msg::RealtimeData3>(client_.call(msg::RealtimeData3Request{})));
+    result_.has_battery_meter = client_.identity().has(msg::BoardFeature::bat_monitoring);
     msg::ReadParams3Request parameters;
     parameters.profile_id = msg::ReadParams3Request::active_profile;
     if (const auto read = client_.call(parameters)) result_.parameters = *read;
@@ -116,78 +101,75 @@ class Measuring {
     }
   }
 
+  /// Samples the first half with one interval and the second half with another. Returns false if
+  /// there is no stream.
+  bool use_streams() {
+    constexpr std::array first{4, 8, 16};
+    constexpr std::array second{5, 10, 20};
+    GyroStream stream;
+    if (!stream.start(client_, first)) return false;
+    result_.sampling = Sampling::stream;
+    ask_slowly(time_ / 2);
+    result_.gyro = stream.end();
+    GyroStream other;
+    if (was_interrupted()) return true;
+    const bool has_other = other.start(client_, second);
+    ask_slowly(time_);
+    if (has_other) result_.again = other.end();
+    return true;
+  }
+
   msg::RealtimeData3 ask() {
     return value_of(Result<msg::RealtimeData3>(client_.call(msg::RealtimeData3Request{})));
   }
 
-  /// Asks for the newest live data that the board has.
+  /// Takes the newest live data that the board has.
   void add_live_data() {
     if (is_supported<msg::RealtimeData4Request>(client_.identity().versions())) {
-      result_.add(value_of(Result<msg::RealtimeData4>(client_.call(msg::RealtimeData4Request{}))));
+      add(value_of(Result<msg::RealtimeData4>(client_.call(msg::RealtimeData4Request{}))));
     } else {
-      result_.add(ask());
+      add(ask());
     }
+  }
+  template <class M>
+  void add(const M& data) {
+    result_.add(data);
     result_.seconds = seconds_since(start_);
     progress_(result_.seconds);
   }
 
-  /// While a stream has the gyroscope.
-  void ask_slowly() {
+  /// While a stream has the gyroscope, until `end`.
+  void ask_slowly(double end) {
     constexpr std::chrono::milliseconds pause{100};
-    while (!is_over()) {
+    while (!was_interrupted() && seconds_since(start_) < end) {
       add_live_data();
       std::this_thread::sleep_for(pause);
     }
   }
 
-  /// Asks at a fixed rate for the shorter live data. If the board does not keep up, begins again at
-  /// half of the rate.
-  void ask_often() {
+  /// Asks for the shorter live data, at one rate and then at another.
+  void use_requests() {
+    result_.sampling = Sampling::polls;
     constexpr int few = 5;
     for (int i = 0; i < few; ++i) add_live_data();
-    constexpr double longest = 0.1;
-    double interval = time_to_answer();
-    while (!ask_every(interval) && interval < longest) interval *= 2;
-  }
-
-  /// Returns false as soon as too many samples are missing.
-  bool ask_every(double interval) {
-    result_.gyro.emplace(interval);
-    result_.i2c = result_.serial = {};  // per second of this attempt
-    start_ = MeasuringClock::now();
-    std::int64_t number = 0;
-    while (!is_over()) {
-      const msg::RealtimeData3 data = ask();
-      result_.seconds = seconds_since(start_);
-      // The number of an answer that was late is that of its time, so that others are missing.
-      const auto now = static_cast<std::int64_t>(result_.seconds / interval);
-      result_.gyro->add(std::max(number, now), gyro_of(data));
-      result_.add(data);
-      progress_(result_.seconds);
-      if (result_.gyro->lost_share() * static_cast<double>(now + 1) >
-          most_lost * time_ / interval) {
-        return false;
-      }
-      number = std::max(number, now) + 1;
-      std::this_thread::sleep_until(
-          start_ + std::chrono::duration_cast<MeasuringClock::duration>(
-                       std::chrono::duration<double>(static_cast<double>(number) * interval)));
-    }
-    return true;
-  }
-
-  /// Returns the time in which almost all requests are answered, in seconds.
-  double time_to_answer() {
-    std::array<double, 20> times{};
-    for (double& one : times) {
-      const auto start = MeasuringClock::now();
-      static_cast<void>(ask());
-      one = seconds_since(start);
-    }
-    std::ranges::sort(times);
-    constexpr std::size_t late = 18;
-    constexpr double shortest = 0.004;
-    return std::max(shortest, std::ceil(1250 * times[late]) * 1e-3);
+    const PollingParts parts{
+        .now = [this] { return seconds_since(start_); },
+        .wait_until =
+            [this](double time) {
+              std::this_thread::sleep_until(start_ +
+                                            std::chrono::duration_cast<MeasuringClock::duration>(
+                                                std::chrono::duration<double>(time)));
+            },
+        .ask =
+            [this] {
+              const msg::RealtimeData3 data = ask();
+              add(data);
+              return gyro_of(data);
+            },
+        .must_end = [] { return was_interrupted(); }};
+    result_.gyro = poll_often(parts, time_ / 2);
+    constexpr double longer = 1.25;
+    result_.again = poll_at(parts, longer / result_.gyro->rate(), time_ / 2);
   }
 
   Client& client_;

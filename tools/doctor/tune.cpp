@@ -142,12 +142,14 @@ class TuningRun {
         profile_(choose_profile(gimbal.client(), options.profile)),
         request_(request_of(options, profile_.index)) {}
 
-  int run() {
+  /// Returns once the new values are kept.
+  void run() {
     Client& client = gimbal_.client();
+    require_known(client);
     require_possible(client, request_);
     before_ = read();
     arm(options_.arming, consequences());
-    gimbal_.begins_to_move(AfterStop::end_tuning);
+    gimbal_.begins_to_move(AfterStop::end_tuning, before_);
     const Subscription reports = client.subscribe<msg::AutoPid>(
         [this](const msg::AutoPid& report) { reports_.add(report); });
     reports_.restart();
@@ -165,10 +167,7 @@ class TuningRun {
       throw;
     }
     const bool is_kept = options_.arming.yes || wants_to_keep();
-    if (is_kept && !gimbal_.must_stop()) {
-      remark("The new values are kept.\n");
-      return success;
-    }
+    if (is_kept && !gimbal_.must_stop()) return;
     restore();
     if (gimbal_.must_stop())
       throw CommandError("interrupted; the old values are back", interrupted);
@@ -176,6 +175,19 @@ class TuningRun {
   }
 
  private:
+  static void require_known(const Client& client) {
+    const Availability versions = client.identity().versions();
+    if (is_supported<msg::AutoPidRequest>(versions) || !is_supported<msg::AutoPid2>(versions)) {
+      return;
+    }
+    throw CommandError(
+        "this firmware tunes with CMD_AUTO_PID2 instead of CMD_AUTO_PID: no document says what its "
+        "gain means, nor how the board reports its progress and a failure, so this command does "
+        "not "
+        "send it; tune with the vendor's program, and keep the old values with `sbgc params "
+        "backup`");
+  }
+
   ParameterSet read() {
     return read_parameters(gimbal_.client(), [&](const ParametersId& id) {
       const bool has_gains = id.message == ParametersOf<msg::ReadParams3>::name ||
@@ -265,8 +277,12 @@ class TuningRun {
 };
 
 int tune(const TuneOptions& options, const CommandContext& context) {
-  MovingGimbal gimbal(context.gimbal);
-  return TuningRun(gimbal, options).run();
+  {
+    MovingGimbal gimbal(context.gimbal);
+    TuningRun(gimbal, options).run();
+  }  // from here on, no guard would restore the old values
+  remark("The new values are kept.\n");
+  return success;
 }
 
 }  // namespace
@@ -288,10 +304,9 @@ void add_tune(CLI::App& app, CommandContext& context) {
   command->footer(
       "The motors must be on. It shows the progress, then the values before and after, and asks "
       "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
-      "--yes keeps them. If the command dies, a guard process ends the tuning; if it dies after "
-      "the "
-      "end, the new values stay. Firmware from 2.73 "
-      "on tunes with another request, which this command does not send.\n"
+      "--yes keeps them. If the command dies before that, a guard process ends the tuning and "
+      "writes the old values back. Firmware from 2.73 on tunes with another request, of which too "
+      "little is documented, and which this command does not send.\n"
       "\n"
       "Examples:\n"
       "  sbgc tune\n"

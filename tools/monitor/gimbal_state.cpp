@@ -1,11 +1,12 @@
 #include "monitor/gimbal_state.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
 #include <sbgc/text.hpp>
+
+#include "signal/vibration.hpp"
 
 namespace sbgc::tools {
 
@@ -70,21 +71,25 @@ LiveValues values_of(const msg::RealtimeData4& message) {
   return values;
 }
 
-/// Returns the standard deviation of the rates of an axis.
-double deviation_of(const std::deque<PerAxis>& rates, std::size_t axis) {
-  const auto count = static_cast<double>(rates.size());
-  double mean = 0;
-  for (const PerAxis& rate : rates) mean += rate[axis] / count;
-  double squares = 0;
-  for (const PerAxis& rate : rates) squares += (rate[axis] - mean) * (rate[axis] - mean);
-  return std::sqrt(squares / count);
+/// Adds the vibration in the rates of the gyroscope, `rate` of them per second. They are taken for
+/// evenly distributed.
+void add_vibration(LiveValues& values, const std::deque<PerAxis>& rates, double rate) {
+  std::vector<double> samples(rates.size());
+  for (std::size_t axis = 0; axis < values.vibration.size(); ++axis) {
+    for (std::size_t i = 0; i < rates.size(); ++i) samples[i] = rates[i][axis];
+    const Vibration found = vibration_of(samples, rate);
+    if (!found.is_known()) return;
+    values.vibration[axis] = found.rms;
+    values.slowest_vibration = found.slowest;
+    values.fastest_vibration = found.fastest;
+  }
 }
 
 }  // namespace
 
 void GimbalState::add(const LiveMessage& message) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds window{2};
+  constexpr std::chrono::seconds window{4};
   LiveValues values = std::visit([](const auto& one) { return values_of(one); }, message);
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);
@@ -94,13 +99,10 @@ void GimbalState::add(const LiveMessage& message) {
     arrivals_.pop_front();
     rates_.pop_front();
   }
-  constexpr std::size_t least = 10;
-  for (std::size_t i = 0; i < values.vibration.size() && rates_.size() >= least; ++i) {
-    values.vibration[i] = deviation_of(rates_, i);
-  }
-  if (arrivals_.size() > 1) {
+  if (arrivals_.size() > 1 && now > arrivals_.front()) {
     const std::chrono::duration<double> span = now - arrivals_.front();
     state_.rate = static_cast<double>(arrivals_.size() - 1) / span.count();
+    add_vibration(values, rates_, state_.rate);
   }
   for (std::size_t i = 0; i < state_.angles.size(); ++i) {
     state_.angles[i].add(values.angle[i]);

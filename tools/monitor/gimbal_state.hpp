@@ -43,10 +43,11 @@ struct LiveValues {
   PerAxis balance{};      ///< motor power lost to imbalance, in percent
   PerAxis power{};        ///< of the motors, 0 to 1
   PerAxis rate{};         ///< of the gyroscope, in deg/s
-  PerAxis vibration{};    ///< deviation of the rates of the last seconds from their mean, in deg/s
-  double battery{};       ///< in volts
-  double current{};       ///< in milliamperes
-  double temperature{};   ///< of the main IMU, in degrees Celsius
+  PerAxis vibration{};    ///< of the last seconds, as vibration_of() has it, in deg/s
+  double slowest_vibration{}, fastest_vibration{};  ///< its frequencies, in hertz
+  double battery{};                                 ///< in volts
+  double current{};                                 ///< in milliamperes
+  double temperature{};                             ///< of the main IMU, in degrees Celsius
   double cycle_us{};
   unsigned profile{};  ///< from 1
   unsigned i2c_errors{};

@@ -86,7 +86,13 @@ Guard::~Guard() {
 }
 
 void Guard::take(int line, AfterStop after) const {
-  if (!send_line(channel_.get(), {line, after})) fail_to_start(errno);
+  if (!send_line(channel_.get(), {line, after, {}})) fail_to_start(errno);
+}
+
+void Guard::restore(const ParameterSet& parameters) const {
+  for (const Parameters& one : parameters.all()) {
+    if (!send_parameters(channel_.get(), one)) fail_to_start(errno);
+  }
 }
 
 void Guard::leave_it_to_guard() { channel_ = {}; }

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <sbgc/client/parameters.hpp>
 #include <sbgc/io/detail/descriptor.hpp>
 
 namespace sbgc::tools {
@@ -16,7 +17,8 @@ enum class AfterStop : unsigned char {
 };
 
 /// Runs a guard: a process of its own session that also holds the line. If this process ends
-/// without releasing it, for whatever reason, the guard stops the gimbal. It does nothing else.
+/// without releasing it, for whatever reason, the guard stops the gimbal, and restores parameters
+/// if it has some.
 class Guard {
  public:
   /// Starts the guard. Throws CommandError.
@@ -28,6 +30,8 @@ class Guard {
 
   /// Hands over the line; the descriptor stays the caller's. Throws CommandError.
   void take(int line, AfterStop after) const;
+  /// Hands over parameters that the board shall have again after the stop. Throws CommandError.
+  void restore(const ParameterSet& parameters) const;
   /// Lets the guard stop the camera. It goes on after this process.
   void leave_it_to_guard();
   /// False once the guard has ended: from then on, nobody stops the camera if this process dies.

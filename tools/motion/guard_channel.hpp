@@ -1,6 +1,8 @@
 /// The channel from a command to its guard.
 #pragma once
 
+#include <sbgc/client/parameters.hpp>
+
 #include "motion/guard.hpp"
 
 namespace sbgc::tools {
@@ -11,13 +13,18 @@ inline constexpr const char* guard_name = "sbgc-guard";
 struct GuardedLine {
   int descriptor = -1;
   AfterStop after{};
+  ParameterSet restored{};  ///< what the board shall have after the stop
 };
 
 /// Sends a line; the sender keeps its descriptor. Returns false on an error, which is in errno.
 bool send_line(int channel, const GuardedLine& line);
 
-/// Waits for lines until the other side has closed the channel or ended. Returns the last line; its
-/// descriptor is the receiver's, or -1 if none came.
+/// Sends parameters that the board shall have after the stop. Returns false on an error, which is
+/// in errno.
+bool send_parameters(int channel, const Parameters& parameters);
+
+/// Waits for lines and parameters until the other side has closed the channel or ended. Returns the
+/// last line, with all parameters; its descriptor is the receiver's, or -1 if none came.
 GuardedLine receive_line(int channel);
 
 }  // namespace sbgc::tools

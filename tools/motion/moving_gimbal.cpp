@@ -47,11 +47,12 @@ MovingGimbal::~MovingGimbal() {
   if (motion_ == Motion::maybe) guard_->leave_it_to_guard();
 }
 
-void MovingGimbal::begins_to_move(AfterStop after) {
+void MovingGimbal::begins_to_move(AfterStop after, const ParameterSet& restored) {
   awake_.emplace();
   interruption_.emplace();
   guard_.emplace();
   guard_->take(line_.get(), after);
+  guard_->restore(restored);
   line_ = {};
   if (must_stop()) give_up({});
   motion_ = Motion::maybe;

@@ -42,9 +42,9 @@ class MovingGimbal {
 
   Client& client() noexcept { return *client_; }
 
-  /// Starts the guard. Call this before the first command that moves the camera. Throws
-  /// CommandError.
-  void begins_to_move(AfterStop after);
+  /// Starts the guard. Call this before the first command that moves the camera. If this process
+  /// dies, the guard also writes the parameters `restored`. Throws CommandError.
+  void begins_to_move(AfterStop after, const ParameterSet& restored = {});
   /// The camera has stopped.
   void has_stopped() noexcept { motion_ = Motion::ended; }
   /// Ends a motion that went wrong: stops the camera, and ends the command with `problem`, or with

@@ -44,8 +44,13 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   if (does(AfterStop::end_tuning)) ended = end_tuning(*client);
   Result<void> stopped = client->stop();
   if (!ended) return ended;
+  if (!stopped) return stopped;
+  if (!line.restored.all().empty()) {
+    const WriteReport restored = client->write_parameters(line.restored);
+    if (!restored) return restored.outcome;
+  }
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
-  if (!stopped || !does(AfterStop::remove_timeout) || !has_timeouts) return stopped;
+  if (!does(AfterStop::remove_timeout) || !has_timeouts) return {};
   return client->set_control_timeout({});
 }
 

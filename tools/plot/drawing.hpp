@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "signal/chart.hpp"
+#include "signal/line_picture.hpp"
 
 namespace sbgc::tools {
 
 /// One chart: values over a range of x.
 struct Curve {
   std::string name{};
-  std::string unit{};    ///< of the values
-  std::string x_unit{};  ///< "s" or "Hz"
-  double first_x{}, last_x{};
-  std::vector<double> values{};  ///< at equal distances; NaN draws nothing
+  std::string unit{};            ///< of the values
+  std::string x_unit{};          ///< "s" or "Hz"
+  std::vector<double> places{};  ///< where the values are, ascending
+  std::vector<double> values{};  ///< NaN is none
   std::string note{};            ///< shown beside the name
 };
 
@@ -26,8 +27,9 @@ std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::
 /// Returns a picture of the curves.
 std::string draw_svg(const std::vector<Curve>& curves);
 
-/// Returns at most `count` values that show the same curve: the lowest and the highest of each
-/// part, in their order.
-std::vector<double> thinned(const std::vector<double>& values, std::size_t count);
+/// Returns few points that show the same curve: the lowest and the highest one of each of the
+/// `parts`, which are equally wide, in their order. A point without a number is a gap: nothing is
+/// drawn over a distance of many usual ones.
+std::vector<LinePoint> thinned(const Curve& curve, std::size_t parts);
 
 }  // namespace sbgc::tools

@@ -33,7 +33,7 @@
 #include "line/stream_type.hpp"
 #include "plot/drawing.hpp"
 #include "plot/table.hpp"
-#include "signal/vibration.hpp"
+#include "signal/frequencies.hpp"
 
 namespace sbgc::tools {
 
@@ -50,6 +50,7 @@ struct PlotOptions {
   bool ascii = false;
   std::size_t height = 8;
   std::string svg{};
+  std::vector<const CLI::Option*> of_live{};  ///< that a table has no use for
 };
 
 /// The name of the column with the clock of the samples.
@@ -125,18 +126,23 @@ std::vector<Series> live_table(const PlotOptions& options, const CommandContext&
 }
 
 Curve over_time(const std::vector<double>& times, const Series& series) {
-  return {series.path, series.unit, "s", times.front(), times.back(), series.values, ""};
+  return {series.path, series.unit, "s", times, series.values, ""};
 }
 
-std::string peaks_text(const std::vector<Peak>& peaks, const std::string& unit) {
-  constexpr double least_contrast = 10;
-  std::string text;
-  for (const Peak& peak : peaks) {
-    if (peak.contrast < least_contrast) continue;
-    text += fmt::format("{}{:.1f} Hz with {:.3g}{}{}", text.empty() ? "" : ", ", peak.frequency,
+std::string peaks_text(const Vibration& vibration, const std::string& unit) {
+  constexpr std::size_t most = 3;
+  std::vector<Frequency> strong = frequencies_of(vibration);
+  std::erase_if(strong, [](const Frequency& one) { return one.peak.contrast < least_contrast; });
+  if (strong.empty()) return "no frequency is strong";
+  std::string text = "strongest: ";
+  for (std::size_t i = 0; i < std::min(strong.size(), most); ++i) {
+    const Peak& peak = strong[i].peak;
+    text += fmt::format("{}{:.1f} Hz with {:.3g}{}{}", i == 0 ? "" : ", ", peak.frequency,
                         peak.amplitude, unit.empty() ? "" : " ", unit);
   }
-  return text.empty() ? "no frequency is strong" : "strongest: " + text;
+  if (strong.front().others.empty()) return text;
+  return text + fmt::format("; {:.1f} Hz may be an alias of {}", strong.front().peak.frequency,
+                            others_text(strong.front()));
 }
 
 Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
@@ -144,6 +150,10 @@ Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
   const UniformSeries samples =
       uniform(columns.front().values,
               clock == columns.end() ? std::vector<double>{} : clock->values, series.values);
+  if (!(samples.rate > 0)) {
+    throw CommandError(
+        fmt::format("no spectrum of {}: its samples have no distance in time", series.path));
+  }
   if (samples.values.empty()) {
     throw CommandError(
         fmt::format("no spectrum of {}: {:.1f} % of its samples are lost, more than "
@@ -159,14 +169,11 @@ Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
     throw CommandError(fmt::format("no spectrum of {}: {} samples are too few", series.path,
                                    samples.values.size()));
   }
-  Curve curve{series.path,
-              series.unit.empty() ? "1/sqrt(Hz)" : series.unit + "/sqrt(Hz)",
-              "Hz",
-              0,
-              static_cast<double>(last) * spectrum.resolution,
-              {},
-              peaks_text(vibration_of(samples.values, samples.rate).peaks, series.unit)};
+  Curve curve{series.path, series.unit.empty() ? "1/sqrt(Hz)" : series.unit + "/sqrt(Hz)",
+              "Hz",        {},
+              {},          peaks_text(vibration_of(samples.values, samples.rate), series.unit)};
   for (std::size_t bin = 0; bin <= last; ++bin) {
+    curve.places.push_back(static_cast<double>(bin) * spectrum.resolution);
     curve.values.push_back(std::sqrt(spectrum.density[bin]));
   }
   return curve;
@@ -174,6 +181,11 @@ Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
 
 int plot(PlotOptions options, const CommandContext& context) {
   const bool is_live = options.source == "live";
+  for (const CLI::Option* const option : options.of_live) {
+    if (is_live || option->count() == 0) continue;
+    throw CommandError(option->get_name() + " is for `sbgc plot live`, not for a table",
+                       wrong_usage);
+  }
   if (options.stream.empty()) options.stream = "RealtimeData3";
   if (is_live && options.fields.empty()) options.fields = "angle.*";
   const std::vector<Series> columns =
@@ -218,19 +230,26 @@ void add_plot(CLI::App& app, CommandContext& context) {
                     "Draw how strong each frequency is, up to 45 % of the sample rate");
   command->add_option("--svg", options.svg, "Write a picture to this file instead")
       ->type_name("FILE");
-  command->add_option("--stream", options.stream, "For live: the message [RealtimeData3]")
-      ->type_name("STREAM");
-  command->add_option("--with", options.with, "For live: as for `sbgc stream`")->type_name("FLAGS");
-  add_rate(*command, options.rate);
-  add_duration(*command, "--for", options.time, "For live: record for this time; 5 s without it");
+  options.of_live = {
+      command->add_option("--stream", options.stream, "For live: the message [RealtimeData3]")
+          ->type_name("STREAM"),
+      command->add_option("--with", options.with, "For live: as for `sbgc stream`")
+          ->type_name("FLAGS"),
+      add_rate(*command, options.rate),
+      add_duration(*command, "--for", options.time,
+                   "For live: record for this time; 5 s without it")};
   command->add_option("--height", options.height, "Lines of each chart")
       ->check(CLI::Range(2, 100))
       ->type_name("LINES")
       ->capture_default_str();
   command->add_flag("--ascii", options.ascii, "Draw with stars instead of dots of Braille");
   command->footer(
-      "It only reads. A spectrum needs samples at equal distances: up to 1 % may be lost, and are "
-      "interpolated. It names the strongest frequencies from 3 Hz on.\n"
+      "It only reads. Ctrl-C ends a recording early. Curves are drawn over time, with gaps where "
+      "nothing was sampled for long. A spectrum needs samples at equal distances: up to 1 % may be "
+      "lost, and are "
+      "interpolated. It names the strongest frequencies from 1 Hz on, and with which others they "
+      "are "
+      "aliases: another rate tells them apart, as `sbgc doctor` does.\n"
       "\n"
       "Examples:\n"
       "  sbgc plot live --for 2s\n"

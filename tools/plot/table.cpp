@@ -68,20 +68,22 @@ std::vector<double> unwrapped(const std::vector<double>& clock_ms) {
   return seconds;
 }
 
-/// The distance of samples: the usual one, or that of the mean if the times of arrival vary, or, as
-/// streams have it, a whole number of milliseconds near it.
+/// The distance of samples. If most have the usual one, the others are as many of it as come near
+/// them; otherwise, the times of arrival vary, and it is that of the mean.
 double distance_of(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   const double mean = (times.back() - times.front()) / static_cast<double>(steps.size());
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
-  // Lost samples make the mean longer. Samples that come in bundles have no usual distance.
-  constexpr double most_longer = 1.2;
-  const double found = mean >= 0.99 * *middle && mean < most_longer * *middle ? *middle : mean;
-  const double whole = std::round(1000 * found) / 1000;
-  constexpr double near = 0.02;
-  return whole > 0 && std::abs(found - whole) < near * whole ? whole : found;
+  const double usual = *middle;
+  constexpr double near = 0.2;  // also for a clock that counts milliseconds
+  const auto is_usual = [&](double step) { return std::abs(step - usual) <= near * usual; };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(steps, is_usual));
+  if (!(usual > 0) || 4 * count < 3 * steps.size()) return mean;
+  double total = 0;
+  for (const double step : steps) total += std::max(1.0, std::round(step / usual));
+  return (times.back() - times.front()) / total;
 }
 
 }  // namespace
@@ -116,7 +118,8 @@ std::vector<Series> TableReader::finish() {
   const std::vector<double>& times = columns_.front().values;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const bool is_after = i == 0 || times[i] >= times[i - 1];
-    if (!std::isfinite(times[i]) || !is_after) {
+    constexpr double most = 1e20;  // more than the nanoseconds since 1970; also not for NaN
+    if (!(std::abs(times[i]) < most) || !is_after) {
       throw CommandError(fmt::format("line {}: the first column, '{}', is not a time that grows",
                                      i + 2, columns_.front().path));
     }
@@ -162,11 +165,13 @@ UniformSeries uniform(const std::vector<double>& times, const std::vector<double
       !clock_ms.empty() && std::ranges::none_of(clock_ms, [](double one) { return !(one >= 0); });
   const std::vector<double> at = has_clock ? unwrapped(clock_ms) : times;
   const double distance = at.size() < 2 ? 0 : distance_of(at);
-  if (!(distance > 0)) return {};
+  if (!(distance > 0) || !std::isfinite(distance)) return {};
   // A sample is never early: of several at one time, the earlier ones are late.
   std::vector<std::int64_t> numbers(at.size());
   for (std::size_t i = at.size(); i-- > 0;) {
-    const auto number = static_cast<std::int64_t>(std::llround((at[i] - at.front()) / distance));
+    constexpr double most = 1e15;  // that an integer holds; more is a gap, anyway
+    const double steps = std::min((at[i] - at.front()) / distance, most);
+    const auto number = static_cast<std::int64_t>(std::llround(steps));
     numbers[i] = i + 1 < at.size() ? std::min(number, numbers[i + 1] - 1) : number;
   }
   UniformSamples samples(distance);

@@ -100,6 +100,17 @@ class Picture {
     add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
         xml_text(words));
   }
+  /// The last line of the title stands at `y`.
+  void add_title(std::string_view title, double y) {
+    constexpr double line = 14;
+    y -= line * static_cast<double>(std::ranges::count(title, '\n'));
+    for (;; y += line) {
+      const std::size_t end = title.find('\n');
+      add_text(plot_left, y, "start", title.substr(0, end));
+      if (end == std::string_view::npos) return;
+      title.remove_prefix(end + 1);
+    }
+  }
   static const char* color(std::size_t line) { return line_colors[line % line_colors.size()]; }
 
   void add_legend(std::size_t line) {
@@ -112,7 +123,7 @@ class Picture {
 
   void add_plot(const LinePlot& plot, double top) {
     measure(plot, top);
-    add_text(plot_left, top - 6, "start", plot.title);
+    add_title(plot.title, top - 6);
     const double lines = std::round((values_.high - values_.low) / step_);
     for (int i = 0; i <= lines; ++i) {
       const double value = values_.low + i * step_;

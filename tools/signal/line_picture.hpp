@@ -16,7 +16,7 @@ struct LinePoint {
 
 /// Lines over a common range of x.
 struct LinePlot {
-  std::string title{};
+  std::string title{};  ///< in up to two lines
   std::vector<std::vector<LinePoint>> lines{};
   std::string x_unit{};                ///< behind the numbers below the plot
   bool has_log_x{};                    ///< x is above 0

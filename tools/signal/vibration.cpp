@@ -9,7 +9,6 @@ namespace sbgc::tools {
 
 namespace {
 
-constexpr std::size_t most_peaks = 3;
 /// The bins to each side over which the window of the spectrum spreads one frequency.
 constexpr std::size_t spread = 2;
 
@@ -33,18 +32,23 @@ double top_of(double before, double at, double after) {
 }  // namespace
 
 Vibration vibration_of(std::span<const double> samples, double rate) {
-  // Three or more segments, so that noise averages out.
-  const std::size_t length = analysis::segment_length(samples.size() / 2);
+  // Three segments, so that noise averages out, and an even length.
+  constexpr std::size_t longest = 1024;
+  const std::size_t length = std::min(samples.size() / 2, longest) / 2 * 2;
   const analysis::PowerSpectrum spectrum = analysis::power_spectrum(samples, rate, length);
   if (spectrum.segments == 0) return {};
   const std::vector<double>& density = spectrum.density;
   const auto bin = [&](double frequency) {
     return static_cast<std::size_t>(std::max(0.0, frequency / spectrum.resolution));
   };
-  const std::size_t first = bin(slowest_vibration) + 1;
+  // The first one beside 0 Hz also has what the mean of a segment leaves of slow motion.
+  const std::size_t first = std::max<std::size_t>(bin(slowest_vibration) + 1, 2);
   const std::size_t last = std::min(bin(highest_share * rate), density.size() - 1);
   if (last < first + 2 * spread) return {};
-  Vibration result;
+  Vibration result{.rate = rate,
+                   .resolution = spectrum.resolution,
+                   .slowest = static_cast<double>(first) * spectrum.resolution,
+                   .fastest = static_cast<double>(last) * spectrum.resolution};
   result.rms = std::sqrt(spectrum.power(first, last));
   const double median = median_of({density.begin() + static_cast<std::ptrdiff_t>(first),
                                    density.begin() + static_cast<std::ptrdiff_t>(last) + 1});
@@ -62,7 +66,6 @@ Vibration vibration_of(std::span<const double> samples, double rate) {
                             std::sqrt(2 * power), median > 0 ? density[at] / median : 1e9});
   }
   std::ranges::sort(result.peaks, std::ranges::greater{}, &Peak::amplitude);
-  if (result.peaks.size() > most_peaks) result.peaks.resize(most_peaks);
   return result;
 }
 

@@ -111,7 +111,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
     msg::CommErrors& errors = data.comm_errors.emplace();
     errors = {};
     errors.i2c_errors = device.i2c_errors(now);
-    errors.serial_errors = static_cast<std::uint16_t>(device.ports.errors(port));
+    errors.serial_errors = device.serial_errors(port, now);
   }
   if (blocks.has(Flag::system_state)) {
     msg::SystemStatus& state = data.system_state.emplace();

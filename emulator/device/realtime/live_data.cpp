@@ -70,8 +70,7 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
-  // The counter wraps.
-  data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
+  data.serial_error_cnt = device.serial_errors(port, now);
   data.system_error = device.errors(now);
   data.system_sub_error = device.options.faults.sub_error;
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());

@@ -24,7 +24,8 @@ Calibration calibration(const char* name, bool needs_values = false,
 }
 
 constexpr CalibrationConditions at_rest{.motors_off = true, .still = true};
-constexpr CalibrationConditions by_hand{.motors_off = true};
+constexpr CalibrationConditions on_a_side{.motors_off = true, .still = true, .one_side_up = true};
+constexpr CalibrationConditions by_motors{.still = true, .motors_can_turn = true};
 
 bool is_calibration(const MessageInfo* info) {
   return std::ranges::any_of(calibrations(), [&](const Calibration& one) {
@@ -37,17 +38,18 @@ bool is_calibration(const MessageInfo* info) {
 const std::vector<Calibration>& calibrations() {
   static const std::vector<Calibration> all{
       calibration<msg::CalibGyro, msg::CalibGyroExt>("gyro", false, at_rest),
-      calibration<msg::CalibAcc, msg::CalibAccExt>("acc", false, at_rest),
+      calibration<msg::CalibAcc, msg::CalibAccExt>("acc", false, on_a_side),
       calibration<msg::CalibAccExtRef>("acc-reference", true, {.still = true}),
-      calibration<msg::CalibMag, msg::CalibMagExt>("mag", false, by_hand),
-      calibration<msg::CalibOrientCorr>("orientation"),
-      calibration<msg::EncodersCalibOffset4>("encoders", false, by_hand),
-      calibration<msg::EncodersCalibFldOffset4>("encoder-field"),
-      calibration<msg::CalibPoles>("poles"),
-      calibration<msg::CalibCogging>("cogging", true),
-      calibration<msg::CalibOffset>("follow-offset"),
-      calibration<msg::CalibBat>("battery", true),
-      calibration<msg::CalibExtGain>("flight-controller"),
+      calibration<msg::CalibMag, msg::CalibMagExt>("mag", false, {.motors_off = true}),
+      calibration<msg::CalibOrientCorr>("orientation", false, by_motors),
+      calibration<msg::EncodersCalibOffset4>("encoders", false,
+                                             {.motors_off = true, .level = true}),
+      calibration<msg::EncodersCalibFldOffset4>("encoder-field", false, by_motors),
+      calibration<msg::CalibPoles>("poles", false, by_motors),
+      calibration<msg::CalibCogging>("cogging", true, by_motors),
+      calibration<msg::CalibOffset>("follow-offset", false, {.still = true}),
+      calibration<msg::CalibBat>("battery", true, {.near_voltage = true}),
+      calibration<msg::CalibExtGain>("flight-controller", false, {.level = true}),
   };
   return all;
 }

@@ -42,6 +42,7 @@ TEST(GimbalFaults, Measurements) {
   EXPECT_EQ(seen("low-battery").system_error, msg::SystemErrors(msg::SystemError::low_bat1));
   EXPECT_NEAR(seen("low-battery=13.5V").bat_level.volts(), 13.45, 0.1);
   EXPECT_NEAR(seen("i2c-errors=100").i2c_error_count, 255, 10);
+  EXPECT_NEAR(seen("line=100").serial_error_cnt, 255, 10);
   EXPECT_EQ(seen("slow-cycle=1500us").cycle_time.raw(), 1500);
   EXPECT_EQ(seen("overload=roll").motor_power.roll, 255);
   EXPECT_LT(seen("overload=roll").motor_power.pitch, 200);
@@ -90,7 +91,7 @@ TEST(GimbalFaults, MistakesAreExplained) {
     EXPECT_EQ(problem(text), "the fault is resonance=FREQUENCY[:RATE[:AXIS]]") << text;
   }
   for (const char* text : {"low-battery=-1", "imbalance=2", "overload=3", "slow-cycle=0",
-                           "slow-cycle=1e9", "drift=inf", "i2c-errors=-5"}) {
+                           "slow-cycle=1e9", "drift=inf", "i2c-errors=-5", "line=x"}) {
     EXPECT_THAT(problem(text), HasSubstr("the fault is ")) << text;
   }
 }

@@ -11,8 +11,9 @@ namespace sbgc::emulator {
 struct BoardFaults {
   Flags<msg::SystemError> errors{};  ///< in addition to those that the board finds itself
   msg::SystemSubError sub_error{};
-  double i2c_errors = 0;  ///< per second
-  Duration cycle{};       ///< of the controller; zero selects the usual one
+  double i2c_errors = 0;     ///< per second
+  double serial_errors = 0;  ///< per second, besides those of the line
+  Duration cycle{};          ///< of the controller; zero selects the usual one
 };
 
 }  // namespace sbgc::emulator

@@ -276,15 +276,25 @@ def _references(references: Sequence[Reference]) -> Iterator[Entry]:
 
 
 def _guide(guide: Guide) -> Iterator[Entry]:
-    """A guide, and each of its sections."""
+    """A guide, and each of its sections.
+
+    Besides its own words, a part has those that people ask with: `<!-- search: jitter, jello -->`.
+    """
     start, *sections = guide.parts
     first = re.search(r"<p>(.*?)</p>", start.html, re.DOTALL)
     about = _text(first[1]) if first else ""
-    yield Entry("guide", guide.title, about, guide.page, _vocabulary(start.html))
+    yield Entry("guide", guide.title, about, guide.page, _words_of_part(start.html))
     for part in sections:
         page = f"{guide.page}#{part.anchor}"
         about = f"in {guide.title}"
-        yield Entry("section", _text(part.heading), about, page, _vocabulary(part.html))
+        yield Entry("section", _text(part.heading), about, page, _words_of_part(part.html))
+
+
+def _words_of_part(html: str) -> str:
+    """The vocabulary of a part of a guide, and the words that people ask with: "!jitter"."""
+    asked = re.findall(r"<!-- search: (.*?) -->", html, re.DOTALL)
+    words = dict.fromkeys(unescape(" ".join(asked)).replace(",", " ").lower().split())
+    return _joined(*(f"!{word}" for word in words), _vocabulary(html))
 
 
 def _text(html: str) -> str:

@@ -18,6 +18,10 @@ struct CalibrationForm {
 struct CalibrationConditions {
   bool motors_off{};
   bool still{};
+  bool one_side_up{};      ///< a side of the sensor points straight up
+  bool level{};            ///< the camera is level
+  bool motors_can_turn{};  ///< they have power, the camera is balanced, and no error stops them
+  bool near_voltage{};     ///< the voltage of the request is near the measured one
 };
 
 /// What a user calls a calibration, and its requests, the simplest first.

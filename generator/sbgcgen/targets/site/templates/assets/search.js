@@ -49,7 +49,8 @@
     page,
     names: plain(name),
     parts: plain(name.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ")).split(/[_.\s]+/),
-    words: plain(more).split(" ").filter((word) => !isLines.test(word) && !word.startsWith("~")),
+    words: plain(more).split(" ").filter((word) => !isLines.test(word) && !/^[~!]/.test(word)),
+    asked: plain(more).split(" ").filter((word) => word.startsWith("!")),
     topics: plain(more).split(" ").filter((word) => word.startsWith("~")),
     inner: plain(more).split(" ").filter((word) => word.includes(".")).flatMap((path) => path.split(/[._]/)),
     lines: plain(more).split(" ").map((word) => isLines.exec(word)).filter(Boolean)
@@ -90,6 +91,8 @@
     if (word.includes(" ") && !isProse && ` ${entry.words.join(" ")} `.includes(` ${word} `)) return 90;
     // A value such as STOP says less than a page of this name.
     if (entry.names === word || squeeze(entry.names) === tight) return entry.kind === "value" ? 78 : 100;
+    // What people call it.
+    if (entry.asked.includes(`!${word}`)) return 92;
     // Most words of a guide are incidental.
     if (!isProse && entry.words.includes(word)) return entry.kind === "value" ? 75 : 90;
     const last = entry.names.slice(entry.names.lastIndexOf(".") + 1);

@@ -1,0 +1,42 @@
+/// Whether a gimbal is as a calibration expects it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <sbgc/client/calibrations.hpp>
+#include <sbgc/client/client.hpp>
+
+namespace sbgc::tools {
+
+/// Checks a gimbal before a calibration.
+class Readiness {
+ public:
+  struct Options {
+    CalibrationConditions conditions{};
+    bool of_frame = false;            ///< the IMU of the frame is calibrated
+    std::optional<double> voltage{};  ///< of the battery, in volts
+    bool can_ask = false;             ///< the user is at a terminal
+    bool motors_off = false;          ///< turn the motors off
+    bool checks = true;               ///< otherwise, that is all
+  };
+
+  Readiness(Client& client, const Options& options) : client_(client), options_(options) {}
+
+  /// Throws CommandError that says what is not as it should be. Asks the user where only the user
+  /// knows.
+  void require();
+
+ private:
+  void require_motors_off();
+  void require_sensor();
+  void require_level();
+  void require_motors_that_turn();
+  void require_voltage();
+
+  Client& client_;
+  Options options_;
+  std::vector<std::size_t> sides_{};  ///< that were up before
+};
+
+}  // namespace sbgc::tools

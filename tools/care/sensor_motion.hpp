@@ -1,0 +1,33 @@
+/// How a sensor moves, as far as it tells itself.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::tools {
+
+struct SensorMotion {
+  bool is_known = true;  ///< false for a frame whose sensor says nothing
+  double shaking{};      ///< how far the rate leaves its mean within a second, in deg/s
+  double turning{};  ///< size of the mean rate, in deg/s: an even turn, or the gyroscope's offset
+  /// What points up, in the coordinates of the sensor and in g; nothing if the firmware does not
+  /// send it for this sensor.
+  std::optional<Axes<double>> up{};
+};
+
+/// Watches the active sensor, or that of the frame, for a second. Throws CommandError.
+SensorMotion motion_of(Client& client, bool of_frame);
+
+/// For example "shakes by 0.05 deg/s, turns by 0.01 deg/s".
+std::string motion_text(const SensorMotion& motion);
+
+/// The angle between what points up and the nearest axis of the sensor, in degrees.
+double angle_to_side(const Axes<double>& up);
+/// The side of the sensor that points up: 0 to 5.
+std::size_t side_of(const Axes<double>& up);
+
+}  // namespace sbgc::tools
