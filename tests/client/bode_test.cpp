@@ -124,7 +124,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
   emulator::EmulatorOptions options = board();
   options.board.response.noise = 40;  // of about 100
   std::size_t within = 0, all = 0;
-  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+  for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     options.board.gimbal.seed = seed;
     VirtualClient client(options);
     const auto recorded = record(client, 10'000);
@@ -138,7 +138,11 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
       }
     }
   }
-  EXPECT_GE(static_cast<double>(within) / static_cast<double>(all), 0.94);
+  // Of normal errors, 95.4 % are. The share of one recording deviates from that by 1.1 %, as
+  // neighboring frequencies share samples, so that of 24 by 0.23 %.
+  const double share = static_cast<double>(within) / static_cast<double>(all);
+  EXPECT_GE(share, 0.95);
+  EXPECT_LE(share, 0.96);
 }
 
 TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {

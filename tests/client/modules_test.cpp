@@ -1,12 +1,11 @@
 // Tests of loading firmware into modules, in virtual time.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -40,53 +39,31 @@ emulator::EmulatorOptions newest() {
   return options;
 }
 
-/// Loses one frame of either direction, or repeats each one of the board a while later, and keeps
-/// the parts that reach the board.
+/// Loses one frame of either direction, and keeps the parts that reach the board.
 class PartsLine : public VirtualLine {
  public:
+  explicit PartsLine(bool may_repeat = false) : may_repeat_(may_repeat) {}
+
+  bool may_repeat() const override { return may_repeat_; }
   void lose(Way way, int number) { lost_ = {way, number}; }
   void lose_nothing() { lost_.reset(); }
-  void repeat_after(Duration time) { repeat_after_ = time; }
-  bool may_repeat() const override { return repeat_after_ != Duration{}; }
 
   void send(Way way, std::span<const std::uint8_t> bytes, Instant at) override {
     parsers_[way == Way::to_board ? 0 : 1].feed(bytes, [&](const Frame& frame) {
       if (lost_ && lost_->first == way && --lost_->second == 0) return;
-      if (way == Way::to_board && frame.id == 81) take(frame, at);
-      if (way == Way::to_host && frame.id == 67) confirmed_ = at;
+      if (way == Way::to_board && frame.id == 81) take(frame);
       std::array<std::uint8_t, max_frame_size> out{};
       const std::size_t size = write_frame(frame.framing, frame.id, frame.body, out).size;
       VirtualLine::send(way, std::span(out).first(size), at);
-      if (way == Way::to_board || !may_repeat()) return;
-      repeats_.push_back({at + repeat_after_, Bytes(out.begin(), out.begin() + size)});
     });
   }
-  Bytes receive(Way way, Instant at) override {
-    while (way == Way::to_host && !repeats_.empty() && repeats_.front().first <= at) {
-      VirtualLine::send(way, repeats_.front().second, at);
-      repeats_.pop_front();
-    }
-    return VirtualLine::receive(way, at);
-  }
-  Instant next() const override {
-    return repeats_.empty() ? Instant::never : repeats_.front().first;
-  }
-
-  /// A part was sent before the board had confirmed the one before.
-  bool is_too_early = false;
 
   std::vector<msg::ModuleFlashWrite> parts{};
 
  private:
-  void take(const Frame& frame, Instant at) {
-    is_too_early = is_too_early || (!parts.empty() && confirmed_ < sent_);
-    sent_ = at;
-    ASSERT_TRUE(decode(frame.body, parts.emplace_back()));
-  }
+  void take(const Frame& frame) { ASSERT_TRUE(decode(frame.body, parts.emplace_back())); }
 
-  Duration repeat_after_{};
-  std::deque<std::pair<Instant, Bytes>> repeats_{};
-  Instant sent_{}, confirmed_{};
+  bool may_repeat_;
   std::optional<std::pair<Way, int>> lost_{};
   std::array<BasicParser<AnyFrameFormats>, 2> parsers_{};
 };
@@ -145,30 +122,16 @@ TEST(Modules, AnErrorSaysWhichPartWasConfirmedLastAndHowToGoOn) {
   EXPECT_EQ(line.parts.size(), 4U);
 }
 
-TEST(Modules, ALineThatRepeatsIsRefusedUnlessItIsKnownForHowLong) {
-  PartsLine line;
-  line.repeat_after(milliseconds(100));
-  VirtualClient client(newest(), {}, &line);
-  const auto refused = client.run(tasks::flash_module(driver, firmware(1280)));
-  EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
-  EXPECT_THAT(refused.error().message, HasSubstr("may repeat packets"));
-  EXPECT_THAT(line.parts, IsEmpty());
-}
-
-TEST(Modules, ARepeatedConfirmationLetsNoPartOut) {
-  for (const int late : {1, 30, 100, 190}) {
-    SCOPED_TRACE(late);
-    PartsLine line;
-    line.repeat_after(milliseconds(late));
+TEST(Modules, ALineThatMayRepeatPacketsIsRefused) {
+  for (const bool is_known_by_its_kind : {true, false}) {
+    PartsLine line(is_known_by_its_kind);
     ConnectOptions options;
-    options.duplicate_window = std::chrono::milliseconds(200);
+    if (!is_known_by_its_kind) options.duplicate_window = std::chrono::milliseconds(200);
     VirtualClient client(newest(), {}, &line, options);
-    const auto bytes = firmware(1280);
-    const auto done = client.run(tasks::flash_module(driver, bytes));
-    ASSERT_TRUE(done) << done.error().message;
-    EXPECT_FALSE(line.is_too_early);
-    expect_in_order(line.parts);
-    EXPECT_THAT(client.emulator().board().module_firmware().at(driver), ElementsAreArray(bytes));
+    const auto refused = client.run(tasks::flash_module(driver, firmware(1280)));
+    EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+    EXPECT_THAT(refused.error().message, HasSubstr("may repeat packets"));
+    EXPECT_THAT(client.emulator().board().module_firmware(), IsEmpty());
   }
 }
 

@@ -69,7 +69,7 @@ class VirtualClient {
   template <class R, class Watch>
   R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
-    machine.set_repeating_line(line_.may_repeat() && client_.duplicate_window.count() == 0);
+    machine.set_repeating_line(line_.may_repeat() || client_.duplicate_window.count() != 0);
     const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
     const auto strays = delivery_.on_frame([&](const BoardFrame& one) {
       if (!one.belongs_to_call) machine.overheard(one.frame.id);

@@ -6,6 +6,7 @@ import cmath
 import math
 import random
 import re
+import resource
 import signal
 import subprocess
 import time
@@ -119,7 +120,18 @@ def interrupted(
     gimbal: EmulatedGimbal, file: Path, *options: str, signals: int, number: int = signal.SIGINT
 ) -> tuple[int, str, float]:
     """Sends signals while the camera shakes. Returns status, remarks, and seconds until the end."""
-    command = ["bode", "yaw", *SHORT, "-v", "-o", str(file), *options, "--yes", "-p", gimbal.address]
+    command = [
+        "bode",
+        "yaw",
+        *SHORT,
+        "-v",
+        "-o",
+        str(file),
+        *options,
+        "--yes",
+        "-p",
+        gimbal.address,
+    ]
     with subprocess.Popen([PROGRAM, *command], stderr=subprocess.PIPE) as process:
         assert process.stderr is not None
         for line in process.stderr:  # the frames are printed
@@ -210,7 +222,7 @@ def test_after_kill_9_the_recording_that_goes_on_is_not_that_of_the_next(tmp_pat
         text = " ".join(refused.error.split())
         assert refused.status == 1 and not file.exists(), text
         assert "an earlier recording, which no command ends: wait until it is over" in text
-        assert "at most 60 s for one of this command" in text
+        assert "a recording of this command lasts at most 60 s" in text
         end = time.monotonic() + 30
         while (result := run(*again)).status != 0 and time.monotonic() < end:
             assert "an earlier recording" in " ".join(result.error.split())
@@ -314,7 +326,9 @@ def test_streams_that_run_are_paused_and_go_on(stream: str, tmp_path: Path) -> N
         result = run("bode", "roll", *SHORT, "-o", str(file), "--yes", "-v", "-p", address)
         assert result.status == 0, result
         text = " ".join(result.error.split())
-        said = re.search(f"The data stream of {stream} is paused.* every (\\d+) ms as measured", text)
+        said = re.search(
+            f"The data stream of {stream} is paused.* every (\\d+) ms as measured", text
+        )
         assert said and int(said[1]) in range(36, 46), text
         lines = frames(result)
         begin = next(i for i, line in enumerate(lines) if "CMD_BODE_TEST_DATA" in line)
@@ -337,6 +351,22 @@ def test_a_stream_that_nobody_knows_to_end_goes_on(tmp_path: Path) -> None:
         assert result.status == 0 and file.exists(), result
         text = " ".join(result.error.split())
         assert "CMD_REALTIME_DATA_CUSTOM goes on, because only its host knows how to end it" in text
+
+
+def test_a_full_disk_loses_no_table(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    file = tmp_path / "roll.csv"
+    command = ["bode", "roll", *SHORT, "-o", str(file), "--table", "--yes", "-p", gimbal.address]
+    done = subprocess.run(
+        [PROGRAM, *command],
+        capture_output=True,
+        text=True,
+        check=False,
+        restore_signals=False,  # SIGXFSZ stays ignored
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
+    )
+    assert done.returncode == 1 and not file.exists()
+    assert f"cannot write {file}: File too large" in " ".join(done.stderr.split())
+    assert len(rows_of(done.stdout)) == 159
 
 
 def test_it_asks_first(gimbal: EmulatedGimbal) -> None:

@@ -5,9 +5,8 @@
 #include <string_view>
 #include <system_error>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <sbgc/client/atomic_file.hpp>
 

@@ -25,6 +25,7 @@
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/wording.hpp"
 #include "memory/local_file.hpp"
 #include "motion/bode_recorder.hpp"
 #include "motion/paused_streams.hpp"
@@ -205,7 +206,7 @@ std::string bode_warning(const BodeCommand& command, const msg::BodeTestStartSto
 
 void report_lost_samples(const BodeRecording& recording) {
   if (recording.is_end_lost) {
-    remark("The end of the recording was lost on the line; the board has had its time for it.\n");
+    remark("The message of the end was lost on the line; the samples are kept.\n");
   }
   if (recording.lost == 0) return;
   remark("{} of {} were lost on the line; what contains a gap does not count.\n",
@@ -218,47 +219,60 @@ void create_folder(const std::string& folder) {
   if (error) throw CommandError(fmt::format("cannot create {}: {}", folder, error.message()));
 }
 
-void save_recording(const std::string& file, const BodeRecording& recording, bool force) {
+/// Returns false, and says why, if the file cannot be written but the recording is shown as well.
+bool save_recording(const BodeCommand& command, const std::string& file,
+                    const BodeRecording& recording) {
   const std::string text = to_csv(recording);
-  write_local_file(file, {text.begin(), text.end()}, force);
+  try {
+    write_local_file(file, {text.begin(), text.end()}, command.force);
+  } catch (const CommandError& error) {
+    if (!command.table && command.svg.empty()) throw;
+    remark("sbgc: {}\n", as_message(error.what()));
+    return false;
+  }
   remark("Saved {} to {}.\n", counted(recording.input.size(), "sample"), file);
+  return true;
 }
 
+struct MadeRecordings {
+  std::vector<NamedResponse> responses{};
+  bool are_saved = true;
+};
+
 /// Makes the recordings, as far as no signal ends that, and turns the camera back.
-std::vector<NamedResponse> make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
-                                           const BodeRecorder& recorder,
-                                           const std::vector<PlannedRecording>& plan,
-                                           const msg::GetAngles& before) {
-  std::vector<NamedResponse> responses;
+MadeRecordings make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
+                               const BodeRecorder& recorder,
+                               const std::vector<PlannedRecording>& plan,
+                               const msg::GetAngles& before) {
+  MadeRecordings made;
   for (const PlannedRecording& one : plan) {
     if (one.position) recorder.go_to(*one.position);
     const BodeRecording recording = recorder.record();
     report_lost_samples(recording);
-    if (!one.file.empty()) save_recording(one.file, recording, command.force);
-    responses.push_back({one.name, response_of(recording)});
+    if (!one.file.empty() && !save_recording(command, one.file, recording)) made.are_saved = false;
+    made.responses.push_back({one.name, response_of(recording)});
     if (one.position && gimbal.must_stop()) gimbal.give_up({});
   }
   if (plan.front().position) {
     recorder.go_to({before.axes.roll.imu_angle.degrees(), before.axes.pitch.imu_angle.degrees()});
   }
-  return responses;
+  return made;
 }
 
 /// Records with other streams paused. What fails after a signal ends the command as the signal
 /// does.
-std::vector<NamedResponse> record_undisturbed(const BodeCommand& command, MovingGimbal& gimbal,
-                                              const msg::BodeTestStartStopRequest& request,
-                                              const std::vector<PlannedRecording>& plan,
-                                              const msg::GetAngles& before) {
+MadeRecordings record_undisturbed(const BodeCommand& command, MovingGimbal& gimbal,
+                                  const msg::BodeTestStartStopRequest& request,
+                                  const std::vector<PlannedRecording>& plan,
+                                  const msg::GetAngles& before) {
   try {
     const PausedStreams streams(gimbal.client());
     if (was_interrupted()) throw CommandError("interrupted", interrupted);
     gimbal.begins_to_move(AfterStop::nothing);
     const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
-    std::vector<NamedResponse> responses =
-        make_recordings(command, gimbal, recorder, plan, before);
+    MadeRecordings made = make_recordings(command, gimbal, recorder, plan, before);
     gimbal.has_stopped();
-    return responses;
+    return made;
   } catch (const CommandError& error) {
     if (!was_interrupted() || error.status() == interrupted) throw;
     throw CommandError(fmt::format("interrupted; {}", error.what()), interrupted);
@@ -285,11 +299,10 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   arm(command.arming, bode_warning(command, request));
   if (!positions.empty() && !command.output.empty()) create_folder(command.output);
   const Interruption interruption;  // from now on, something is to be restored
-  const std::vector<NamedResponse> responses =
-      record_undisturbed(command, gimbal, request, plan, before);
+  const MadeRecordings made = record_undisturbed(command, gimbal, request, plan, before);
+  show_responses(command, made.responses);
   if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
-  show_responses(command, responses);
-  return success;
+  return made.are_saved ? success : failure;
 }
 
 int run_bode(const BodeCommand& command, const CommandContext& context) {

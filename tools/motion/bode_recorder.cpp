@@ -76,8 +76,9 @@ BodeRecording BodeRecorder::record() const {
     turn_motors_off();
   }
   if (!recorded && !may_move && recorded.error().code == ErrorCode::board_error) {
-    throw CommandError(recorded.error().message +
-                       fmt::format(", at most {} s for one of this command", longest_recording));
+    gimbal_.has_stopped();  // the board has not begun
+    throw CommandError(fmt::format("{}; a recording of this command lasts at most {} s",
+                                   recorded.error().message, longest_recording));
   }
   return value_of(recorded);
 }

@@ -73,8 +73,8 @@ msg::Milliseconds SampleTimes::interval() const {
   const double all =
       std::chrono::duration<double, std::milli>(times_.back() - times_.front()).count();
   // A gap that is twice as long as most has lost a sample.
-  const double count = *middle > 0 ? std::max(1.0, std::round(all / *middle))
-                                   : static_cast<double>(gaps.size());
+  const double count =
+      *middle > 0 ? std::max(1.0, std::round(all / *middle)) : static_cast<double>(gaps.size());
   const long rounded = std::clamp(std::lround(all / count), 1L, 1000L);
   return msg::Milliseconds(static_cast<msg::Milliseconds::raw_type>(rounded));
 }

@@ -69,7 +69,7 @@ class Conversation::State : public Channel::User,
                        const CallOptions& options, StreamHandler done);
 
   std::string description() const;
-  /// True if the line may repeat frames, and the options do not say how to tell that.
+  /// True if the line may repeat frames, by its kind or by the options.
   bool may_repeat() const noexcept { return may_repeat_; }
   ClientStatistics statistics() const;
   void close();

@@ -29,8 +29,8 @@ namespace tasks {
 /// loading can only start from the beginning then. Progress counts bytes; if its handler returns
 /// false, the loading ends as with an error.
 ///
-/// A line that may repeat packets, such as UDP, is refused with ErrorCode::unsupported unless
-/// ConnectOptions::duplicate_window says for how long: confirmations do not name their part.
+/// A line that may repeat packets, UDP or one with a ConnectOptions::duplicate_window, is refused
+/// with ErrorCode::unsupported: confirmations do not name their part.
 Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> firmware,
                                 ProgressHandler progress = {});
 

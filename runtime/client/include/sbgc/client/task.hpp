@@ -86,7 +86,7 @@ class TaskMachine {
 
   /// True if the task wants to know what belongs to no call. Changes only with a step.
   bool overhears() const noexcept { return static_cast<bool>(overhearing_); }
-  /// Says before the first step that the line may repeat frames, and that nothing removes them.
+  /// Says before the first step whether the line may repeat frames.
   void set_repeating_line(bool may_repeat) noexcept { line_may_repeat_ = may_repeat; }
 
   // For the task.
