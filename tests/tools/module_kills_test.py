@@ -40,7 +40,7 @@ class Line:
 
     def __init__(self) -> None:
         self.changed = threading.Condition()
-        self.parts: list[tuple[int, int]] = []  # since the last start
+        self.parts: list[tuple[int, int]] = []  # of a run, since its start
         self.fault = ""
         self.at = PARTS
 
@@ -86,6 +86,7 @@ def test_no_part_is_repeated_or_skipped(gimbal: EmulatedGimbal, tmp_path: Path) 
         flash = ["module", "flash", str(file), "--module", "CAN_DRV1", "-p", address]
         faults = ["repeats a part", "loses a part", "loses a confirmation"]
         for number in range(RUNS):
+            line.parts = []
             line.at = numbers.randint(1, PARTS)
             # What is lost costs the time to wait for it.
             line.fault = "" if number % 4 else faults[number // 4 % 3]

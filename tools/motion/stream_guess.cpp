@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <sbgc/client/typed.hpp>
+#include <sbgc/messages.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc::tools {

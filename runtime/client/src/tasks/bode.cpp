@@ -109,8 +109,11 @@ Task<Result<BodeRecording>> record_bode(msg::BodeTestStartStopRequest request,
   const auto goes_on = [&](const BodeProgress& seen) {
     return !options.progress || options.progress(seen);
   };
-  const Result<void> is_silent =
-      co_await wait_for_silence([&] { return goes_on({.total = request.samples_num}); });
+  // A variable, because g++ 12 may copy the bytes of a temporary.
+  const std::function<bool()> goes_on_silently = [&] {
+    return goes_on({.total = request.samples_num});
+  };
+  const Result<void> is_silent = co_await wait_for_silence(goes_on_silently);
   if (!is_silent) co_return is_silent.error();
   const Instant start = task.now();
   const BodeCall call(task, request);
