@@ -1910,7 +1910,7 @@ local protocol = (function()
     {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[181] = {name = "ModuleFlashStart", filter = "module_flash_start", command = "CMD_MODULE_FLASH_START", id = 78, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[181] = {name = "ModuleFlashStart", filter = "module_flash_start", command = "CMD_MODULE_FLASH_START", id = 78, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"restarts", "erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
   messages[181].fields = {
     {name = "device_id", type = "u8", enum = "ModuleId", count = 1, fixed = 1},
     {name = "firmware_size", type = "u32", unit = "byte", scale = 4, count = 1, fixed = 4, min = 1, max = 4294967295},

@@ -33,12 +33,16 @@ class ResponsePoint:
 
 @dataclass(frozen=True)
 class BodeRecording:
-    """What went into an axis and what came out, every 0.8 ms. A lost sample is NaN in both."""
+    """What went into an axis and what came out, every 0.8 ms. A lost sample is NaN in both.
+
+    `end_lost` is true if the message of the end was lost: the board may have reported an error there.
+    """
 
     request: BodeTestStartStopRequest
     input: list[float]
     output: list[float]
     lost: int
+    end_lost: bool = False
 
     def response(
         self, start: Optional[float] = None, end: Optional[float] = None

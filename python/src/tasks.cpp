@@ -82,7 +82,7 @@ py::list value_of(const ProfileNames& names) {
 }
 py::object value_of(const BodeRecording& recording) {
   return py::make_tuple(any_of(recording.request), recording.input, recording.output,
-                        recording.lost);
+                        recording.lost, recording.is_end_lost);
 }
 py::object value_of(CalibrationEnd end) {
   switch (end) {

@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include <sbgc/client/bode.hpp>
 #include <sbgc/parser.hpp>
 
+#include "../emulator/device/recorded_axis.hpp"
 #include "tasks/bode_collector.hpp"
 #include "virtual_client.hpp"
 
@@ -26,18 +28,6 @@ namespace sbgc::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-msg::BodeTestStartStopRequest recording(std::uint32_t samples = 5000) {
-  msg::BodeTestStartStopRequest request;
-  request.axis = msg::BodeAxis::roll;
-  request.stimulus_type = msg::BodeStimulus::white_noise;
-  request.stimulus_gain = 3000;
-  request.start_freq = msg::Frequency(6);
-  request.end_freq = msg::Frequency(200);
-  request.system = msg::BodeSystem::open_loop_plant;
-  request.samples_num = samples;
-  return request;
-}
 
 /// Loses, or repeats, messages of the board with samples: `copies(n)` of the nth arrive.
 class SampleLine : public VirtualLine {
@@ -47,18 +37,37 @@ class SampleLine : public VirtualLine {
   void send(Way way, std::span<const std::uint8_t> bytes, Instant at) override {
     if (way == Way::to_board) return VirtualLine::send(way, bytes, at);
     parser_.feed(bytes, [&](const Frame& frame) {
+      if (frame.id == 37 && loses_end) return;
       const int copies = frame.id == 38 ? copies_(++number_) : 1;
-      std::array<std::uint8_t, max_frame_size> out{};
-      const std::size_t size = write_frame(frame.framing, frame.id, frame.body, out).size;
-      for (int i = 0; i < copies; ++i) VirtualLine::send(way, std::span(out).first(size), at);
+      for (int i = 0; i < copies; ++i) pass_on(frame.id, frame.body, frame.framing, at);
+      if (number_ != 0) say_stray(frame.framing, at);
     });
   }
 
+  bool loses_end = false;
+  /// Arrives after the first samples, as the end of another recording does that was under way.
+  std::optional<msg::BodeTestStartStop> stray{};
+
  private:
+  void pass_on(std::uint8_t id, std::span<const std::uint8_t> body, Framing framing, Instant at) {
+    std::array<std::uint8_t, max_frame_size> out{};
+    const std::size_t size = write_frame(framing, id, body, out).size;
+    VirtualLine::send(Way::to_host, std::span(out).first(size), at);
+  }
+  void say_stray(Framing framing, Instant at) {
+    if (!stray) return;
+    std::array<std::uint8_t, max_body_size> body{};
+    const std::size_t size = encode(*stray, body).size;
+    stray.reset();
+    pass_on(37, std::span(body).first(size), framing, at);
+  }
+
   std::function<int(int)> copies_;
   int number_ = 0;
   BasicParser<AnyFrameFormats> parser_{};
 };
+
+int all(int /*number*/) { return 1; }
 
 emulator::EmulatorOptions board(bool is_confirmed = true, bool reports_index = false) {
   emulator::EmulatorOptions options;
@@ -89,14 +98,6 @@ TEST(Bode, HasEverySampleWhetherTheStartIsConfirmedOrNot) {
   }
 }
 
-// The emulated plant: two poles at 40 Hz, damping 0.3, one sample of delay, 0.003 at rest.
-std::complex<double> plant(double frequency) {
-  const double turn = 2 * std::numbers::pi * 40 * 0.0008;
-  const auto pole = std::exp(turn * std::complex<double>(-0.3, std::sqrt(1 - 0.09)));
-  const auto z = std::polar(1.0, 2 * std::numbers::pi * frequency * 0.0008);
-  return 0.003 * std::norm(1.0 - pole) * z / ((z - pole) * (z - std::conj(pole)));
-}
-
 /// Checks each point of which the coherence is high against the plant; returns their number.
 std::size_t check_against_plant(const BodeRecording& recorded, double from, double to) {
   std::size_t certain = 0;
@@ -123,7 +124,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
   emulator::EmulatorOptions options = board();
   options.board.response.noise = 40;  // of about 100
   std::size_t within = 0, all = 0;
-  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+  for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     options.board.gimbal.seed = seed;
     VirtualClient client(options);
     const auto recorded = record(client, 10'000);
@@ -137,7 +138,11 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
       }
     }
   }
-  EXPECT_GE(static_cast<double>(within) / static_cast<double>(all), 0.94);
+  // Of normal errors, 95.4 % are. The share of one recording deviates from that by 1.1 %, as
+  // neighboring frequencies share samples, so that of 24 by 0.23 %.
+  const double share = static_cast<double>(within) / static_cast<double>(all);
+  EXPECT_GE(share, 0.95);
+  EXPECT_LE(share, 0.96);
 }
 
 TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
@@ -236,6 +241,94 @@ TEST(Bode, ProgressCanEndTheWait) {
   EXPECT_EQ(client.run(tasks::record_bode(recording(0))).error().code, ErrorCode::invalid);
 }
 
+TEST(Bode, ALostEndLosesNoSample) {
+  for (const int lost : {0, 5}) {  // messages before the end
+    SampleLine line([lost](int number) { return number > 250 - lost ? 0 : 1; });
+    line.loses_end = true;
+    VirtualClient client(board(), {}, &line);
+    const auto recorded = record(client);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    EXPECT_TRUE(recorded->is_end_lost);
+    EXPECT_EQ(recorded->input.size(), 5000U);
+    EXPECT_EQ(recorded->lost, 20U * static_cast<unsigned>(lost));
+  }
+}
+
+TEST(Bode, WithoutTheEndALineThatFallsSilentBeforeItIsAnError) {
+  SampleLine line([](int number) { return number > 125 ? 0 : 1; });
+  line.loses_end = true;
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client);
+  ASSERT_FALSE(recorded);
+  EXPECT_EQ(recorded.error().code, ErrorCode::timeout);
+  EXPECT_THAT(recorded.error().message, HasSubstr("the recording has started, but it failed"));
+}
+
+/// Starts a recording and forgets it, as a program that is killed.
+void leave_a_recording(VirtualClient& client, std::uint32_t samples) {
+  BodeOptions options;
+  options.progress = [](const BodeProgress& seen) { return seen.samples == 0; };
+  const auto left = record(client, samples, options);
+  ASSERT_FALSE(left);
+  ASSERT_EQ(left.error().code, ErrorCode::cancelled);
+}
+
+TEST(Bode, NothingStartsWhileTheBoardSendsAnEarlierRecording) {
+  for (const bool is_confirmed : {true, false}) {
+    SampleLine line(all);
+    VirtualClient client(board(is_confirmed), {}, &line);
+    leave_a_recording(client, 5000);
+    bool was_sent = false;
+    BodeOptions options;
+    options.progress = [&](const BodeProgress& seen) {
+      was_sent = was_sent || seen.is_sent || seen.has_started;
+      return true;
+    };
+    const Instant start = client.now();
+    const auto refused = record(client, 5000, options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::board_error);
+    EXPECT_THAT(refused.error().message, HasSubstr("an earlier recording"));
+    EXPECT_FALSE(was_sent);
+    EXPECT_LT(client.now() - start, milliseconds(1300));
+  }
+}
+
+TEST(Bode, TheRestOfAnEarlierRecordingIsNoneOfTheNext) {
+  for (const bool is_confirmed : {true, false}) {
+    SampleLine line(all);
+    VirtualClient client(board(is_confirmed), {}, &line);
+    leave_a_recording(client, 1000);  // 0.8 s, of which at least half a second is left
+    const auto recorded = record(client);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    EXPECT_EQ(recorded->input.size(), 5000U);
+    EXPECT_EQ(recorded->lost, 0U);
+    EXPECT_GT(check_against_plant(*recorded, 6, 200), 150U);
+  }
+}
+
+TEST(Bode, AWaitForSilenceCanBeCancelled) {
+  VirtualClient client(board());
+  BodeOptions options;
+  options.progress = [](const BodeProgress&) { return false; };
+  const auto recorded = record(client, 5000, options);
+  ASSERT_FALSE(recorded);
+  EXPECT_EQ(recorded.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(recorded.error().message, HasSubstr("no recording has started"));
+  EXPECT_TRUE(record(client)) << "the board has started none";
+}
+
+TEST(Bode, TheEndOfAnotherRecordingIsAnErrorThatSaysThatTheCameraMoves) {
+  SampleLine line(all);
+  line.stray.emplace().samples_count = 1000;
+  VirtualClient client(board(), {}, &line);
+  const auto recorded = record(client);
+  ASSERT_FALSE(recorded);
+  EXPECT_EQ(recorded.error().code, ErrorCode::bad_response);
+  EXPECT_THAT(recorded.error().message, HasSubstr("the recording has started, but it failed"));
+  EXPECT_THAT(recorded.error().message, HasSubstr("an end after 1000 of 5000 samples"));
+}
+
 TEST(BodeCollector, ASampleThatIsNoNumberIsLost) {
   detail::BodeCollector collector(recording(2));
   msg::BodeTestData data;
@@ -288,6 +381,13 @@ TEST(BodeFile, MayHaveWindowsLineEndsAndNoLastOne) {
   EXPECT_EQ(read->request.axis, msg::BodeAxis::yaw);
   EXPECT_EQ(read->request.system, msg::BodeSystem::overall);
   EXPECT_THAT(read->output, ::testing::ElementsAre(2, 400));
+}
+
+TEST(BodeFile, MayBeginWithAByteOrderMarkAndHaveTinyNumbers) {
+  const auto read = parse_bode_csv("\xEF\xBB\xBF%sbgc_test_data;11;2;3;1;1;1\n1e-60;-1e-42\n");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->input[0], 0);
+  EXPECT_EQ(read->output[0], static_cast<double>(-1e-42F));
 }
 
 TEST(BodeFile, AnErrorNamesTheLine) {

@@ -14,6 +14,7 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/modules.hpp>
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
@@ -95,6 +96,8 @@ TEST_F(Connect, OverUdp) {
   auto client = Client::connect(serve_udp(board), quick());
   ASSERT_TRUE(client) << client.error().message;
   EXPECT_TRUE(works(*client, board));
+  const auto refused = client->run(tasks::flash_module(msg::ModuleId::can_drv1, {1, 2, 3, 4}));
+  EXPECT_EQ(refused.error().code, ErrorCode::unsupported) << "a line that may repeat packets";
 }
 
 TEST_F(Connect, WithThePausesOfTheProtocol) {

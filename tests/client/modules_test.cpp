@@ -1,5 +1,6 @@
 // Tests of loading firmware into modules, in virtual time.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,6 +42,9 @@ emulator::EmulatorOptions newest() {
 /// Loses one frame of either direction, and keeps the parts that reach the board.
 class PartsLine : public VirtualLine {
  public:
+  explicit PartsLine(bool may_repeat = false) : may_repeat_(may_repeat) {}
+
+  bool may_repeat() const override { return may_repeat_; }
   void lose(Way way, int number) { lost_ = {way, number}; }
   void lose_nothing() { lost_.reset(); }
 
@@ -59,6 +63,7 @@ class PartsLine : public VirtualLine {
  private:
   void take(const Frame& frame) { ASSERT_TRUE(decode(frame.body, parts.emplace_back())); }
 
+  bool may_repeat_;
   std::optional<std::pair<Way, int>> lost_{};
   std::array<BasicParser<AnyFrameFormats>, 2> parsers_{};
 };
@@ -115,6 +120,19 @@ TEST(Modules, AnErrorSaysWhichPartWasConfirmedLastAndHowToGoOn) {
   EXPECT_THAT(done.error().message, HasSubstr("part 2 was confirmed last"));
   EXPECT_THAT(done.error().message, HasSubstr("again from the beginning"));
   EXPECT_EQ(line.parts.size(), 4U);
+}
+
+TEST(Modules, ALineThatMayRepeatPacketsIsRefused) {
+  for (const bool is_known_by_its_kind : {true, false}) {
+    PartsLine line(is_known_by_its_kind);
+    ConnectOptions options;
+    if (!is_known_by_its_kind) options.duplicate_window = std::chrono::milliseconds(200);
+    VirtualClient client(newest(), {}, &line, options);
+    const auto refused = client.run(tasks::flash_module(driver, firmware(1280)));
+    EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+    EXPECT_THAT(refused.error().message, HasSubstr("may repeat packets"));
+    EXPECT_THAT(client.emulator().board().module_firmware(), IsEmpty());
+  }
 }
 
 // A program that is killed sends nothing more, as one that is interrupted.

@@ -40,6 +40,7 @@ class VirtualLine {
   }
   /// When further bytes arrive.
   virtual Instant next() const { return Instant::never; }
+  virtual bool may_repeat() const { return false; }
 
  private:
   Bytes to_board_{};
@@ -68,7 +69,11 @@ class VirtualClient {
   template <class R, class Watch>
   R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
+    machine.set_repeating_line(line_.may_repeat() || client_.duplicate_window.count() != 0);
     const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
+    const auto strays = delivery_.on_frame([&](const BoardFrame& one) {
+      if (!one.belongs_to_call) machine.overheard(one.frame.id);
+    });
     for (bool is_done = false; !is_done;) {
       at_each_step(machine);
       is_done = step(machine);

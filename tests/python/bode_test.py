@@ -33,6 +33,7 @@ def test_a_recording_shows_the_resonance(tmp_path: Path) -> None:
                 request(), progress=lambda done, total, what: seen.append((done, total))
             )
     assert (len(recording.input), len(recording.output), recording.lost) == (5000, 5000, 0)
+    assert not recording.end_lost
     assert seen and seen[-1][1] == 5000
     points = recording.response()
     assert len(points) == 159

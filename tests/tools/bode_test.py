@@ -6,6 +6,7 @@ import cmath
 import math
 import random
 import re
+import resource
 import signal
 import subprocess
 import time
@@ -17,7 +18,7 @@ import pytest
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, Result, run
 
-SHORT = ("--gain", "1000", "--from", "6", "--to", "200", "--seconds", "1")
+SHORT = ("--gain", "1000", "--from", "6", "--to", "200")
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -46,13 +47,13 @@ def rows_of(text: str) -> list[tuple[float, float, float, str]]:
 
 def test_a_recording_shows_the_resonance(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     csv, svg = tmp_path / "roll.csv", tmp_path / "roll.svg"
-    options = ("--gain", "3000", "--from", "6", "--to", "200", "--seconds", "2.5")
+    options = ("--gain", "3000", "--from", "6", "--to", "200", "--seconds", "4.5")
     result = bode(gimbal, "roll", *options, "-o", str(csv), "--svg", str(svg), "--table")
     assert result.status == 0, result
-    assert "The roll axis shakes for 2.5 s" in " ".join(result.error.split())
+    assert "The roll axis shakes for 4.5 s" in " ".join(result.error.split())
     lines = csv.read_text().splitlines()
     assert lines[0] == "%sbgc_test_data;70;0;1;3000;6;200"
-    assert len(lines) == 1 + 3125
+    assert len(lines) == 1 + 5625
     certain = [row for row in rows_of(result.text) if float(row[3]) > 0.99]
     assert len(certain) > 50
     close = 0
@@ -79,15 +80,58 @@ def test_several_positions_have_a_file_each(gimbal: EmulatedGimbal, tmp_path: Pa
         "PITCH_R0_P-4_Y.csv",
         "PITCH_R3_P0_Y.csv",
     ]
-    assert all(len((folder / name).read_text().splitlines()) == 1251 for name in names)
+    assert all(len((folder / name).read_text().splitlines()) == 5001 for name in names)
+    again = bode(gimbal, "pitch", *SHORT, *at, "-o", str(folder), "-v")
+    assert again.status == 1 and f"{names[0]} exists" in again.error
+    assert "CMD_BODE_TEST" not in again.error and "CMD_CONTROL" not in again.error
+
+
+def test_the_files_of_positions_differ(tmp_path: Path) -> None:
+    nowhere = ("-p", "tcp:127.0.0.1:1", "--yes", "-o", str(tmp_path / "new"))
+    near = run("bode", "roll", *SHORT, "--at", "0.2,0", "--at", "0.4,0", *nowhere)
+    assert near.status == 1 and "refused the connection" in near.error
+    same = run("bode", "roll", *SHORT, "--at", "0,0", "--at", "-0,0.0", *nowhere)
+    assert same.status == 2 and "ROLL_R0_P0_Y0.csv would be written twice" in same.error
+    assert not (tmp_path / "new").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (("-o", "/dev/full"), "cannot write /dev/full: not a regular file"),
+        (("--svg", "/dev/full"), "cannot write /dev/full: not a regular file"),
+        (("-o", "{folder}"), "not a regular file"),
+        (("-o", "{folder}/none/roll.csv"), "none/roll.csv: No such file or directory"),
+        (("-o", "{folder}/both", "--svg", "{folder}/../{name}/both"), "would be written twice"),
+        (("-o", "{folder}/mine", "--at", "0,0"), "is no folder; with --at, -o names one"),
+    ],
+)
+def test_files_are_checked_before_anything_moves(
+    arguments: tuple[str, ...], words: str, tmp_path: Path
+) -> None:
+    (tmp_path / "mine").write_text("mine")
+    given = [one.format(folder=tmp_path, name=tmp_path.name) for one in arguments]
+    result = run("bode", "roll", *SHORT, *given, "--yes", "-p", "tcp:127.0.0.1:1")
+    assert result.status in (1, 2) and words in " ".join(result.error.split()), result
+    assert [path.name for path in tmp_path.iterdir()] == ["mine"]
 
 
 def interrupted(
     gimbal: EmulatedGimbal, file: Path, *options: str, signals: int, number: int = signal.SIGINT
 ) -> tuple[int, str, float]:
     """Sends signals while the camera shakes. Returns status, remarks, and seconds until the end."""
-    short = ("--gain", "1000", "--from", "6", "--to", "200", "--seconds", "3", "-v")
-    command = ["bode", "yaw", *short, "-o", str(file), *options, "--yes", "-p", gimbal.address]
+    command = [
+        "bode",
+        "yaw",
+        *SHORT,
+        "-v",
+        "-o",
+        str(file),
+        *options,
+        "--yes",
+        "-p",
+        gimbal.address,
+    ]
     with subprocess.Popen([PROGRAM, *command], stderr=subprocess.PIPE) as process:
         assert process.stderr is not None
         for line in process.stderr:  # the frames are printed
@@ -117,9 +161,9 @@ def test_a_terminal_that_closes_does_not_turn_the_motors_off(
 def test_the_first_ctrl_c_waits_and_saves(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     file = tmp_path / "yaw.csv"
     status, text, seconds = interrupted(gimbal, file, signals=1)
-    assert (status, seconds > 1.5) == (130, True), text
+    assert (status, seconds > 2) == (130, True), text
     assert "the recording is complete" in text
-    assert len(file.read_text().splitlines()) == 3751
+    assert len(file.read_text().splitlines()) == 5001
 
 
 def test_the_second_ctrl_c_turns_the_motors_off(tmp_path: Path) -> None:
@@ -127,7 +171,7 @@ def test_the_second_ctrl_c_turns_the_motors_off(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal:
         run("motors", "on", "--yes", "-p", gimbal.address)
         status, text, seconds = interrupted(gimbal, file, signals=2)
-        assert (status, seconds < 2.5) == (130, True), text
+        assert (status, seconds < 3.5) == (130, True), text
         assert "interrupted; the motors are off" in text
         assert not file.exists()
         refused = bode(gimbal, "yaw", *SHORT, "--table")
@@ -139,8 +183,52 @@ def test_on_cancel_motors_off_needs_one(tmp_path: Path) -> None:
         run("motors", "on", "--yes", "-p", gimbal.address)
         off = ("--on-cancel", "motors-off")
         status, text, seconds = interrupted(gimbal, tmp_path / "yaw.csv", *off, signals=1)
-        assert (status, seconds < 2.5) == (130, True), text
+        assert (status, seconds < 3.5) == (130, True), text
         assert "interrupted; the motors are off" in text
+
+
+def begun(address: str, *options: str) -> subprocess.Popen[bytes]:
+    """Starts a recording; returns once it sends samples."""
+    command = ["bode", "yaw", *SHORT, "--table", "-v", "--yes", "-p", address, *options]
+    process = subprocess.Popen([PROGRAM, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stderr is not None
+    for line in process.stderr:
+        if b"CMD_BODE_TEST_DATA" in line:
+            break
+    return process
+
+
+def test_a_recording_that_fails_after_ctrl_c_ends_as_interrupted() -> None:
+    with emulated_gimbal() as gimbal:
+        assert run("motors", "on", "--yes", "-p", gimbal.address).status == 0
+        with begun(gimbal.address) as process:
+            process.send_signal(signal.SIGINT)
+            assert run("motors", "off", "--yes", "-p", gimbal.address).status == 0
+            out, error = process.communicate(timeout=30)
+        text = " ".join(error.decode().split())
+        assert process.returncode == 130 and not out, text
+        assert "interrupted; the recording has started, but it failed" in text
+
+
+def test_after_kill_9_the_recording_that_goes_on_is_not_that_of_the_next(tmp_path: Path) -> None:
+    with emulated_gimbal("--pty", "--link", f"{tmp_path}/gimbal") as gimbal:
+        address = gimbal.address_with_rate
+        assert run("motors", "on", "--yes", "-p", address).status == 0
+        with begun(address, "--seconds", "8") as process:
+            process.kill()
+        file = tmp_path / "yaw.csv"
+        again = ("bode", "yaw", *SHORT, "-o", str(file), "--yes", "-p", address)
+        refused = run(*again)
+        text = " ".join(refused.error.split())
+        assert refused.status == 1 and not file.exists(), text
+        assert "an earlier recording, which no command ends: wait until it is over" in text
+        assert "a recording of this command lasts at most 60 s" in text
+        end = time.monotonic() + 30
+        while (result := run(*again)).status != 0 and time.monotonic() < end:
+            assert "an earlier recording" in " ".join(result.error.split())
+        assert result.status == 0, result
+        assert len(file.read_text().splitlines()) == 5001
+        assert "lost" not in result.error
 
 
 def test_a_file_of_the_vendor(tmp_path: Path) -> None:
@@ -183,7 +271,13 @@ def test_a_short_file_has_no_coherence(tmp_path: Path) -> None:
         (SHORT + ("--table",), "say the axis"),
         (("roll", "--table"), "say --gain, --from and --to"),
         (("roll", *SHORT[2:], "--gain", "10001", "--table"), "10001"),
-        (("roll", *SHORT[:-2], "--seconds", "61", "--table"), "61"),
+        (("roll", *SHORT, "--seconds", "61", "--table"), "61"),
+        (("roll", *SHORT, "--seconds", "3.9", "--table"), "from 4 to 60"),
+        (
+            ("roll", "--gain", "1", "--from", "5", "--to", "6", "--table"),
+            "no frequency of the response, a multiple of 1.22 Hz, is from --from 5 to --to 6",
+        ),
+        (("roll", "--gain", "1", "--from", "9", "--to", "9", "--table"), "is from --from 9"),
         (
             ("roll", "--gain", "1", "--from", "9", "--to", "8", "--table"),
             "--from 9 is above --to 8",
@@ -200,23 +294,79 @@ def test_wrong_usage(arguments: tuple[str, ...], words: str) -> None:
     assert result.status == 2 and words in " ".join(result.error.split())
 
 
-def test_streams_that_run_are_paused_and_go_on(tmp_path: Path) -> None:
+ASKED = {
+    "CMD_REALTIME_DATA_3": (),
+    "CMD_REALTIME_DATA_4": (),
+    "CMD_REALTIME_DATA_CUSTOM": ("config.flags=IMU_ANGLES|INCLUDE_FLAGS",),
+    "CMD_REALTIME_DATA_CUSTOM2": ("config.custom2_flags=DEBUG|INCLUDE_FLAGS",),
+    "CMD_AHRS_HELPER": ("config.imu_type=FRAME",),
+    "CMD_EXT_MOTORS_STATE": ("config.motor=2", "config.data_set=ANGLE16|SPEED16"),
+}
+
+
+def begin_stream(address: str, stream: str, *config: str) -> None:
+    start = ("send", "CMD_DATA_STREAM_INTERVAL", "--yes", "-p", address)
+    result = run(*start, f"cmd_id={stream}", "interval_ms=40", *config)
+    assert result.status == 0, result
+
+
+def frames(result: Result) -> list[str]:
+    return [line for line in result.error.splitlines() if "CMD_" in line]
+
+
+@pytest.mark.parametrize("stream", ASKED)
+def test_streams_that_run_are_paused_and_go_on(stream: str, tmp_path: Path) -> None:
     """Those of the same port: another host has left them there."""
-    with emulated_gimbal("--pty", "--link", f"{tmp_path}/gimbal") as gimbal:
+    newest = ("--board", "3.6", "--firmware", "2.74.5")
+    with emulated_gimbal("--pty", "--link", f"{tmp_path}/gimbal", *newest) as gimbal:
         address = gimbal.address_with_rate
         assert run("motors", "on", "--yes", "-p", address).status == 0
-        start = ("send", "CMD_DATA_STREAM_INTERVAL", "--yes", "-p", address)
-        assert run(*start, "cmd_id=CMD_REALTIME_DATA_4", "interval_ms=40").status == 0
+        begin_stream(address, stream, *ASKED[stream])
         file = tmp_path / "roll.csv"
         result = run("bode", "roll", *SHORT, "-o", str(file), "--yes", "-v", "-p", address)
         assert result.status == 0, result
-        samples = [line for line in result.error.splitlines() if "CMD_" in line]
-        begin = next(i for i, line in enumerate(samples) if "CMD_BODE_TEST_DATA" in line)
-        end = max(i for i, line in enumerate(samples) if "CMD_BODE_TEST_DATA" in line)
-        assert any("CMD_REALTIME_DATA_4" in line for line in samples[:begin])
-        assert not any("CMD_REALTIME_DATA_4" in line for line in samples[begin:end])
-        again = [line for line in result.error.splitlines() if "interval_ms" in line]
-        assert re.search(r"(39|40|41)", again[-1]), again
+        text = " ".join(result.error.split())
+        said = re.search(
+            f"The data stream of {stream} is paused.* every (\\d+) ms as measured", text
+        )
+        assert said and int(said[1]) in range(36, 46), text
+        lines = frames(result)
+        begin = next(i for i, line in enumerate(lines) if "CMD_BODE_TEST_DATA" in line)
+        end = max(i for i, line in enumerate(lines) if "CMD_BODE_TEST_DATA" in line)
+        from_board = [f"{stream} (" in line and "board to host" in line for line in lines]
+        assert any(from_board[:begin]) and not any(from_board[begin:end])
+        again = result.error.split("CMD_DATA_STREAM_INTERVAL (85)  host to board")[-1]
+        for part in ASKED[stream]:
+            for word in re.findall(r"\w+", part.split("=")[1]):
+                assert word in again, again
+
+
+def test_a_stream_that_nobody_knows_to_end_goes_on(tmp_path: Path) -> None:
+    with emulated_gimbal("--pty", "--link", f"{tmp_path}/gimbal") as gimbal:
+        address = gimbal.address_with_rate
+        assert run("motors", "on", "--yes", "-p", address).status == 0
+        begin_stream(address, "CMD_REALTIME_DATA_CUSTOM", "config.flags=IMU_ANGLES")
+        file = tmp_path / "roll.csv"
+        result = run("bode", "roll", *SHORT, "-o", str(file), "--yes", "-p", address)
+        assert result.status == 0 and file.exists(), result
+        text = " ".join(result.error.split())
+        assert "CMD_REALTIME_DATA_CUSTOM goes on, because only its host knows how to end it" in text
+
+
+def test_a_full_disk_loses_no_table(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    file = tmp_path / "roll.csv"
+    command = ["bode", "roll", *SHORT, "-o", str(file), "--table", "--yes", "-p", gimbal.address]
+    done = subprocess.run(
+        [PROGRAM, *command],
+        capture_output=True,
+        text=True,
+        check=False,
+        restore_signals=False,  # SIGXFSZ stays ignored
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
+    )
+    assert done.returncode == 1 and not file.exists()
+    assert f"cannot write {file}: File too large" in " ".join(done.stderr.split())
+    assert len(rows_of(done.stdout)) == 159
 
 
 def test_it_asks_first(gimbal: EmulatedGimbal) -> None:

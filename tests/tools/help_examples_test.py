@@ -115,7 +115,7 @@ def in_folder(folder: Path, example: str) -> str:
         ("/tmp/gimbal", f"{folder}/link"),
         ("--tcp 5000", "--tcp 0"),
         ("--for 20s", "--for 1s"),
-        ("--seconds 8", "--seconds 3"),
+        ("--seconds 8", "--seconds 4"),
     ):
         example = example.replace(place, here)
     command = re.match(r"sbgc ([a-z]+(?: [a-z]+)?)", example)

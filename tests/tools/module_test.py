@@ -32,7 +32,7 @@ def test_firmware(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     asked = run(*flash)
     text = " ".join(asked.error.split())
     assert asked.status == 1 and "add --yes" in text
-    assert "CAN_DRV1, which has firmware 1.42, is erased and gets 1280 bytes" in text
+    assert "CAN_DRV1, which has firmware 1.42, restarts, is erased and gets 1280 bytes" in text
     assert "full battery" in text
     done = run(*flash, "--yes")
     assert done.status == 0 and "The firmware of CAN_DRV1 is loaded." in done.error
@@ -50,6 +50,17 @@ def test_what_cannot_be_loaded(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert unknown.status == 1 and "the board has no module 'CAN_DRV9'; did you mean" in text
     file.write_bytes(b"")
     assert run(*flash, "CAN_DRV1").status == 1
+
+
+def test_a_line_that_may_repeat_packets_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "driver.bin"
+    file.write_bytes(bytes(256))
+    with emulated_gimbal("--board", "3.6", "--firmware", "2.70b0", "--udp", "0") as gimbal:
+        flash = ("module", "flash", str(file), "--module", "can_drv1", "--yes", "-v")
+        result = run(*flash, "-p", gimbal.address)
+    text = " ".join(result.error.split())
+    assert result.status == 1 and "CMD_MODULE" not in text
+    assert "no firmware is loaded over UDP to" in text and "may repeat packets" in text
 
 
 def test_a_board_without_modules() -> None:

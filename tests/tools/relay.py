@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 Change = Callable[[bytes], bytes]
 
@@ -14,9 +14,11 @@ def _pass_on(source: socket.socket, target: socket.socket, change: Change) -> No
     try:
         while data := source.recv(4096):
             target.sendall(change(data))
-        target.shutdown(socket.SHUT_RDWR)
     except OSError:
-        pass  # the other side has closed
+        pass  # the other side has closed, or its process was killed
+    for one in (source, target):
+        with suppress(OSError):
+            one.shutdown(socket.SHUT_RDWR)
 
 
 def _serve(

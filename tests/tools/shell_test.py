@@ -65,6 +65,13 @@ def test_parts_of_a_stream_are_candidates() -> None:
     assert candidates("stream", "Nothing", "--fields", "") == []
 
 
+def test_names_of_the_protocol_are_candidates() -> None:
+    assert candidates("bode", "roll", "--stimulus", "S") == ["SINE_SWEEP"]
+    systems = candidates("bode", "roll", "--system", "")
+    assert len(systems) == 8 and "OPEN_LOOP_PLANT" in systems
+    assert "MENU_CMD_RESET" in candidates("menu", "")
+
+
 def test_every_listed_command_has_help_and_a_description() -> None:
     commands = [line.split("\t") for line in run("__complete", "--", "").text.splitlines()]
     assert len(commands) > 5

@@ -21,6 +21,7 @@
 #include "command/command_error.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -41,13 +42,6 @@ std::string checked(std::string text, const std::string& from) {
         fmt::format("{}: a password is one line of 1 to {} bytes", from, Password::capacity()));
   }
   return text;
-}
-
-/// Quotes a word for a shell.
-std::string quoted_for_shell(const std::string& word) {
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result + '\'';
 }
 
 std::string read_file(const std::string& name) {

@@ -1,6 +1,7 @@
 // sbgc module: the modules of a board, and their firmware.
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <sbgc/client/modules.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/io/transport.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/modules.hpp>
 #include <sbgc/text.hpp>
@@ -60,6 +62,15 @@ int list_modules(const ModuleListChoice& options, const CommandContext& context)
   return success;
 }
 
+/// A confirmation does not name its part: that of an earlier one would let the next part out.
+std::unique_ptr<io::Transport> refuse_repeating_line(std::unique_ptr<io::Transport> transport) {
+  if (!transport->may_repeat()) return transport;
+  throw CommandError(
+      fmt::format("no firmware is loaded over {}, which may repeat packets: use a "
+                  "serial port, or TCP",
+                  transport->description()));
+}
+
 /// The module of the board with this name.
 const msg::ModuleInfo& module_named(const msg::ModuleList& list, const std::string& name) {
   std::vector<std::string> names;
@@ -78,12 +89,13 @@ int flash_firmware(const ModuleFlashChoice& options, const CommandContext& conte
   if (const auto problem = module_firmware_problem(firmware.size())) {
     throw CommandError(fmt::format("{}: {}", options.file, problem->message));
   }
-  Client client = connect(context.gimbal);
+  Client client = connect(context.gimbal, refuse_repeating_line);
   const msg::ModuleList list = modules_on(client);
   const msg::ModuleInfo& module = module_named(list, options.module);
   arm(options.arming,
       fmt::format(
-          "{}, which has firmware {}, is erased and gets {} of {}. The file does not say for which "
+          "{}, which has firmware {}, restarts, is erased and gets {} of {}. The file does not say "
+          "for which "
           "module it is: a wrong one can make the module unusable. Until the end, keep the power "
           "on, with a full battery, and let nothing hang on the motors: the module does not work.",
           to_string(module.id), to_string(module.firmware_ver), counted(firmware.size(), "byte"),
@@ -93,11 +105,13 @@ int flash_firmware(const ModuleFlashChoice& options, const CommandContext& conte
   const Result<void> done = client.run(tasks::flash_module(module.id, firmware, bar.handler()));
   bar.clear();
   if (!done) {
-    throw CommandError(fmt::format("{}: `sbgc module flash {} --module {}`", done.error().message,
-                                   options.file, to_string(module.id)),
-                       was_interrupted() ? interrupted : failure);
+    throw CommandError(
+        fmt::format("{}: `sbgc module flash {} --module {}{}`", done.error().message,
+                    quoted_for_shell(options.file), to_string(module.id), words_of(context.gimbal)),
+        was_interrupted() ? interrupted : failure);
   }
-  remark("The firmware of {} is loaded. Restart the board: `sbgc reset`.\n", to_string(module.id));
+  remark("The firmware of {} is loaded. Restart the board: `sbgc reset{}`.\n", to_string(module.id),
+         words_of(context.gimbal));
   return success;
 }
 

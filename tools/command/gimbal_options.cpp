@@ -6,6 +6,7 @@
 #include <sbgc/io/open.hpp>
 
 #include "command/duration.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -20,6 +21,17 @@ std::string address_syntax() {
 }
 
 }  // namespace
+
+std::string words_of(const GimbalOptions& options) {
+  std::string words;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) words += std::string(" ") + name + ' ' + quoted_for_shell(value);
+  };
+  add("-p", options.port);
+  add("-g", options.name);
+  add("--password-file", options.password_file);
+  return words;
+}
 
 void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* type, const std::string& help) {

@@ -26,6 +26,9 @@ struct GimbalOptions {
   std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);
 };
 
+/// Returns the options that name the same gimbal on another command line: " -p ADDRESS".
+std::string words_of(const GimbalOptions& options);
+
 /// The heading of the options in the help.
 inline constexpr const char* gimbal_group = "Gimbal";
 

@@ -23,6 +23,15 @@ std::string clipped(std::string_view message) {
 
 std::string printable(std::string_view text) { return detail::without_controls(text, "\n"); }
 
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:-+,@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + '\'';
+}
+
 std::string as_message(std::string sentence) {
   constexpr std::array beginnings{"The ", "There ", "A ", "An ", "It ", "This ", "No "};
   // The standard library for WebAssembly has no std::ranges::any_of().

@@ -20,6 +20,9 @@ std::string clipped(std::string_view message);
 /// a terminal, and for each byte that is not UTF-8.
 std::string printable(std::string_view text);
 
+/// Returns the word as a command line has it, in quotes if a shell would read it otherwise.
+std::string quoted_for_shell(const std::string& word);
+
 using detail::without_period;
 
 /// Returns the sentence as messages of the command are written, after "sbgc: ": in lower case and

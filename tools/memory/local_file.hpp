@@ -11,6 +11,9 @@ namespace sbgc::tools {
 /// Throws CommandError if the file exists and must not be replaced, or is "-".
 void check_replaceable(const std::string& file, bool force);
 
+/// Throws CommandError if it can be told that write_local_file() will fail.
+void check_writable(const std::string& file, bool force);
+
 /// Writes a file atomically. Throws CommandError.
 void write_local_file(const std::string& file, const std::vector<std::uint8_t>& data, bool force);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/wording.hpp"
 #include "memory/local_file.hpp"
 #include "motion/bode_recorder.hpp"
 #include "motion/paused_streams.hpp"
@@ -33,8 +36,7 @@ namespace sbgc::tools {
 namespace {
 
 // What a recording may be asked for. Assumption: what is longer or stronger is a mistake.
-constexpr double least_seconds = 1;
-constexpr double most_seconds = 60;
+constexpr double least_seconds = 4;  // as of the vendor's program
 constexpr double most_gain = 10'000;
 constexpr double most_frequency = 500;
 constexpr std::size_t most_positions = 100;
@@ -87,14 +89,63 @@ msg::BodeTestStartStopRequest bode_request(const BodeCommand& command) {
   request.end_freq = msg::Frequency(static_cast<std::uint16_t>(command.to));
   request.system = bode_value<msg::BodeSystem>(command.system, "--system");
   request.samples_num = bode_samples(command.seconds);
+  if (!has_frequencies(request)) {
+    throw CommandError(
+        fmt::format("no frequency of the response, a multiple of {:.2f} Hz, is from --from {} to "
+                    "--to {}",
+                    resolution_of(request), command.from, command.to),
+        wrong_usage);
+  }
   return request;
 }
 
-/// The name that the vendor's example gives a file, such as ROLL_R0_P-30_Y12.csv.
+/// A recording to make.
+struct PlannedRecording {
+  std::optional<RecordingPosition> position{};  ///< nothing: where the camera is
+  std::string name{};
+  std::string file{};  ///< empty if the samples are not saved
+};
+
+/// The name that the vendor's example gives a file, such as ROLL_R0_P-30_Y12.csv. The pan axis
+/// stays where it is.
 std::string position_file(const BodeCommand& command, const RecordingPosition& position,
                           double yaw) {
-  return fmt::format("{}_R{}_P{}_Y{}.csv", detail::upper_case(command.axis),
-                     std::lround(position.roll), std::lround(position.pitch), std::lround(yaw));
+  return fmt::format("{}_R{}_P{}_Y{}.csv", detail::upper_case(command.axis), position.roll,
+                     position.pitch, std::lround(yaw));
+}
+
+std::vector<PlannedRecording> plan_recordings(const BodeCommand& command,
+                                              const std::vector<RecordingPosition>& positions,
+                                              const msg::GetAngles& now) {
+  if (positions.empty()) return {{std::nullopt, command.axis, command.output}};
+  std::vector<PlannedRecording> plan;
+  for (const RecordingPosition& position : positions) {
+    const std::string name = position_file(command, position, now.axes.yaw.imu_angle.degrees());
+    plan.push_back({position, name, {}});
+    if (command.output.empty()) continue;
+    plan.back().file = (std::filesystem::path(command.output) / name).string();
+  }
+  return plan;
+}
+
+/// Throws CommandError if a file cannot be written, or two are the same: before the camera shakes.
+void check_files(const BodeCommand& command, const std::vector<PlannedRecording>& plan) {
+  std::vector<std::string> files;
+  for (const PlannedRecording& one : plan) files.push_back(one.file);
+  files.push_back(command.svg);
+  std::erase(files, "");
+  const std::filesystem::path folder = command.positions.empty() ? "" : command.output;
+  const bool is_new_folder = !folder.empty() && !std::filesystem::exists(folder);
+  if (!folder.empty() && !is_new_folder && !std::filesystem::is_directory(folder)) {
+    throw CommandError(fmt::format("{} is no folder; with --at, -o names one", folder.string()));
+  }
+  std::set<std::filesystem::path> seen;
+  for (const std::string& file : files) {
+    if (!seen.insert(std::filesystem::weakly_canonical(file)).second) {
+      throw CommandError(fmt::format("{} would be written twice", file), wrong_usage);
+    }
+    if (!is_new_folder || file == command.svg) check_writable(file, command.force);
+  }
 }
 
 void show_responses(const BodeCommand& command, const std::vector<NamedResponse>& responses) {
@@ -154,46 +205,78 @@ std::string bode_warning(const BodeCommand& command, const msg::BodeTestStartSto
 }
 
 void report_lost_samples(const BodeRecording& recording) {
+  if (recording.is_end_lost) {
+    remark("The message of the end was lost on the line; the samples are kept.\n");
+  }
   if (recording.lost == 0) return;
   remark("{} of {} were lost on the line; what contains a gap does not count.\n",
          counted(recording.lost, "sample"), recording.input.size());
 }
 
-void save_recording(const std::string& file, const BodeRecording& recording, bool force) {
+void create_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw CommandError(fmt::format("cannot create {}: {}", folder, error.message()));
+}
+
+/// Returns false, and says why, if the file cannot be written but the recording is shown as well.
+bool save_recording(const BodeCommand& command, const std::string& file,
+                    const BodeRecording& recording) {
   const std::string text = to_csv(recording);
-  write_local_file(file, {text.begin(), text.end()}, force);
+  try {
+    write_local_file(file, {text.begin(), text.end()}, command.force);
+  } catch (const CommandError& error) {
+    if (!command.table && command.svg.empty()) throw;
+    remark("sbgc: {}\n", as_message(error.what()));
+    return false;
+  }
   remark("Saved {} to {}.\n", counted(recording.input.size(), "sample"), file);
+  return true;
 }
 
-/// Records where the camera is.
-std::vector<NamedResponse> record_here(const BodeCommand& command, const BodeRecorder& recorder) {
-  const BodeRecording recording = recorder.record();
-  report_lost_samples(recording);
-  if (!command.output.empty()) save_recording(command.output, recording, command.force);
-  return {{command.axis, response_of(recording)}};
-}
+struct MadeRecordings {
+  std::vector<NamedResponse> responses{};
+  bool are_saved = true;
+};
 
-/// Records at each position, as far as no signal ends that.
-std::vector<NamedResponse> record_there(const BodeCommand& command, MovingGimbal& gimbal,
-                                        const BodeRecorder& recorder,
-                                        const std::vector<RecordingPosition>& positions) {
-  const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
-  std::vector<NamedResponse> responses;
-  for (const RecordingPosition& position : positions) {
-    recorder.go_to(position);
-    const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+/// Makes the recordings, as far as no signal ends that, and turns the camera back.
+MadeRecordings make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
+                               const BodeRecorder& recorder,
+                               const std::vector<PlannedRecording>& plan,
+                               const msg::GetAngles& before) {
+  MadeRecordings made;
+  for (const PlannedRecording& one : plan) {
+    if (one.position) recorder.go_to(*one.position);
     const BodeRecording recording = recorder.record();
     report_lost_samples(recording);
-    const std::string name = position_file(command, position, state.axes.yaw.imu_angle.degrees());
-    if (!command.output.empty()) {
-      save_recording((std::filesystem::path(command.output) / name).string(), recording,
-                     command.force);
-    }
-    responses.push_back({name, response_of(recording)});
-    if (gimbal.must_stop()) gimbal.give_up({});
+    if (!one.file.empty() && !save_recording(command, one.file, recording)) made.are_saved = false;
+    made.responses.push_back({one.name, response_of(recording)});
+    if (one.position && gimbal.must_stop()) gimbal.give_up({});
   }
-  recorder.go_to({before.axes.roll.imu_angle.degrees(), before.axes.pitch.imu_angle.degrees()});
-  return responses;
+  if (plan.front().position) {
+    recorder.go_to({before.axes.roll.imu_angle.degrees(), before.axes.pitch.imu_angle.degrees()});
+  }
+  return made;
+}
+
+/// Records with other streams paused. What fails after a signal ends the command as the signal
+/// does.
+MadeRecordings record_undisturbed(const BodeCommand& command, MovingGimbal& gimbal,
+                                  const msg::BodeTestStartStopRequest& request,
+                                  const std::vector<PlannedRecording>& plan,
+                                  const msg::GetAngles& before) {
+  try {
+    const PausedStreams streams(gimbal.client());
+    if (was_interrupted()) throw CommandError("interrupted", interrupted);
+    gimbal.begins_to_move(AfterStop::nothing);
+    const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
+    MadeRecordings made = make_recordings(command, gimbal, recorder, plan, before);
+    gimbal.has_stopped();
+    return made;
+  } catch (const CommandError& error) {
+    if (!was_interrupted() || error.status() == interrupted) throw;
+    throw CommandError(fmt::format("interrupted; {}", error.what()), interrupted);
+  }
 }
 
 int record_responses(const BodeCommand& command, const CommandContext& context) {
@@ -205,33 +288,21 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   std::vector<RecordingPosition> positions;
   positions.reserve(command.positions.size());
   for (const std::string& text : command.positions) positions.push_back(parse_position(text));
-  // What can fail is found before the camera shakes.
-  if (!command.output.empty() && positions.empty())
-    check_replaceable(command.output, command.force);
-  if (!command.output.empty() && !positions.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(command.output, error);
-    if (error || !std::filesystem::is_directory(command.output)) {
-      throw CommandError(fmt::format("{} is no folder; with --at, -o names one", command.output));
-    }
-  }
-  if (!command.svg.empty()) check_replaceable(command.svg, command.force);
+  // What can fail is found before the camera shakes; the names of files need a gimbal only for yaw.
+  check_files(command, plan_recordings(command, positions, {}));
 
   MovingGimbal gimbal(context.gimbal);
   require_possible(gimbal.client(), request);
+  const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+  const std::vector<PlannedRecording> plan = plan_recordings(command, positions, before);
+  check_files(command, plan);
   arm(command.arming, bode_warning(command, request));
+  if (!positions.empty() && !command.output.empty()) create_folder(command.output);
   const Interruption interruption;  // from now on, something is to be restored
-  const PausedStreams streams(gimbal.client());
-  if (was_interrupted()) throw CommandError("interrupted", interrupted);
-  gimbal.begins_to_move(AfterStop::nothing);
-  const BodeRecorder recorder(gimbal, request, command.on_cancel == "motors-off");
-  const std::vector<NamedResponse> responses =
-      positions.empty() ? record_here(command, recorder)
-                        : record_there(command, gimbal, recorder, positions);
-  gimbal.has_stopped();
+  const MadeRecordings made = record_undisturbed(command, gimbal, request, plan, before);
+  show_responses(command, made.responses);
   if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
-  show_responses(command, responses);
-  return success;
+  return made.are_saved ? success : failure;
 }
 
 int run_bode(const BodeCommand& command, const CommandContext& context) {
@@ -259,7 +330,7 @@ void add_bode(CLI::App& app, CommandContext& context) {
       ->check(number_range(1, most_frequency))
       ->type_name("HZ");
   command->add_option("--seconds", options.seconds, "How long to record")
-      ->check(number_range(least_seconds, most_seconds))
+      ->check(number_range(least_seconds, longest_recording))
       ->type_name("NUMBER")
       ->capture_default_str();
   command->add_option("--stimulus", options.stimulus, "What shakes the axis")

@@ -34,7 +34,8 @@ RecordingPosition parse_position(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto number = [&](std::string_view part) {
     const auto read = detail::parse_number<double>(part);
-    if (comma != std::string::npos && read && *read >= -180 && *read <= 180) return *read;
+    // No -0, which file names would show.
+    if (comma != std::string::npos && read && *read >= -180 && *read <= 180) return *read + 0.0;
     throw CommandError(
         fmt::format("'{}' is not ROLL,PITCH in degrees, such as 0,-30", clipped(text)),
         wrong_usage);
@@ -48,9 +49,11 @@ BodeRecording BodeRecorder::record() const {
   if (gimbal_.must_stop()) gimbal_.give_up({});
   const SecondSignal second;
   ProgressBar bar;
-  bool has_told = false;
+  bool has_told = false, may_move = false;
   BodeOptions options;
   options.progress = [&](const BodeProgress& seen) {
+    if (!seen.is_sent) return !gimbal_.must_stop();
+    may_move = true;
     const bool must_end = motors_off_ ? was_interrupted() : was_interrupted_twice();
     if (must_end) return false;
     if (was_interrupted() && !has_told) {
@@ -68,7 +71,15 @@ BodeRecording BodeRecorder::record() const {
   };
   const auto recorded = gimbal_.client().record_bode(request_, options);
   bar.clear();
-  if (!recorded && recorded.error().code == ErrorCode::cancelled) turn_motors_off();
+  if (!recorded && recorded.error().code == ErrorCode::cancelled) {
+    if (!may_move) gimbal_.give_up(recorded.error());
+    turn_motors_off();
+  }
+  if (!recorded && !may_move && recorded.error().code == ErrorCode::board_error) {
+    gimbal_.has_stopped();  // the board has not begun
+    throw CommandError(fmt::format("{}; a recording of this command lasts at most {} s",
+                                   recorded.error().message, longest_recording));
+  }
   return value_of(recorded);
 }
 

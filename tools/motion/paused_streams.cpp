@@ -2,87 +2,89 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <map>
 #include <thread>
 
-#include <fmt/format.h>
-
-#include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
 #include "command/remark.hpp"
+#include "motion/stream_guess.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-using Time = std::chrono::steady_clock::time_point;
-
-/// The samples of a stream.
-struct Heard {
-  Time first{}, last{};
-  int count = 0;
-
-  std::uint16_t milliseconds() const {
-    const double length = std::chrono::duration<double, std::milli>(last - first).count();
-    return static_cast<std::uint16_t>(std::clamp(std::lround(length / (count - 1)), 1L, 1000L));
-  }
+/// A stream on the line.
+struct HeardStream {
+  msg::CommandFromBoard command{};
+  std::vector<msg::DataStreamInterval> requests{};
+  SampleTimes times{};
 };
 
-bool can_be_stream(std::uint8_t id) {
-  bool can_be = false;
-  roles::StreamMessages::for_each(
-      [&]<class M>(Type<M>) { can_be = can_be || id == static_cast<std::uint8_t>(M::command); });
-  return can_be;
+/// Returns the streams of which several samples arrive within this time: others do not matter.
+std::vector<HeardStream> heard_streams(Client& client, std::chrono::milliseconds time) {
+  std::vector<HeardStream> heard;
+  {
+    const Subscription listening = client.on_frame([&](const BoardFrame& one) {
+      if (one.belongs_to_call || one.is_late) return;
+      const StreamGuess guess = guess_stream(one.frame);
+      if (!guess.is_sample) return;
+      const auto command = static_cast<msg::CommandFromBoard>(one.frame.id);
+      auto stream = std::ranges::find_if(heard, [&](const HeardStream& other) {
+        return other.command == command && other.requests == guess.requests;
+      });
+      if (stream == heard.end()) stream = heard.insert(heard.end(), {command, guess.requests, {}});
+      stream->times.add(std::chrono::steady_clock::now());
+    });
+    std::this_thread::sleep_for(time);
+  }
+  std::erase_if(heard, [](const HeardStream& one) { return !one.times.have_interval(); });
+  return heard;
 }
 
-/// True if the interval is all that a stream of this message needs.
-bool needs_no_more(msg::CommandFromBoard command) {
-  return command == msg::RealtimeData3::command || command == msg::RealtimeData4::command;
+bool still_runs(Client& client, const HeardStream& stream) {
+  const std::chrono::milliseconds interval(stream.times.interval().raw());
+  const auto heard = heard_streams(client, 4 * interval + std::chrono::milliseconds(50));
+  return std::ranges::any_of(heard, [&](const HeardStream& other) {
+    return other.command == stream.command && other.requests == stream.requests;
+  });
 }
 
 }  // namespace
 
 PausedStreams::PausedStreams(Client& client) : client_(client) {
-  std::map<std::uint8_t, Heard> heard;
-  {
-    const Subscription listening = client.on_frame([&](const BoardFrame& one) {
-      if (one.belongs_to_call || one.is_late || !can_be_stream(one.frame.id)) return;
-      Heard& stream = heard[one.frame.id];
-      stream.last = std::chrono::steady_clock::now();
-      if (stream.count++ == 0) stream.first = stream.last;
-    });
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  }
-  for (const auto& [id, stream] : heard) {
-    if (stream.count < 2) continue;  // too slow to matter
-    const auto command = static_cast<msg::CommandFromBoard>(id);
-    if (!needs_no_more(command)) {
-      throw CommandError(
-          fmt::format("a data stream of {} runs on this line, and only its host can start it "
-                      "again: end it first",
-                      to_string(command)));
+  for (const HeardStream& stream : heard_streams(client, std::chrono::milliseconds(500))) {
+    bool runs = true;
+    for (auto request = stream.requests.begin(); runs && request != stream.requests.end();
+         ++request) {
+      msg::DataStreamInterval end = *request;
+      end.interval_ms = {};
+      const Result<void> ended(client_.call(end));
+      if (!ended) restart();  // those before it: the destructor will not run
+      value_of(ended);
+      runs = still_runs(client, stream);
+      if (runs) continue;
+      paused_.push_back(*request);
+      paused_.back().interval_ms = stream.times.interval();
     }
-    msg::DataStreamInterval request;
-    request.cmd_id = command;
-    request.interval_ms = msg::Milliseconds(stream.milliseconds());
-    running_.push_back(request);
-  }
-  for (msg::DataStreamInterval request : running_) {
-    request.interval_ms = {};
-    const Result<void> stopped(client_.call(request));
-    if (stopped) continue;
-    restart();  // those before it; the destructor will not run
-    value_of(stopped);
+    if (runs) {
+      remark(
+          "A data stream of {} goes on, because only its host knows how to end it: samples may be "
+          "lost.\n",
+          to_string(stream.command));
+    } else {
+      remark(
+          "The data stream of {} is paused. It goes on afterwards, every {} ms as measured: what "
+          "its host asked for is unknown.\n",
+          to_string(stream.command), paused_.back().interval_ms.raw());
+    }
   }
 }
 
 PausedStreams::~PausedStreams() { restart(); }
 
 void PausedStreams::restart() const {
-  for (const msg::DataStreamInterval& request : running_) {
+  for (const msg::DataStreamInterval& request : paused_) {
     const Result<void> started(client_.call(request));
     if (started) continue;
     remark("The data stream of {} does not run any more: {}\n", to_string(request.cmd_id),

@@ -9,11 +9,11 @@
 namespace sbgc::tools {
 
 /// Ends the data streams that run on the line, as an earlier host has left them, and starts them
-/// again at the end of its life.
+/// again at the end of its life. No request lists them: what is known of them is what their samples
+/// tell, and the user reads what is not.
 class PausedStreams {
  public:
-  /// Listens to the line for half a second. Throws CommandError if a stream runs that cannot be
-  /// started again, because its samples do not say how it was started.
+  /// Listens to the line for half a second. Throws CommandError if the board does not respond.
   explicit PausedStreams(Client& client);
   PausedStreams(const PausedStreams&) = delete;
   PausedStreams& operator=(const PausedStreams&) = delete;
@@ -24,7 +24,7 @@ class PausedStreams {
   void restart() const;
 
   Client& client_;
-  std::vector<msg::DataStreamInterval> running_{};
+  std::vector<msg::DataStreamInterval> paused_{};
 };
 
 }  // namespace sbgc::tools

@@ -1,16 +1,40 @@
 #include "motion/response_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include <sbgc/analysis/spectrum.hpp>
+
 namespace sbgc::tools {
 
-analysis::FrequencyResponse response_of(const BodeRecording& recording) {
+namespace {
+
+struct FrequencyRange {
+  double from = 0, to = 0;
+};
+
+FrequencyRange shown_range(const msg::BodeTestStartStopRequest& request) {
   constexpr double highest = 500;
-  const double from = recording.request.start_freq.hertz();
-  const double to = std::min(recording.request.end_freq.hertz(), highest);
+  return {request.start_freq.hertz(), std::min(request.end_freq.hertz(), highest)};
+}
+
+}  // namespace
+
+double resolution_of(const msg::BodeTestStartStopRequest& request) {
+  return bode_sample_rate / static_cast<double>(analysis::segment_length(request.samples_num));
+}
+
+bool has_frequencies(const msg::BodeTestStartStopRequest& request) {
+  const auto [from, to] = shown_range(request);
+  const double resolution = resolution_of(request);
+  return std::floor(to / resolution) * resolution >= std::max(from, resolution);
+}
+
+analysis::FrequencyResponse response_of(const BodeRecording& recording) {
+  const auto [from, to] = shown_range(recording.request);
   return analysis::frequency_response(recording.input, recording.output, bode_sample_rate, from,
                                       to);
 }

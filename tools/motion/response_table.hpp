@@ -15,6 +15,11 @@ struct NamedResponse {
   analysis::FrequencyResponse response{};
 };
 
+/// Hz between the frequencies of the response of this recording.
+double resolution_of(const msg::BodeTestStartStopRequest& request);
+/// True if the response has a frequency in the range of the recording.
+bool has_frequencies(const msg::BodeTestStartStopRequest& request);
+
 /// The response between the frequencies of the recording, at most 500 Hz.
 analysis::FrequencyResponse response_of(const BodeRecording& recording);
 

@@ -72,10 +72,11 @@ Candidates calibration_names() {
   return result;
 }
 
-Candidates menu_actions() {
+template <class E>
+Candidates values_in() {
   Candidates result;
-  for (const ValueInfo& action : EnumMeta<msg::MenuCommand>::info.values) {
-    result.push_back({action.name, action.summary});
+  for (const ValueInfo& value : EnumMeta<E>::info.values) {
+    result.push_back({value.name, value.summary});
   }
   return result;
 }
@@ -221,7 +222,9 @@ Candidates values_of(const CLI::Option& option, const Place& place) {
       {"GIMBAL", [](const Place&) { return gimbals(); }},
       {"MESSAGE", [](const Place&) { return words(message_names()); }},
       {"STREAM", [](const Place&) { return streams(); }},
-      {"ACTION", [](const Place&) { return menu_actions(); }},
+      {"ACTION", [](const Place&) { return values_in<msg::MenuCommand>(); }},
+      {"STIMULUS", [](const Place&) { return values_in<msg::BodeStimulus>(); }},
+      {"SYSTEM", [](const Place&) { return values_in<msg::BodeSystem>(); }},
       {"PARAMETER", [](const Place&) { return words(parameter_words()); }},
       {"PARAMETER=VALUE", [](const Place&) { return assignable(parameter_words()); }},
       {"VARIABLE", [](const Place&) { return words(variable_names()); }},

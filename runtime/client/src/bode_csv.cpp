@@ -39,15 +39,17 @@ bool read_number(std::string_view text, Number& number) {
   return read.has_value();
 }
 
-/// Reads a sample with the precision of the board: a number, or "nan" for a lost one.
+/// Reads a sample with the precision of the board: a number, or "nan" for a lost one. What is too
+/// small for that precision is rounded, to 0 if need be.
 bool read_sample(std::string_view text, double& sample) {
   if (text == "nan") {
     sample = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
-  float number = 0;
-  if (!read_number(text, number) || !std::isfinite(number)) return false;
-  sample = static_cast<double>(number);
+  double number = 0;
+  constexpr auto highest = static_cast<double>(std::numeric_limits<float>::max());
+  if (!read_number(text, number) || !(std::abs(number) <= highest)) return false;
+  sample = static_cast<double>(static_cast<float>(number));
   return true;
 }
 
@@ -94,6 +96,9 @@ std::string to_csv(const BodeRecording& recording) {
 
 Result<BodeRecording> parse_bode_csv(std::string_view text) {
   if (text.size() > max_bode_csv) return csv_error(1, "the file is too long");
+  // Editors and spreadsheets put it there.
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   BodeRecording recording;
   if (!read_title(take_line(text), recording.request)) {
     return csv_error(1,

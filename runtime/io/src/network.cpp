@@ -222,6 +222,7 @@ class UdpTransport final : public detail::StreamTransport<DatagramStream> {
 
   std::string description() const override { return "UDP to " + place_; }
   int native_handle() override { return stream().native_handle(); }
+  bool may_repeat() const override { return true; }
 
  private:
   std::string place_;

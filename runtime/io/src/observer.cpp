@@ -57,6 +57,7 @@ class ObservedTransport final : public Transport {
   std::string description() const override { return inner_->description(); }
   LineControl* line() override { return line_.get(); }
   int native_handle() override { return inner_->native_handle(); }
+  bool may_repeat() const override { return inner_->may_repeat(); }
 
  private:
   std::unique_ptr<Transport> inner_;

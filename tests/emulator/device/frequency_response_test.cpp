@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/axis_response.hpp"
+#include "recorded_axis.hpp"
 #include "replies.hpp"
 
 namespace sbgc::test {
@@ -19,18 +20,6 @@ namespace {
 using emulator::AxisResponse;
 using ::testing::Each;
 using ::testing::SizeIs;
-
-msg::BodeTestStartStopRequest recording(std::uint32_t samples = 5000) {
-  msg::BodeTestStartStopRequest request;
-  request.axis = msg::BodeAxis::pitch;
-  request.stimulus_type = msg::BodeStimulus::white_noise;
-  request.stimulus_gain = 3000;
-  request.start_freq = msg::Frequency(6);
-  request.end_freq = msg::Frequency(200);
-  request.system = msg::BodeSystem::open_loop_plant;
-  request.samples_num = samples;
-  return request;
-}
 
 /// A host of a board whose motors are on.
 struct Recorder : Host {
@@ -119,16 +108,6 @@ std::complex<double> measured(msg::BodeSystem of, double frequency) {
     if (i >= settled) sum += output * std::polar(2.0 / measured, -step * i);
   }
   return sum;
-}
-
-/// The plant by its poles.
-std::complex<double> plant(double frequency) {
-  const double turn = 2 * std::numbers::pi * 40 * 0.0008;
-  const std::complex<double> pole =
-      std::exp(turn * std::complex<double>(-0.3, std::sqrt(1 - 0.09)));
-  const std::complex<double> z = std::polar(1.0, 2 * std::numbers::pi * frequency * 0.0008);
-  const std::complex<double> at_rest = (1.0 - pole) * (1.0 - std::conj(pole));
-  return 0.003 * at_rest * z / ((z - pole) * (z - std::conj(pole)));
 }
 
 TEST(FrequencyResponse, SystemsRespondAsDescribed) {

@@ -1263,7 +1263,7 @@ class Calls {
   }
 
   /// Begin to load new firmware into a module.
-  /// Effect: erases.
+  /// Effect: restarts, erases.
   template <class M = msg::ModuleFlashStart>
   CallResult<M> module_flash_start(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

@@ -230,7 +230,7 @@ struct Meta<msg::ModuleFlashStart> {
       .direction = Direction::to_board,
       .min_size = 5,
       .max_size = 5,
-      .effects = Effects(Effect::erases)};
+      .effects = Effects(Effect::restarts) | Effect::erases};
   static constexpr Range firmware_size_range{1, 4294967295};
   static constexpr FieldInfo fields[] = {
       {.name = "device_id",

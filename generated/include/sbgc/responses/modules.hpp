@@ -46,6 +46,7 @@ constexpr ResponsePolicy response_policy(const ModuleFlashStart&) noexcept {
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .has_effect = true,
+      .moves = true,
       .timeout_ms = 5000};
 }
 

@@ -190,11 +190,12 @@ class TransparentSapiRequest(Message):
 class ModuleFlashStart(Message):
     """Begin to load new firmware into a module.
 
+    It is the module that restarts, to take its firmware; what it drives has no power meanwhile.
     CMD_MODULE_FLASH_WRITE and CMD_MODULE_FLASH_FINISH follow. Errors of the three commands
     carry the module and the packet, two u16, in ERROR_DATA.
 
-    CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: erases. Source: Vendor's code of
-    2026.
+    CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: restarts, erases. Source:
+    Vendor's code of 2026.
     """
 
     __slots__ = ()

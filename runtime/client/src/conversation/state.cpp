@@ -51,6 +51,7 @@ void Conversation::State::attach(std::unique_ptr<io::Transport> transport) {
     const std::lock_guard lock(mutex_);
     description_ = transport->description();
   }
+  may_repeat_ = transport->may_repeat() || options_.duplicate_window.count() != 0;
   // Shared, because Asio requires a copyable function.
   post([this, shared = std::make_shared<std::unique_ptr<io::Transport>>(std::move(transport))] {
     if (const io::LineControl* const line = (*shared)->line()) {

@@ -69,6 +69,8 @@ class Conversation::State : public Channel::User,
                        const CallOptions& options, StreamHandler done);
 
   std::string description() const;
+  /// True if the line may repeat frames, by its kind or by the options.
+  bool may_repeat() const noexcept { return may_repeat_; }
   ClientStatistics statistics() const;
   void close();
   /// Like close(), but also discards what the port has not sent yet, so that closing it does not
@@ -115,6 +117,7 @@ class Conversation::State : public Channel::User,
   const ConnectOptions options_;
   const io::detail::ExecutorClock clock_;
   BoardIdentity board_;
+  std::atomic<bool> may_repeat_ = false;
   SharedCalls calls_;
   Guarded<StreamListeners> streams_;
   Guarded<Polls> polls_;

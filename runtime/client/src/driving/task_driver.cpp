@@ -11,7 +11,9 @@
 namespace sbgc::detail {
 
 TaskDriver::TaskDriver(Conversation conversation, TaskMachine& task)
-    : conversation_(std::move(conversation)), task_(task) {}
+    : conversation_(std::move(conversation)), task_(task) {
+  task_.set_repeating_line(conversation_.state()->may_repeat());
+}
 
 void TaskDriver::put(Input input) {
   {
@@ -49,6 +51,7 @@ TaskStep TaskDriver::advance(const std::function<Instant()>& now) {
     } else if (step.kind == TaskStep::Kind::cancel) {
       if (deadlines_.erase(step.call) != 0) conversation_.cancel(step.call);
     } else {
+      follow_overhearing();
       return step;
     }
   }
@@ -61,6 +64,16 @@ void TaskDriver::take_inputs() {
     inputs.swap(inputs_);
   }
   for (Input& input : inputs) input(task_);
+}
+
+void TaskDriver::follow_overhearing() {
+  if (!task_.overhears()) return overhearing_.cancel();
+  if (overhearing_) return;
+  overhearing_ = conversation_.on_frame([weak = weak_from_this()](const BoardFrame& one) {
+    if (one.belongs_to_call) return;
+    const auto self = weak.lock();
+    if (self) self->put([id = one.frame.id](TaskMachine& task) { task.overheard(id); });
+  });
 }
 
 void TaskDriver::begin_call(TaskStep step) {
@@ -109,6 +122,7 @@ void TaskDriver::wait(const TaskStep& step, Clock& clock) {
 
 void TaskDriver::end() {
   notices_.cancel();
+  overhearing_.cancel();
   for (const auto& [call, deadline] : std::exchange(deadlines_, {})) conversation_.cancel(call);
 }
 

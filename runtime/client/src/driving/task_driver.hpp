@@ -43,12 +43,15 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
 
  private:
   void take_inputs();
+  /// Listens for messages that belong to no call, as long as the task wants them.
+  void follow_overhearing();
   void begin_call(TaskStep step);
   void wait(const TaskStep& step, Clock& clock);
 
   Conversation conversation_;
   TaskMachine& task_;
   Subscription notices_;
+  Subscription overhearing_;
   std::unordered_map<CallId, Instant> deadlines_{};  // of the running calls
 
   std::mutex mutex_;

@@ -59,6 +59,12 @@ Result<BodeRecording> BodeCollector::finish(const msg::BodeTestStartStop& end) &
                                    end.error_code, counted),
                        end.error_code};
   }
+  if (counted + 1 < recording_.request.samples_num) {
+    return ClientError{ErrorCode::bad_response,
+                       fmt::format("the board reports an end after {} of {} samples, as of another "
+                                   "recording",
+                                   counted, recording_.request.samples_num)};
+  }
   // Some firmware sends the index of the last sample, which is one less.
   if (counted + 1 < samples()) {
     return ClientError{ErrorCode::bad_response,
@@ -73,6 +79,16 @@ Result<BodeRecording> BodeCollector::finish(const msg::BodeTestStartStop& end) &
                                    counted - samples() + lost(), counted)};
   }
   if (counted > samples()) add_gap(counted - samples());
+  return std::move(recording_);
+}
+
+Result<BodeRecording> BodeCollector::finish_without_end(ClientError reason, bool is_over) && {
+  const std::size_t total = recording_.request.samples_num;
+  if (samples() > total) return reason;
+  const std::size_t missing = total - samples();
+  if (missing >= counter_range || (missing != 0 && !is_over)) return reason;
+  add_gap(missing);
+  recording_.is_end_lost = true;
   return std::move(recording_);
 }
 

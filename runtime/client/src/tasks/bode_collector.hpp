@@ -26,6 +26,9 @@ class BodeCollector {
   bool has_too_many() const noexcept;
   /// Checks the samples against what the board reports at the end.
   Result<BodeRecording> finish(const msg::BodeTestStartStop& end) &&;
+  /// Without that report: fails with `reason` if samples are missing, unless the time of the
+  /// recording is over, so that they are the last ones.
+  Result<BodeRecording> finish_without_end(ClientError reason, bool is_over) &&;
 
  private:
   void add_gap(std::size_t samples);

@@ -53,6 +53,10 @@ void TaskMachine::notice(const Notice& notice) {
   for (const NoticeHandler& handler : listeners_) handler(notice);
 }
 
+void TaskMachine::overheard(std::uint8_t id) {
+  if (overhearing_) overhearing_(id);
+}
+
 CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options) {
   const CallId id = detail::next_call_id();
   calls_.emplace(id, Call{});

@@ -53,6 +53,11 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
                                 ProgressHandler progress) {
   if (auto problem = module_firmware_problem(firmware.size())) co_return *std::move(problem);
   TaskMachine& task = co_await this_task();
+  if (task.line_may_repeat()) {
+    // A confirmation does not name its part: that of an earlier one would let the next part out.
+    co_return ClientError{ErrorCode::unsupported,
+                          "no firmware is loaded over a line that may repeat packets"};
+  }
   const Result<msg::ModuleList> list = co_await call(msg::ModuleListRequest{});
   if (!list) co_return list.error();
   const auto is_it = [&](const msg::ModuleInfo& one) { return one.id == module; };

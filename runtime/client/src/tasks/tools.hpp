@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -74,6 +76,21 @@ inline Result<void> go_on(const std::string& task, const ProgressHandler& progre
   if (state.done < state.total && deadline.is_over()) return late_error(task);
   return {};
 }
+
+/// Calls a handler with the ids of messages that belong to no call, as long as it lives. One at a
+/// time.
+class Overhearing {
+ public:
+  Overhearing(TaskMachine& task, std::function<void(std::uint8_t id)> handler) : task_(task) {
+    task_.overhear(std::move(handler));
+  }
+  Overhearing(const Overhearing&) = delete;
+  Overhearing& operator=(const Overhearing&) = delete;
+  ~Overhearing() { task_.overhear({}); }
+
+ private:
+  TaskMachine& task_;
+};
 
 /// Collects the errors that the board reports about a command. A call of such a command ends once
 /// it is sent, so only a later take() returns the error.

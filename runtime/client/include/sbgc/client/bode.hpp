@@ -34,10 +34,13 @@ struct BodeRecording {
   std::vector<double> input{};              ///< in a unit that the board does not tell
   std::vector<double> output{};             ///< as many as of the input
   std::size_t lost{};                       ///< samples
+  /// The message of the end was lost: the board may have reported an error there.
+  bool is_end_lost{};
 };
 
 /// The progress of a recording.
 struct BodeProgress {
+  bool is_sent{};      ///< from now on, the camera may move
   bool has_started{};  ///< the board has confirmed the start, or sent samples
   std::size_t samples{};
   std::size_t total{};
@@ -57,6 +60,10 @@ namespace tasks {
 /// Records a frequency response. The line is ready for the samples before the board can send the
 /// first one. Lost messages leave a gap; if more is missing than the counter of the samples can
 /// show, the recording fails. The error says whether the motion had started.
+///
+/// Messages do not say to which recording they belong. So the start is sent only after 250 ms
+/// without those of an earlier one; if they do not end within a second, the task fails with
+/// ErrorCode::board_error.
 Task<Result<BodeRecording>> record_bode(msg::BodeTestStartStopRequest request,
                                         BodeOptions options = {});
 

@@ -28,6 +28,9 @@ namespace tasks {
 /// has confirmed the one before. Any error ends it, and says which part was confirmed last; the
 /// loading can only start from the beginning then. Progress counts bytes; if its handler returns
 /// false, the loading ends as with an error.
+///
+/// A line that may repeat packets, UDP or one with a ConnectOptions::duplicate_window, is refused
+/// with ErrorCode::unsupported: confirmations do not name their part.
 Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> firmware,
                                 ProgressHandler progress = {});
 

@@ -77,10 +77,17 @@ class TaskMachine {
   /// Reports a message of the series that precedes the response to a call.
   void received(CallId id, std::vector<std::uint8_t> body);
   void notice(const Notice& notice);
+  /// Reports a message of the board that belongs to no call, if overhears().
+  void overheard(std::uint8_t id);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
   /// Ends a wait of tasks::wait_for_wake().
   void wake() noexcept { is_woken_ = true; }
+
+  /// True if the task wants to know what belongs to no call. Changes only with a step.
+  bool overhears() const noexcept { return static_cast<bool>(overhearing_); }
+  /// Says before the first step whether the line may repeat frames.
+  void set_repeating_line(bool may_repeat) noexcept { line_may_repeat_ = may_repeat; }
 
   // For the task.
 
@@ -88,6 +95,9 @@ class TaskMachine {
   const BoardIdentity& identity() const noexcept { return board_; }
   /// The framing of the board's last answer.
   Framing framing() const noexcept { return framing_; }
+
+  /// True if a confirmation may be the repetition of an earlier one.
+  bool line_may_repeat() const noexcept { return line_may_repeat_; }
 
   /// Starts a call that runs concurrently with the task.
   template <Callable M>
@@ -110,6 +120,8 @@ class TaskMachine {
   using Listener = std::list<NoticeHandler>::iterator;
   Listener listen(NoticeHandler handler);
   void stop_listening(Listener listener) { listeners_.erase(listener); }
+  /// Calls the handler with the id of each message that belongs to no call; an empty one ends that.
+  void overhear(std::function<void(std::uint8_t id)> handler) { overhearing_ = std::move(handler); }
 
   /// The events that a coroutine waits for. The first one resumes it.
   struct Wait {
@@ -146,6 +158,8 @@ class TaskMachine {
   std::deque<TaskStep> steps_{};
   std::unordered_map<CallId, Call> calls_{};
   std::list<NoticeHandler> listeners_{};
+  std::function<void(std::uint8_t)> overhearing_{};
+  bool line_may_repeat_ = false;
   bool is_cancelled_ = false;
   bool was_cancelled_ = false;
   bool is_woken_ = false;

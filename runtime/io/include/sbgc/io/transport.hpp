@@ -57,6 +57,9 @@ class Transport {
   /// Returns the file descriptor of the line, which remains the transport's; -1 if there is none,
   /// or if it alone does not carry the bytes. See adopt().
   virtual int native_handle() { return -1; }
+
+  /// Returns true if bytes may arrive twice, or in another order than they were sent in.
+  virtual bool may_repeat() const { return false; }
 };
 
 /// A transport, or the error that prevented opening it.
