@@ -9,7 +9,7 @@ struct MessageType;
 
 namespace detail {
 
-/// Returns the type of M. The library defines this function for every message.
+/// Returns the type of M. The compiled library sbgc::any defines it for every message.
 template <Message M>
 const MessageType& message_type() noexcept;
 
