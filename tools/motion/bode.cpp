@@ -20,6 +20,7 @@
 #include <sbgc/validate.hpp>
 
 #include "command/arming.hpp"
+#include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/interruption.hpp"
 #include "command/number_range.hpp"
@@ -148,6 +149,13 @@ void check_files(const BodeCommand& command, const std::vector<PlannedRecording>
   }
 }
 
+/// After a signal, the command ends although nobody reads.
+void show_table(const std::string& text) {
+  if (!was_interrupted()) return fmt::print("{}", text);
+  background_stdout().write(text);
+  background_stdout().finish();
+}
+
 void show_responses(const BodeCommand& command, const std::vector<NamedResponse>& responses) {
   for (const NamedResponse& one : responses) {
     if (one.response.segments == 0) {
@@ -160,9 +168,9 @@ void show_responses(const BodeCommand& command, const std::vector<NamedResponse>
       remark("{}: too short for the coherence, which tells what can be trusted.\n", one.name);
     }
     if (!command.table) continue;
-    if (responses.size() > 1)
-      fmt::print("{}{}\n", &one == &responses.front() ? "" : "\n", one.name);
-    fmt::print("{}", response_table(one.response));
+    const bool is_first = &one == &responses.front();
+    const std::string title = responses.size() > 1 ? one.name + '\n' : "";
+    show_table((is_first ? "" : "\n") + title + response_table(one.response));
   }
   if (command.svg.empty()) return;
   const std::string picture = response_svg(responses);
