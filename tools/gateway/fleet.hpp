@@ -1,0 +1,90 @@
+/// The configuration of a gateway, in the TOML of the configuration file of the command:
+///
+///     [fleet]
+///     name = "studio"
+///
+///     [gimbal.front]
+///     port = "/dev/ttyUSB0"              # and the other keys of config.toml
+///     allow = ["move", "stop", "raw"]    # tasks that the broker may command; none by default
+///     raw-effects = ["moves"]            # what else messages of `raw` may do; they may always read
+///     telemetry = ["RealtimeData4 10", "RealtimeDataCustom 5 IMU_ANGLES|RC_DATA"]
+///
+///     [metrics]
+///     listen = "127.0.0.1:9110"
+///
+///     [broker]
+///     address = "127.0.0.1:1883"
+///     journal = "/var/lib/sbgc/studio.db"
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/meta.hpp>
+
+#include "board/configuration.hpp"
+
+namespace sbgc::tools {
+
+/// What a broker can command, as in `…/cmd/<task>`; `raw` is `…/raw`.
+inline constexpr std::array<std::string_view, 10> gateway_tasks{
+    "move", "stop", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
+
+/// Messages of one type that a gimbal sends at a rate.
+struct Telemetry {
+  std::string message{};  ///< our name, such as "RealtimeData4"
+  double rate{};          ///< per second
+  std::string contents{};  ///< flags or NAME=VALUE, which choose what samples contain; or ""
+};
+
+struct FleetGimbal {
+  NamedGimbal line{};  ///< name, port and how to connect
+  std::vector<std::string> allow{};  ///< of gateway_tasks
+  Effects raw_effects{};
+  std::vector<Telemetry> telemetry{};
+
+  bool allows(std::string_view task) const;
+};
+
+struct MetricsSettings {
+  std::string listen{"127.0.0.1:9110"};
+};
+
+struct BrokerSettings {
+  std::string host{};
+  std::uint16_t port{1883};
+  bool is_mqtt_5 = false;  ///< otherwise 3.1.1
+  std::string client_id{};  ///< by default "sbgc-<fleet>"
+  std::string user{};
+  std::string password_file{};
+  std::string ca_file{};           ///< with one, TLS
+  std::string certificate_file{};  ///< of the client
+  std::string key_file{};
+  std::chrono::milliseconds keep_alive{30'000};
+  std::filesystem::path journal{};  ///< the SQLite file
+  std::size_t most_waiting{10'000};  ///< events and results on disk
+  std::chrono::milliseconds clock_skew{1'000};   ///< how far the clocks of senders may differ
+  std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
+};
+
+struct Fleet {
+  std::string name{};
+  std::vector<FleetGimbal> gimbals{};
+  std::optional<MetricsSettings> metrics{};
+  std::optional<BrokerSettings> broker{};
+};
+
+/// Returns the fleet in the text of a file. Throws CommandError, with "file:line:column: ", if it
+/// is invalid. Relative paths count from the folder of the file.
+Fleet fleet_in(const std::string& text, const std::filesystem::path& file);
+
+/// Reads the file. Throws CommandError.
+Fleet read_fleet(const std::filesystem::path& file);
+
+}  // namespace sbgc::tools
