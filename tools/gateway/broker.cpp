@@ -1,0 +1,651 @@
+#include "gateway/broker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "command/remark.hpp"
+#include "command/wording.hpp"
+#include "gateway/gimbal_tasks.hpp"
+#include "gateway/journal.hpp"
+#include "gateway/mqtt.hpp"
+#include "gateway/newest.hpp"
+#include "gateway/payload.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using std::chrono::milliseconds;
+using WallTime = std::chrono::system_clock::time_point;
+
+/// The level of the gateway's own topics.
+constexpr const char* gateway_level = "gateway";
+
+/// Messages on the way to the broker.
+constexpr std::size_t most_unacknowledged = 64;
+constexpr std::size_t most_unsent = 64;
+/// Events that wait for the thread of the broker.
+constexpr std::size_t most_notices = 1'000;
+
+std::int64_t unix_milliseconds(WallTime time) {
+  return std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count();
+}
+
+/// The beginning of every payload.
+Json stamped(WallTime time = std::chrono::system_clock::now()) {
+  return {{"version", payload_version}, {"time", unix_milliseconds(time)}};
+}
+
+std::string payload_text(const Json& json) { return detail::json_text(json); }
+
+std::string sample_text(const AnyMessage& message, WallTime time) {
+  return fmt::format(R"({{"version":{},"time":{},"message":"{}","fields":{}}})", payload_version,
+                     unix_milliseconds(time), message.type().info->name, message.to_json());
+}
+
+/// What all results have; those of a command with a key are kept without the address.
+Json result_json(const std::string& gimbal, const std::string& task, const std::string& key,
+                 const TaskOutcome& outcome) {
+  Json result = stamped();
+  result["gimbal"] = gimbal;
+  result["task"] = task;
+  if (!key.empty()) result["key"] = key;
+  result["status"] = outcome.status;
+  if (!outcome.code.empty()) {
+    result["error"] = {{"code", outcome.code}, {"message", outcome.message}};
+  }
+  if (!outcome.result.is_null()) result["result"] = outcome.result;
+  return result;
+}
+
+bool is_utf8(std::string_view text) {
+  bool is_valid = true;
+  detail::for_each_sequence(text, [&](std::string_view, bool valid) { is_valid &= valid; });
+  return is_valid;
+}
+
+/// Detects what was published before a subscription: commands come in their order, so those that
+/// come before our own message have waited at the broker.
+class Fence {
+ public:
+  explicit Fence(std::string topic) : topic_(std::move(topic)) {}
+
+  const std::string& topic() const noexcept { return topic_; }
+  bool is_open() const noexcept { return is_open_; }
+  void close(std::string token) {
+    token_ = std::move(token);
+    is_open_ = false;
+  }
+  void saw(const std::string& payload) { is_open_ = is_open_ || payload == token_; }
+  const std::string& token() const noexcept { return token_; }
+
+ private:
+  std::string topic_;
+  std::string token_{};
+  bool is_open_ = false;
+};
+
+}  // namespace
+
+class Broker::Impl {
+ public:
+  Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals);
+
+  void start() { mqtt_.start(); }
+  void close();
+  Statistics statistics() const;
+  std::string failure() const;
+
+ private:
+  struct Station {
+    Gimbal* gimbal{};
+    std::shared_ptr<GimbalTasks> tasks{};
+  };
+  /// The end of a command, or a notice, on its way to the thread of the broker.
+  struct Happening {
+    std::int64_t command{};  // or 0
+    std::string result{};
+    MqttPublication notice{};
+  };
+  /// A command that is to be carried out once it is on the disk.
+  struct Admitted {
+    Station* station{};
+    GimbalTasks::Job job{};
+  };
+
+  MqttConnection::Handlers mqtt_handlers();
+  MqttPublication will() const;
+  void add_station(Gimbal& gimbal);
+
+  // On the thread of the broker.
+  void settle_unfinished();
+  void take(std::vector<MqttMessage> messages);
+  std::optional<Admitted> take_one(MqttMessage message);
+  std::optional<Admitted> admit(const CommandTopic& topic, const CommandPayload& payload,
+                                bool is_retained);
+  void check_times(const CommandTopic& topic, const CommandPayload& payload) const;
+  void refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
+              const std::string& message);
+  void answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
+              Json result);
+  void connected();
+  void subscribed();
+  void lost(const std::string& reason);
+  void idle();
+  void record_happenings();
+  void publish_waiting();
+  void publish_states();
+  void publish_telemetry();
+  void beat();
+  void fail(const std::string& problem);
+
+  // On any thread.
+  void happen(Happening happening);
+  void set_state(const std::string& topic, std::string payload);
+  void count(const std::string& status);
+  bool is_there() const;
+  std::string gateway_state(const char* state) const;
+
+  const BrokerSettings settings_;
+  const milliseconds longest_deadline_;
+  const Topics topics_;
+  Journal journal_;
+  std::map<std::string, Station> stations_{};
+  std::array<Fence, 2> fences_;
+
+  // Shared:
+  Newest telemetry_{};
+  mutable std::mutex mutex_{};
+  std::deque<Happening> happenings_{};
+  std::map<std::string, std::string> states_{};        // by topic
+  std::map<std::string, std::string> new_states_{};    // that are not published
+  std::uint64_t overflowed_ = 0;                       // notices that gave way in memory
+  std::string failure_{};
+  std::map<std::string, std::uint64_t> ended_{};       // commands by status
+  std::atomic<bool> is_connected_{false};
+  std::atomic<bool> is_closing_{false};
+  std::atomic<std::uint64_t> acknowledged_{0};
+  std::atomic<std::size_t> waiting_{0};
+  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<std::size_t> running_{0};
+
+  // Of the thread of the broker:
+  std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
+  std::vector<std::int64_t> delivered_{};               // of these, acknowledged
+  std::int64_t last_published_ = 0;
+  std::optional<int> heartbeat_{};
+  MqttConnection::Clock::time_point last_beat_{};
+  std::string last_problem_{};
+  Statistics shown_{};
+
+  MqttConnection mqtt_;  // last: its thread uses the others
+};
+
+Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals)
+    : settings_(*fleet.broker),
+      longest_deadline_(settings_.longest_deadline),
+      topics_(fleet.name),
+      journal_(settings_.journal,
+               {.most_waiting = settings_.most_waiting,
+                .history = settings_.history,
+                .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
+      fences_{Fence(topics_.of(gateway_level, "cmd/fence")), Fence(topics_.of(gateway_level, "raw"))},
+      mqtt_(settings_, will(), mqtt_handlers()) {
+  settle_unfinished();
+  for (const auto& gimbal : gimbals) add_station(*gimbal);
+}
+
+MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
+  return {.on_messages = [this](std::vector<MqttMessage> messages) { take(std::move(messages)); },
+          .on_connected = [this] { connected(); },
+          .on_lost = [this](const std::string& reason) { lost(reason); },
+          .on_subscribed = [this] { subscribed(); },
+          .on_acknowledged =
+              [this](int id, const std::string& refused) {
+                if (heartbeat_ == id) heartbeat_.reset();
+                if (!refused.empty()) remark("sbgc: the broker refuses a message: {}\n", refused);
+                const auto found = on_the_way_.find(id);
+                if (found == on_the_way_.end()) return;
+                ++acknowledged_;
+                delivered_.push_back(found->second);
+                on_the_way_.erase(found);
+              },
+          .on_idle = [this] { idle(); },
+          .on_failure = [this](const std::string& problem) { fail(problem); }};
+}
+
+MqttPublication Broker::Impl::will() const {
+  // Without a time: the broker keeps it until it is needed.
+  return {.topic = topics_.of(gateway_level, "state"),
+          .payload = payload_text({{"version", payload_version}, {"state", "offline"}}),
+          .is_retained = true};
+}
+
+void Broker::Impl::add_station(Gimbal& gimbal) {
+  const std::string& name = gimbal.name();
+  const std::string event_topic = topics_.of(name, "event");
+  const auto notify = [this, event_topic](const std::string& kind, const std::string& message) {
+    Json event = stamped();
+    event["event"] = kind;
+    event["message"] = message;
+    happen({.notice = {.topic = event_topic, .payload = payload_text(event)}});
+  };
+  auto tasks = std::make_shared<GimbalTasks>(
+      gimbal, GimbalTasks::Hooks{[this] { return is_there(); }, notify});
+  gimbal.on_status([this, tasks, topic = topics_.of(name, "state"),
+                   allow = gimbal.settings().allow](const GimbalStatus& state) {
+    tasks->link_changed(state.link == GimbalLink::online);
+    Json json = stamped();
+    json["state"] = sbgc::tools::name(state.link);
+    if (!state.reason.empty()) json["reason"] = state.reason;
+    json["firmware"] = state.firmware;
+    json["board"] = state.board;
+    json["serial_number"] = state.serial_number;
+    json["connections"] = state.connections;
+    json["allow"] = allow;
+    set_state(topic, payload_text(json));
+  });
+  gimbal.on_telemetry([this, prefix = topics_.of(name, "telemetry/")](const AnyMessage& message,
+                                                                      WallTime time) {
+    if (telemetry_.put(prefix + message.type().info->name, sample_text(message, time))) {
+      mqtt_.wake();
+    }
+  });
+  gimbal.on_event([this, event_topic](const GimbalEvent& event, WallTime time) {
+    Json json = stamped(time);
+    json["event"] = event.kind;
+    json["message"] = event.message;
+    if (event.report != nullptr) {
+      json["report"] = {{"message", event.report->type().info->name},
+                        {"fields", Json::parse(event.report->to_json())}};
+    }
+    happen({.notice = {.topic = event_topic, .payload = payload_text(json)}});
+  });
+  stations_[name] = {&gimbal, std::move(tasks)};
+}
+
+/// Nobody knows what became of commands that an earlier gateway had begun.
+void Broker::Impl::settle_unfinished() {
+  journal_.begin();
+  for (const UnfinishedCommand& one : journal_.unfinished()) {
+    const Json result =
+        result_json(one.gimbal, one.request.substr(0, one.request.find(' ')), one.key,
+                    {"unknown", "gateway_restarted",
+                     "the gateway ended while the command ran; it may have been carried out", {}});
+    for (const ReplyAddress& address : journal_.finish(one.id, payload_text(result))) {
+      answer(WaitingKind::result, one.gimbal, address, result);
+    }
+    count("unknown");
+  }
+  journal_.commit();
+  waiting_ = journal_.waiting();
+}
+
+void Broker::Impl::take(std::vector<MqttMessage> messages) {
+  std::vector<Admitted> admitted;
+  journal_.begin();
+  for (MqttMessage& message : messages) {
+    if (auto one = take_one(std::move(message))) admitted.push_back(std::move(*one));
+  }
+  journal_.commit();
+  for (Admitted& one : admitted) one.station->tasks->run(std::move(one.job));
+}
+
+std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(MqttMessage message) {
+  for (Fence& fence : fences_) {
+    if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
+  }
+  const std::optional<CommandTopic> topic = topics_.command(message.topic);
+  if (!topic) return {};
+  CommandPayload payload;
+  payload.correlation = message.correlation.substr(0, longest_correlation);
+  if (topics_.is_reply(message.reply)) payload.reply = message.reply;
+  try {
+    read_payload(message.payload, topics_, payload);
+    return admit(*topic, payload, message.is_retained);
+  } catch (const Refusal& refusal) {
+    refuse(*topic, payload, refusal.code(), refusal.what());
+    return {};
+  }
+}
+
+/// Throws Refusal.
+std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& topic,
+                                                          const CommandPayload& payload,
+                                                          bool is_retained) {
+  const auto found = stations_.find(topic.gimbal);
+  if (found == stations_.end()) {
+    throw Refusal("unknown_gimbal", fmt::format("the fleet has no gimbal '{}'", topic.gimbal));
+  }
+  Station& station = found->second;
+  const FleetGimbal& settings = station.gimbal->settings();
+  const bool is_stop = topic.task == "stop";
+  // Whoever may command a gimbal may stop it.
+  if (is_stop ? settings.allow.empty() : !settings.allows(topic.task)) {
+    throw Refusal("not_allowed", fmt::format("the configuration does not allow '{}' for '{}'",
+                                             clipped(topic.task), topic.gimbal));
+  }
+  if (is_retained) throw Refusal("retained", "commands must not be retained");
+  const JournalCommand command{topic.gimbal,
+                               payload.key,
+                               topic.task + ' ' + payload_text(payload.parameters),
+                               {payload.reply, payload.correlation}};
+  // Before the times: a broker repeats commands whose acknowledgments it has missed.
+  const RecognizedCommand recognized = journal_.recognize(command);
+  switch (recognized.recognition) {
+    case Recognition::unknown: break;
+    case Recognition::running: return {};
+    case Recognition::finished: {
+      Json result = Json::parse(recognized.result);
+      result["repeated"] = true;
+      answer(WaitingKind::notice, topic.gimbal, command.reply, std::move(result));
+      return {};
+    }
+    case Recognition::reused:
+      throw Refusal("key_reused", "another command has the same key");
+    case Recognition::full: throw Refusal("overload", "too much waits for the broker");
+  }
+  if (is_closing_) throw Refusal("closing", "the gateway ends");
+  check_times(topic, payload);
+  Order order = read_order(topic.task, payload.parameters, settings.raw_effects);
+  if (order.moves && !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
+    throw Refusal("queued", "it was published while the gateway was not connected");
+  }
+  const auto id = journal_.admit(command, std::chrono::system_clock::now());
+  if (!id) throw Refusal("overload", "too much waits for the broker");
+  ++running_;
+  const auto done = [this, id = *id, topic, key = payload.key](const TaskOutcome& outcome) {
+    happen({.command = id,
+            .result = payload_text(result_json(topic.gimbal, topic.task, key, outcome)),
+            .notice = {.topic = topic.gimbal}});
+    count(outcome.status);
+  };
+  std::optional<WallTime> deadline = payload.deadline;
+  if (deadline) *deadline += settings_.clock_skew;
+  return Admitted{&station, {std::move(order), deadline, done}};
+}
+
+/// The clocks of senders may differ from ours by `clock_skew`. Throws Refusal.
+void Broker::Impl::check_times(const CommandTopic& topic, const CommandPayload& payload) const {
+  if (topic.task == "stop") return;
+  if (payload.key.empty()) throw Refusal("invalid", "'key' is missing");
+  if (!payload.deadline) throw Refusal("invalid", "'deadline' is missing");
+  const auto left = *payload.deadline - std::chrono::system_clock::now();
+  if (left < -settings_.clock_skew) throw Refusal("expired", "its deadline has passed");
+  if (left > longest_deadline_ + settings_.clock_skew) {
+    throw Refusal("deadline_too_far",
+                  fmt::format("its deadline is more than {} s ahead",
+                              std::chrono::duration<double>(longest_deadline_).count()));
+  }
+}
+
+void Broker::Impl::refuse(const CommandTopic& topic, const CommandPayload& payload,
+                          const char* code, const std::string& message) {
+  count("refused");
+  // Only the fleet's gimbals have topics for events.
+  if (payload.reply.empty() && !stations_.contains(topic.gimbal)) return;
+  answer(WaitingKind::notice, topic.gimbal, {payload.reply, payload.correlation},
+         result_json(clipped(topic.gimbal), clipped(topic.task), payload.key,
+                     {"refused", code, message, {}}));
+}
+
+/// Puts a result on the disk: to the address or, without one, among the events of the gimbal.
+void Broker::Impl::answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
+                          Json result) {
+  if (!address.correlation.empty() && is_utf8(address.correlation)) {
+    result["correlation"] = address.correlation;
+  }
+  WaitingMessage message{.kind = kind, .correlation = address.correlation};
+  if (address.topic.empty()) {
+    Json event = stamped();
+    event["event"] = "result";
+    event["result"] = std::move(result);
+    message.topic = topics_.of(gimbal, "event");
+    message.payload = payload_text(event);
+  } else {
+    message.topic = address.topic;
+    message.payload = payload_text(result);
+  }
+  journal_.put(message);
+}
+
+void Broker::Impl::connected() {
+  is_connected_ = true;
+  if (!last_problem_.empty()) remark("sbgc: connected to the broker\n");
+  last_problem_.clear();
+  const auto now = unix_milliseconds(std::chrono::system_clock::now());
+  for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
+  {
+    const std::scoped_lock lock(mutex_);
+    new_states_ = states_;
+  }
+  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")});
+  mqtt_.publish({.topic = topics_.of(gateway_level, "state"),
+                 .payload = gateway_state("online"),
+                 .is_retained = true});
+}
+
+void Broker::Impl::subscribed() {
+  for (const Fence& fence : fences_) mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
+}
+
+void Broker::Impl::lost(const std::string& reason) {
+  is_connected_ = false;
+  for (Fence& fence : fences_) fence.close("");
+  if (reason != last_problem_) remark("sbgc: no connection to the broker: {}\n", reason);
+  last_problem_ = reason;
+}
+
+void Broker::Impl::idle() {
+  record_happenings();
+  if (!mqtt_.is_connected()) return;
+  publish_waiting();
+  publish_states();
+  publish_telemetry();
+  beat();
+}
+
+/// One commit for all that has ended, happened or was acknowledged.
+void Broker::Impl::record_happenings() {
+  std::deque<Happening> happenings;
+  std::uint64_t overflowed = 0;
+  {
+    const std::scoped_lock lock(mutex_);
+    happenings.swap(happenings_);
+    overflowed = overflowed_;
+  }
+  if (happenings.empty() && delivered_.empty()) return;
+  journal_.begin();
+  for (const std::int64_t id : std::exchange(delivered_, {})) journal_.remove(id);
+  std::size_t ended = 0;
+  for (Happening& one : happenings) {
+    if (one.command == 0) {
+      journal_.put({.kind = WaitingKind::notice,
+                    .topic = std::move(one.notice.topic),
+                    .payload = std::move(one.notice.payload)});
+      continue;
+    }
+    ++ended;
+    for (const ReplyAddress& address : journal_.finish(one.command, one.result)) {
+      answer(WaitingKind::result, one.notice.topic, address, Json::parse(one.result));
+    }
+  }
+  journal_.commit();
+  running_ -= ended;
+  waiting_ = journal_.waiting();
+  dropped_ = journal_.dropped() + overflowed;
+}
+
+void Broker::Impl::publish_waiting() {
+  if (on_the_way_.size() >= most_unacknowledged) return;
+  for (const WaitingMessage& one :
+       journal_.waiting_after(last_published_, most_unacknowledged - on_the_way_.size())) {
+    const auto id = mqtt_.publish(
+        {.topic = one.topic, .payload = one.payload, .correlation = one.correlation});
+    if (!id) return;
+    last_published_ = one.id;
+    if (*id == 0) {
+      remark("sbgc: the broker takes no message of {} bytes\n", one.payload.size());
+      delivered_.push_back(one.id);
+    } else {
+      on_the_way_[*id] = one.id;
+    }
+  }
+}
+
+void Broker::Impl::publish_states() {
+  std::map<std::string, std::string> states;
+  {
+    const std::scoped_lock lock(mutex_);
+    states.swap(new_states_);
+  }
+  for (auto& [topic, payload] : states) {
+    if (mqtt_.publish({.topic = topic, .payload = payload, .is_retained = true})) continue;
+    const std::scoped_lock lock(mutex_);
+    new_states_.emplace(topic, payload);  // unless there is a newer one
+  }
+}
+
+void Broker::Impl::publish_telemetry() {
+  constexpr std::chrono::seconds lifetime{10};
+  while (mqtt_.unsent() < most_unsent) {
+    std::optional<Newest::Entry> sample = telemetry_.take();
+    if (!sample) return;
+    mqtt_.publish({.topic = std::move(sample->topic),
+                   .payload = std::move(sample->payload),
+                   .quality = 0,
+                   .expiry = lifetime});
+  }
+}
+
+/// A message that the broker must acknowledge shows that it is there; it also carries figures.
+void Broker::Impl::beat() {
+  const auto now = MqttConnection::Clock::now();
+  if (heartbeat_ || now < last_beat_ + settings_.stop_after / 4) return;
+  last_beat_ = now;
+  heartbeat_ = mqtt_.publish(
+      {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});
+}
+
+void Broker::Impl::fail(const std::string& problem) {
+  is_connected_ = false;
+  remark("sbgc: the gateway ends: {}\n", problem);
+  {
+    const std::scoped_lock lock(mutex_);
+    failure_ = problem;
+  }
+  ::kill(::getpid(), SIGTERM);
+}
+
+void Broker::Impl::happen(Happening happening) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const bool is_notice = happening.command == 0;
+    if (is_notice && happenings_.size() >= most_notices) {
+      ++overflowed_;
+      return;
+    }
+    happenings_.push_back(std::move(happening));
+  }
+  mqtt_.wake();
+}
+
+void Broker::Impl::set_state(const std::string& topic, std::string payload) {
+  {
+    const std::scoped_lock lock(mutex_);
+    new_states_[topic] = payload;
+    states_[topic] = std::move(payload);
+  }
+  mqtt_.wake();
+}
+
+void Broker::Impl::count(const std::string& status) {
+  const std::scoped_lock lock(mutex_);
+  ++ended_[status];
+}
+
+bool Broker::Impl::is_there() const {
+  return is_connected_ &&
+         MqttConnection::Clock::now() <= mqtt_.last_heard() + settings_.stop_after;
+}
+
+std::string Broker::Impl::gateway_state(const char* state) const {
+  const Statistics figures = statistics();
+  Json json = stamped();
+  json["state"] = state;
+  json["waiting"] = figures.waiting;
+  json["most_waiting"] = figures.most_waiting;
+  json["dropped"] = figures.dropped;
+  json["thinned"] = figures.thinned;
+  return payload_text(json);
+}
+
+void Broker::Impl::close() {
+  is_closing_ = true;
+  constexpr milliseconds interval{20};
+  const auto wait_until = [&](auto is_done, milliseconds longest) {
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (!is_done() && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(interval);
+    }
+  };
+  const auto at_rest = std::make_shared<std::atomic<std::size_t>>(0);
+  for (auto& [name, station] : stations_) station.tasks->shut_down([at_rest] { ++*at_rest; });
+  const StopOptions stopping;
+  wait_until([&] { return *at_rest == stations_.size() && running_ == 0; },
+             stopping.timeout + std::chrono::seconds(1));
+  set_state(topics_.of(gateway_level, "state"), gateway_state("offline"));
+  wait_until([&] { return !is_connected_ || waiting_ == 0; }, std::chrono::seconds(2));
+  mqtt_.close();
+}
+
+Broker::Statistics Broker::Impl::statistics() const {
+  const std::scoped_lock lock(mutex_);
+  const auto ended = [&](const char* status) {
+    const auto found = ended_.find(status);
+    return found == ended_.end() ? std::uint64_t{0} : found->second;
+  };
+  return {.is_connected = is_connected_,
+          .thinned = telemetry_.thinned(),
+          .dropped = dropped_,
+          .acknowledged = acknowledged_,
+          .waiting = waiting_,
+          .most_waiting = settings_.most_waiting,
+          .done = ended("done"),
+          .failed = ended("failed"),
+          .refused = ended("refused"),
+          .unknown = ended("unknown")};
+}
+
+std::string Broker::Impl::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
+}
+
+Broker::Broker(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals)
+    : impl_(std::make_unique<Impl>(fleet, gimbals)) {}
+
+Broker::~Broker() = default;
+
+void Broker::start() { impl_->start(); }
+
+void Broker::close() { impl_->close(); }
+
+Broker::Statistics Broker::statistics() const { return impl_->statistics(); }
+
+std::string Broker::failure() const { return impl_->failure(); }
+
+}  // namespace sbgc::tools

@@ -1,0 +1,61 @@
+/// What a command of the broker asks for, with parameters that are checked before anything is sent.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <sbgc/any.hpp>
+#include <sbgc/client/motion.hpp>
+#include <sbgc/json_dom.hpp>
+#include <sbgc/meta.hpp>
+
+#include "parameters/parameter_values.hpp"
+
+namespace sbgc::tools {
+
+/// Turns to angles.
+struct MoveOrder {
+  MoveTarget target{};
+  MoveOptions options{};
+};
+struct StopOrder {};
+/// Turns at a speed until a dead man's switch opens.
+struct SpeedOrder {
+  Axes<msg::ControlSpeed> speed{};
+};
+/// One request and its response.
+struct CallOrder {
+  AnyMessage request;
+};
+struct CalibrateOrder {
+  AnyMessage request;
+};
+/// The profile counts from 0; without one, the active profile.
+struct GetOrder {
+  std::vector<FoundParameters> parameters{};
+  std::optional<std::uint8_t> profile{};
+};
+struct SetOrder {
+  std::vector<MessageValues> values{};
+  std::optional<std::uint8_t> profile{};
+};
+
+struct Order {
+  std::variant<StopOrder, MoveOrder, SpeedOrder, CallOrder, CalibrateOrder, GetOrder, SetOrder>
+      what{};
+  /// The camera can move, or its motors gain or lose power.
+  bool moves = false;
+  /// What it sets in motion goes on after the response.
+  bool goes_on = false;
+};
+
+/// Returns what the parameters of a task mean. Throws Refusal. Messages of `raw` may read and have
+/// `raw_effects`.
+Order read_order(std::string_view task, const Json& parameters, Effects raw_effects);
+
+}  // namespace sbgc::tools
