@@ -6,7 +6,7 @@
 ///     [gimbal.front]
 ///     port = "/dev/ttyUSB0"              # and the other keys of config.toml
 ///     allow = ["move", "stop", "raw"]    # tasks that the broker may command; none by default
-///     raw-effects = ["moves"]            # what else messages of `raw` may do; they may always read
+///     raw-effects = ["reads", "moves"]   # what messages of `raw` may do; "reads" by default
 ///     telemetry = ["RealtimeData4 10", "RealtimeDataCustom 5 IMU_ANGLES|RC_DATA"]
 ///
 ///     [metrics]
@@ -14,7 +14,9 @@
 ///
 ///     [broker]
 ///     address = "127.0.0.1:1883"
-///     journal = "/var/lib/sbgc/studio.db"
+///     journal = "/var/lib/sbgc-gateway/studio.db"
+///
+/// Names consist of a-z, 0-9, _ and -.
 #pragma once
 
 #include <array>
@@ -29,24 +31,24 @@
 #include <sbgc/meta.hpp>
 
 #include "board/configuration.hpp"
+#include "gateway/telemetry_source.hpp"
 
 namespace sbgc::tools {
 
 /// What a broker can command, as in `…/cmd/<task>`; `raw` is `…/raw`.
 inline constexpr std::array<std::string_view, 10> gateway_tasks{
-    "move", "stop", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
+    "stop", "move", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
 
 /// Messages of one type that a gimbal sends at a rate.
 struct Telemetry {
-  std::string message{};  ///< our name, such as "RealtimeData4"
-  double rate{};          ///< per second
-  std::string contents{};  ///< flags or NAME=VALUE, which choose what samples contain; or ""
+  TelemetrySource source;
+  double rate{};  ///< per second
 };
 
 struct FleetGimbal {
   NamedGimbal line{};  ///< name, port and how to connect
   std::vector<std::string> allow{};  ///< of gateway_tasks
-  Effects raw_effects{};
+  Effects raw_effects = Effect::reads;
   std::vector<Telemetry> telemetry{};
 
   bool allows(std::string_view task) const;
@@ -54,6 +56,10 @@ struct FleetGimbal {
 
 struct MetricsSettings {
   std::string listen{"127.0.0.1:9110"};
+  std::chrono::milliseconds interval{5'000};  ///< between two requests for live data
+  /// Fields of live data, as for `sbgc stream --fields`.
+  std::string fields{"bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,"
+                     "i2c_error_count,serial_error_cnt,system_error,angle"};
 };
 
 struct BrokerSettings {
@@ -69,8 +75,10 @@ struct BrokerSettings {
   std::chrono::milliseconds keep_alive{30'000};
   std::filesystem::path journal{};  ///< the SQLite file
   std::size_t most_waiting{10'000};  ///< events and results on disk
+  std::size_t history{10'000};       ///< results by which a repeated command is known
+  std::chrono::milliseconds longest_deadline{60'000};  ///< of a command
   std::chrono::milliseconds clock_skew{1'000};   ///< how far the clocks of senders may differ
-  std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
+  std::chrono::milliseconds stop_after{2'000};   ///< without the broker, a moving gimbal stops
 };
 
 struct Fleet {

@@ -1,39 +1,78 @@
 // sbgc gateway: many gimbals, on a message broker and for Prometheus.
 
 #include <algorithm>
-#include <filesystem>
+#include <csignal>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+#include <poll.h>
 
+#include "command/background_output.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/wording.hpp"
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
+#include "gateway/metrics.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
+constexpr unsigned most_io_threads = 8;
+
 struct GatewayOptions {
-  std::string config;
+  std::string config{};
+  bool only_checks = false;
 };
+
+void report(Gimbal& gimbal) {
+  gimbal.on_status([&gimbal](const GimbalStatus& status) {
+    const std::string details = status.link == GimbalLink::online
+                                    ? fmt::format("board {}, firmware {}", status.board, status.firmware)
+                                    : status.reason;
+    remark("sbgc: {} is {}: {}\n", gimbal.name(), name(status.link), details);
+  });
+  gimbal.on_event([&gimbal](const GimbalEvent& event, Gimbal::Time) {
+    remark("sbgc: {}: {}: {}\n", gimbal.name(), event.kind, event.message);
+  });
+}
+
+void wait_for_signal() {
+  pollfd signal{.fd = interruption_descriptor(), .events = POLLIN, .revents = 0};
+  while (!was_interrupted()) ::poll(&signal, 1, -1);
+}
 
 int run_gateway(const GatewayOptions& options) {
   const Fleet fleet = read_fleet(options.config);
-  Io io(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+  Io io(std::clamp(std::thread::hardware_concurrency(), 2U, most_io_threads));
   std::vector<std::unique_ptr<Gimbal>> gimbals;
   for (const FleetGimbal& one : fleet.gimbals) {
     gimbals.push_back(std::make_unique<Gimbal>(io, one));
+    report(*gimbals.back());
   }
-  // Metrics and the broker register their handlers here, before the gimbals start.
+  if (options.only_checks) {
+    remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
+    return success;
+  }
+  remark_in_background();
+  std::signal(SIGPIPE, SIG_IGN);
   const Interruption interruption;
+  // Both halves have their handlers before the gimbals start.
+  std::optional<Metrics> metrics;
+  if (fleet.metrics) metrics.emplace(*fleet.metrics, gimbals);
   for (const auto& gimbal : gimbals) gimbal->start();
-  // Waits for a signal.
+  if (metrics) {
+    metrics->start();
+    remark("sbgc: metrics at {}\n", metrics->address());
+  }
+  wait_for_signal();
+  metrics.reset();
   for (const auto& gimbal : gimbals) gimbal->close();
   return success;
 }
@@ -41,12 +80,20 @@ int run_gateway(const GatewayOptions& options) {
 }  // namespace
 
 void add_gateway(CLI::App& app, CommandContext& context) {
-  const Subcommand<GatewayOptions> command(app, context, "gateway",
-                                           "Put many gimbals on a message broker and Prometheus");
+  const Subcommand<GatewayOptions> command(
+      app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
   auto& options = command.options();
   command->add_option("--config", options.config, "The fleet, in TOML")
       ->type_name("FILE")
       ->required();
+  command->add_flag("--check", options.only_checks, "Only read the file, and say what is wrong");
+  command->footer(
+      "Connects to the gimbals that the file names, and connects again as long as it runs. "
+      "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
+      "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
+      "\n"
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong or it could not begin, 2 "
+      "for wrong usage.");
   command.runs(run_gateway);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -39,6 +40,7 @@ class Io {
   std::vector<std::thread> threads_;
 };
 
+/// `connecting` is only before the first attempt has ended.
 enum class GimbalLink : std::uint8_t { offline, connecting, online };
 
 /// The name of a state, such as "online".
@@ -51,15 +53,22 @@ constexpr const char* name(GimbalLink link) noexcept {
   return "unknown";
 }
 
-struct GimbalState {
-  GimbalLink link{};
+struct GimbalStatus {
+  GimbalLink link = GimbalLink::connecting;
   std::string reason{};    ///< of not being online: a sentence without a final period
   std::string firmware{};  ///< of the last connection, such as "2.59"
   std::string board{};
   std::string serial_number{};
   std::uint64_t connections{};  ///< made since the start
 
-  bool operator==(const GimbalState&) const = default;
+  bool operator==(const GimbalStatus&) const = default;
+};
+
+/// What a gimbal has counted since the start, over all connections.
+struct GimbalCounters {
+  ClientStatistics line{};  ///< without StreamUsage
+  std::map<std::string, std::uint64_t> telemetry{};     ///< messages by name
+  std::map<std::string, std::uint64_t> board_errors{};  ///< those outside of calls, by name
 };
 
 /// What has happened to a gimbal outside of telemetry and commands.
@@ -74,7 +83,7 @@ struct GimbalEvent {
 class Gimbal {
  public:
   using Time = std::chrono::system_clock::time_point;
-  using OnState = std::function<void(const GimbalState&)>;
+  using OnStatus = std::function<void(const GimbalStatus&)>;
   using OnTelemetry = std::function<void(const AnyMessage&, Time)>;
   using OnEvent = std::function<void(const GimbalEvent&, Time)>;
 
@@ -89,17 +98,19 @@ class Gimbal {
   asio::any_io_executor executor() const;
 
   // Before start(). Several handlers are called in their order.
-  void on_state(OnState handler);
+  void on_status(OnStatus handler);
   void on_telemetry(OnTelemetry handler);
   void on_event(OnEvent handler);
 
   void start();
-  /// Closes the line; handlers do not run afterwards. Any thread but those of Io.
+  /// Closes the line; handlers do not run afterwards. Any thread but those of Io, as for the
+  /// destructor, which also waits for a line that is being opened.
   void close();
 
   // On any thread.
 
-  GimbalState state() const;
+  GimbalStatus status() const;
+  GimbalCounters counters() const;
   /// For tasks and calls: async_run(), async_call(), SpeedControl. An operation fails at once while
   /// the gimbal is not online: nothing waits for a connection.
   AsyncReconnectingClient& client() noexcept;

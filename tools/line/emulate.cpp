@@ -23,6 +23,7 @@
 #include "board/password.hpp"
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
+#include "command/duration.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
