@@ -49,6 +49,12 @@ Json stamped(WallTime time = std::chrono::system_clock::now()) {
   return {{"version", payload_version}, {"time", unix_milliseconds(time)}};
 }
 
+BrokerSettings with_client_id(const Fleet& fleet) {
+  BrokerSettings settings = *fleet.broker;
+  if (settings.client_id.empty()) settings.client_id = "sbgc-" + fleet.name;
+  return settings;
+}
+
 std::string payload_text(const Json& json) { return detail::json_text(json); }
 
 std::string sample_text(const AnyMessage& message, WallTime time) {
@@ -195,7 +201,7 @@ class Broker::Impl {
 };
 
 Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals)
-    : settings_(*fleet.broker),
+    : settings_(with_client_id(fleet)),
       longest_deadline_(settings_.longest_deadline),
       topics_(fleet.name),
       journal_(settings_.journal,

@@ -275,26 +275,23 @@ void MqttConnection::serve() {
 }
 
 std::string MqttConnection::connect() {
-  mosquitto* const connection = connection_.get();
   begun_ = Clock::now();
+  const BrokerAddress& address = settings_.addresses[attempts_++ % settings_.addresses.size()];
+  constexpr std::chrono::seconds least_keep_alive{5};  // of the library
+  const auto keep_alive = static_cast<int>(
+      std::max(std::chrono::ceil<std::chrono::seconds>(settings_.keep_alive), least_keep_alive)
+          .count());
   int status = MOSQ_ERR_SUCCESS;
-  if (was_begun_) {
-    status = mosquitto_reconnect_async(connection);
+  if (settings_.is_mqtt_5) {
+    // Without this, the session would end with the connection.
+    Properties properties;
+    constexpr std::uint32_t never = 0xFFFFFFFF;
+    mosquitto_property_add_int32(properties.add(), MQTT_PROP_SESSION_EXPIRY_INTERVAL, never);
+    status = mosquitto_connect_bind_v5(connection_.get(), address.host.c_str(), address.port,
+                                       keep_alive, nullptr, properties.get());
   } else {
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(settings_.keep_alive).count();
-    const char* const host = settings_.host.c_str();
-    if (settings_.is_mqtt_5) {
-      // Without this, the session would end with the connection. The library keeps the property
-      // for later connections.
-      Properties properties;
-      constexpr std::uint32_t never = 0xFFFFFFFF;
-      mosquitto_property_add_int32(properties.add(), MQTT_PROP_SESSION_EXPIRY_INTERVAL, never);
-      status = mosquitto_connect_bind_v5(connection, host, settings_.port,
-                                         static_cast<int>(seconds), nullptr, properties.get());
-    } else {
-      status = mosquitto_connect_async(connection, host, settings_.port, static_cast<int>(seconds));
-    }
-    was_begun_ = status != MOSQ_ERR_INVAL;
+    status = mosquitto_connect_async(connection_.get(), address.host.c_str(), address.port,
+                                     keep_alive);
   }
   return status == MOSQ_ERR_SUCCESS ? "" : mqtt_error(status);
 }

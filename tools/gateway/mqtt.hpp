@@ -39,8 +39,8 @@ struct MqttPublication {
   std::optional<std::chrono::seconds> expiry{};
 };
 
-/// Its thread talks to the broker; handlers run there. A name server that does not answer keeps the
-/// thread for seconds.
+/// Its thread talks to the broker; handlers run there. It tries the addresses in turn. A name server
+/// that does not answer, or with MQTT 5 a host that does not, keeps the thread for a while.
 class MqttConnection {
  public:
   using Clock = std::chrono::steady_clock;
@@ -118,7 +118,7 @@ class MqttConnection {
   std::atomic<bool> is_breaking_{false};
   std::atomic<Clock::rep> last_heard_{};
   // Of the thread:
-  bool was_begun_ = false;  // the first attempt
+  std::size_t attempts_ = 0;
   bool is_connected_ = false;
   std::string refusal_{};  // of the broker
   std::vector<MqttMessage> arrived_{};
