@@ -328,10 +328,21 @@ std::optional<std::string> SectionReader::text(std::string_view key) {
 
 std::string SectionReader::required_text(std::string_view key, std::string_view example) {
   std::string found = text(key).value_or("");
-  if (found.empty() && missing_.empty()) {
-    missing_ = fmt::format("{} has no {}; add {}", section_.name(), key, example);
-  }
+  if (found.empty()) lacks(key, example);
   return found;
+}
+
+void SectionReader::lacks(std::string_view key, std::string_view example) {
+  if (!missing_.empty()) return;
+  missing_ = fmt::format("{} has no {}; add {}", section_.name(), key, example);
+}
+
+const std::vector<ConfigurationValue>& SectionReader::required_texts(std::string_view key,
+                                                                     std::string_view example) {
+  static const std::vector<ConfigurationValue> none;
+  const std::vector<ConfigurationValue>* const found = texts(key);
+  if (found == nullptr || found->empty()) lacks(key, example);
+  return found == nullptr ? none : *found;
 }
 
 std::optional<double> SectionReader::number(std::string_view key, double least, double most) {

@@ -76,6 +76,10 @@ class SectionReader {
   /// A list of texts, or one text. Null if there is none.
   const std::vector<ConfigurationValue>* texts(std::string_view key);
 
+  /// The same, but finish() rejects a section without it.
+  const std::vector<ConfigurationValue>& required_texts(std::string_view key,
+                                                        std::string_view example);
+
   /// Rejects a key, or without it the section, for this reason.
   [[noreturn]] void reject(std::string_view key, const std::string& reason) const;
   [[noreturn]] void reject(const ConfigurationValue& value, const std::string& reason) const;
@@ -85,6 +89,7 @@ class SectionReader {
   void finish() const;
 
  private:
+  void lacks(std::string_view key, std::string_view example);
   const ConfigurationKey* find(std::string_view key);
   const ConfigurationValue* one(std::string_view key);
   [[noreturn]] void reject_kind(const ConfigurationValue& value, std::string_view key,

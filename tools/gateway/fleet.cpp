@@ -133,29 +133,37 @@ MetricsSettings read_metrics(SectionReader& section) {
 }
 
 /// Reads "HOST" or "HOST:PORT"; a numeric address of version 6 stands in brackets.
-void read_broker_address(SectionReader& section, BrokerSettings& broker) {
-  const std::string address = section.required_text("address", "address = \"127.0.0.1:1883\"");
-  const std::size_t colon = address.rfind(':');
-  const bool has_port = colon != std::string::npos && address.find(']', colon) == std::string::npos;
-  broker.host = address.substr(0, has_port ? colon : address.size());
-  if (broker.host.starts_with('[') && broker.host.ends_with(']')) {
-    broker.host = broker.host.substr(1, broker.host.size() - 2);
+BrokerAddress read_broker_address(const SectionReader& section, const ConfigurationValue& value,
+                                  std::uint16_t usual_port) {
+  const std::string& text = value.text;
+  const std::size_t colon = text.rfind(':');
+  const bool has_port = colon != std::string::npos && text.find(']', colon) == std::string::npos;
+  BrokerAddress address{text.substr(0, has_port ? colon : text.size()), usual_port};
+  bool is_port = true;
+  if (has_port) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + colon + 1, end, address.port);
+    is_port = read.ec == std::errc{} && read.ptr == end && address.port != 0;
   }
-  broker.port = broker.ca_file.empty() ? mqtt_port : mqtt_tls_port;
-  if (!has_port) return;
-  const char* const end = address.data() + address.size();
-  const auto read = std::from_chars(address.data() + colon + 1, end, broker.port);
-  if (broker.host.empty() || read.ec != std::errc{} || read.ptr != end || broker.port == 0) {
-    section.reject("address", fmt::format("'{}' is not an address, such as \"127.0.0.1:1883\" or "
-                                          "\"broker.example:8883\"",
-                                          address));
+  if (address.host.starts_with('[') && address.host.ends_with(']')) {
+    address.host = address.host.substr(1, address.host.size() - 2);
   }
+  if (!is_port || address.host.empty()) {
+    section.reject(value, fmt::format("'{}' is not an address, such as \"127.0.0.1:1883\" or "
+                                      "\"broker.example:8883\"",
+                                      text));
+  }
+  return address;
 }
 
 BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& folder) {
   BrokerSettings broker;
   broker.ca_file = path_in(folder, section.text("ca-file"));
-  read_broker_address(section, broker);
+  const std::uint16_t usual_port = broker.ca_file.empty() ? mqtt_port : mqtt_tls_port;
+  for (const ConfigurationValue& value :
+       section.required_texts("address", "address = \"127.0.0.1:1883\"")) {
+    broker.addresses.push_back(read_broker_address(section, value, usual_port));
+  }
   if (const auto version = section.text("mqtt")) {
     broker.is_mqtt_5 = *version == "5";
     if (!broker.is_mqtt_5 && *version != "3.1.1") {

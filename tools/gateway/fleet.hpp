@@ -13,7 +13,7 @@
 ///     listen = "127.0.0.1:9110"
 ///
 ///     [broker]
-///     address = "127.0.0.1:1883"
+///     address = "127.0.0.1:1883"         # or a list, of a cluster
 ///     journal = "/var/lib/sbgc-gateway/studio.db"
 ///
 /// Names consist of a-z, 0-9, _ and -.
@@ -62,9 +62,13 @@ struct MetricsSettings {
                      "i2c_error_count,serial_error_cnt,system_error,angle"};
 };
 
-struct BrokerSettings {
+struct BrokerAddress {
   std::string host{};
-  std::uint16_t port{1883};
+  std::uint16_t port{};
+};
+
+struct BrokerSettings {
+  std::vector<BrokerAddress> addresses{};  ///< of one broker, or of the servers of a cluster
   bool is_mqtt_5 = false;  ///< otherwise 3.1.1
   std::string client_id{};  ///< by default "sbgc-<fleet>"
   std::string user{};

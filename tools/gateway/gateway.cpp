@@ -16,9 +16,11 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "gateway/broker.hpp"
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
 #include "gateway/metrics.hpp"
+#include "gateway/schema.hpp"
 
 namespace sbgc::tools {
 
@@ -29,9 +31,10 @@ constexpr unsigned most_io_threads = 8;
 struct GatewayOptions {
   std::string config{};
   bool only_checks = false;
+  bool shows_schema = false;
 };
 
-void report(Gimbal& gimbal) {
+void report_on(Gimbal& gimbal) {
   gimbal.on_status([&gimbal](const GimbalStatus& status) {
     const std::string details = status.link == GimbalLink::online
                                     ? fmt::format("board {}, firmware {}", status.board, status.firmware)
@@ -48,33 +51,47 @@ void wait_for_signal() {
   while (!was_interrupted()) ::poll(&signal, 1, -1);
 }
 
-int run_gateway(const GatewayOptions& options) {
-  const Fleet fleet = read_fleet(options.config);
-  Io io(std::clamp(std::thread::hardware_concurrency(), 2U, most_io_threads));
-  std::vector<std::unique_ptr<Gimbal>> gimbals;
-  for (const FleetGimbal& one : fleet.gimbals) {
-    gimbals.push_back(std::make_unique<Gimbal>(io, one));
-    report(*gimbals.back());
-  }
-  if (options.only_checks) {
-    remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
-    return success;
-  }
+/// Serves the fleet until a signal comes, or the broker's half cannot go on.
+int serve_fleet(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
   remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
   const Interruption interruption;
   // Both halves have their handlers before the gimbals start.
+  std::optional<Broker> broker;
+  if (fleet.broker) broker.emplace(fleet, gimbals);
   std::optional<Metrics> metrics;
-  if (fleet.metrics) metrics.emplace(*fleet.metrics, gimbals);
+  if (fleet.metrics) metrics.emplace(*fleet.metrics, gimbals, broker ? &*broker : nullptr);
   for (const auto& gimbal : gimbals) gimbal->start();
+  if (broker) broker->start();
   if (metrics) {
     metrics->start();
     remark("sbgc: metrics at {}\n", metrics->address());
   }
   wait_for_signal();
   metrics.reset();
+  if (broker) broker->close();
   for (const auto& gimbal : gimbals) gimbal->close();
-  return success;
+  return broker && !broker->failure().empty() ? failure : success;
+}
+
+int run_gateway(const GatewayOptions& options) {
+  if (options.shows_schema) {
+    fmt::print("{}\n", detail::json_text(gateway_schema(), 1));
+    return success;
+  }
+  if (options.config.empty()) throw CommandError("--config is missing", wrong_usage);
+  const Fleet fleet = read_fleet(options.config);
+  Io io(std::clamp(std::thread::hardware_concurrency(), 2U, most_io_threads));
+  std::vector<std::unique_ptr<Gimbal>> gimbals;
+  for (const FleetGimbal& one : fleet.gimbals) {
+    gimbals.push_back(std::make_unique<Gimbal>(io, one));
+    report_on(*gimbals.back());
+  }
+  if (options.only_checks) {
+    remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
+    return success;
+  }
+  return serve_fleet(fleet, gimbals);
 }
 
 }  // namespace
@@ -84,9 +101,10 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
   auto& options = command.options();
   command->add_option("--config", options.config, "The fleet, in TOML")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
   command->add_flag("--check", options.only_checks, "Only read the file, and say what is wrong");
+  command->add_flag("--schema", options.shows_schema,
+                    "Print the JSON Schema of what the broker carries");
   command->footer(
       "Connects to the gimbals that the file names, and connects again as long as it runs. "
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "

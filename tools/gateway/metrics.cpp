@@ -147,8 +147,9 @@ std::set<std::string> live_paths(const std::string& patterns) {
 /// Collects the metrics when they are asked for.
 class Metrics::Collector : public prometheus::Collectable {
  public:
-  Collector(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals)
-      : interval_(settings.interval), paths_(live_paths(settings.fields)) {
+  Collector(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals,
+            const Broker* broker)
+      : broker_(broker), interval_(settings.interval), paths_(live_paths(settings.fields)) {
     for (const auto& gimbal : gimbals) {
       gimbals_.push_back({gimbal.get(), std::make_shared<Probe>(*gimbal, interval_)});
     }
@@ -174,6 +175,7 @@ class Metrics::Collector : public prometheus::Collectable {
                          processor_seconds());
     families.add_gauge("process_resident_memory_bytes", "Memory of the gateway.", {},
                        resident_bytes());
+    if (broker_ != nullptr) collect_broker(families, broker_->statistics());
     for (const Watched& one : gimbals_) collect(families, one);
     return families.take();
   }
@@ -238,6 +240,36 @@ class Metrics::Collector : public prometheus::Collectable {
     }
   }
 
+  static void collect_broker(Families& families, const Broker::Statistics& broker) {
+    families.add_gauge("sbgc_broker_up", "1 if the gateway is connected to the broker.", {},
+                       broker.is_connected ? 1 : 0);
+    families.add_gauge("sbgc_broker_waiting_messages",
+                       "Events and results on the disk that the broker has not acknowledged.", {},
+                       static_cast<double>(broker.waiting));
+    families.add_gauge("sbgc_broker_waiting_limit_messages",
+                       "The most events and results that the disk keeps.", {},
+                       static_cast<double>(broker.most_waiting));
+    families.add_counter("sbgc_broker_thinned_samples_total",
+                         "Samples of telemetry that newer ones replaced, because the broker is slow.",
+                         {}, static_cast<double>(broker.thinned));
+    families.add_counter("sbgc_broker_dropped_messages_total",
+                         "Events for which the disk had no room.", {},
+                         static_cast<double>(broker.dropped));
+    families.add_counter("sbgc_broker_acknowledged_messages_total",
+                         "Messages that the broker has acknowledged.", {},
+                         static_cast<double>(broker.acknowledged));
+    const std::array<std::pair<const char*, std::uint64_t>, 4> results{
+        {{"done", broker.done},
+         {"failed", broker.failed},
+         {"refused", broker.refused},
+         {"unknown", broker.unknown}}};
+    for (const auto& [result, count] : results) {
+      families.add_counter("sbgc_commands_total", "Commands from the broker, by their results.",
+                           {label_of("result", result)}, static_cast<double>(count));
+    }
+  }
+
+  const Broker* const broker_;
   const std::chrono::milliseconds interval_;
   const std::set<std::string> paths_;
   std::vector<Watched> gimbals_;
@@ -257,8 +289,9 @@ class Metrics::Server {
 };
 
 Metrics::Metrics(const MetricsSettings& settings,
-                 const std::vector<std::unique_ptr<Gimbal>>& gimbals)
-    : listen_(settings.listen), collector_(std::make_shared<Collector>(settings, gimbals)) {
+                 const std::vector<std::unique_ptr<Gimbal>>& gimbals, const Broker* broker)
+    : listen_(settings.listen),
+      collector_(std::make_shared<Collector>(settings, gimbals, broker)) {
   try {
     server_ = std::make_unique<Server>(settings.listen);
   } catch (const std::exception&) {

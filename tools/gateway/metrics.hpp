@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gateway/broker.hpp"
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
 
@@ -13,8 +14,10 @@ namespace sbgc::tools {
 /// Serves http://ADDRESS/metrics while it lives.
 class Metrics {
  public:
-  /// The gimbals must outlive it. Throws CommandError if it cannot listen.
-  Metrics(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals);
+  /// The gimbals, and the broker if there is one, must outlive it. Throws CommandError if it cannot
+  /// listen.
+  Metrics(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals,
+          const Broker* broker);
   Metrics(const Metrics&) = delete;
   Metrics& operator=(const Metrics&) = delete;
   ~Metrics();
