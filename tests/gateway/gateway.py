@@ -35,9 +35,12 @@ class Gateway:
         self.file = folder / "fleet.toml"
         self.file.write_text(text.replace("LISTEN", "127.0.0.1:0"))
         self.log = folder / "gateway.log"
+        self.restart()
+
+    def restart(self) -> None:
         self.process = subprocess.Popen(
             [PROGRAM, "gateway", "--config", str(self.file)],
-            stdout=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
             stderr=self.log.open("ab"),
         )
 

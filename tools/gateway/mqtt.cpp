@@ -13,6 +13,7 @@
 #include <mqtt_protocol.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include "board/password.hpp"
@@ -96,6 +97,10 @@ struct MqttConnection::Callbacks {
                                                : mosquitto_connack_string(code);
       return;
     }
+    // What is in the buffer of the socket cannot be replaced by newer telemetry.
+    constexpr int buffer = 65'536;
+    static_cast<void>(::setsockopt(mosquitto_socket(self.connection_.get()), SOL_SOCKET, SO_SNDBUF,
+                                   &buffer, sizeof buffer));
     self.is_connected_ = true;
     self.handlers_.on_connected();
   }

@@ -90,7 +90,10 @@ class TaskParameters {
       if (!value.is_string() && !value.is_number()) {
         refuse_parameter(fmt::format("the value of '{}' must be a number or a string", field));
       }
-      result.push_back({field, value.is_string() ? value.get<std::string>() : value.dump()});
+      // 15.0 is 15.
+      result.push_back({field, value.is_string()         ? value.get<std::string>()
+                               : value.is_number_float() ? fmt::format("{}", value.get<double>())
+                                                         : value.dump()});
     }
     return result;
   }

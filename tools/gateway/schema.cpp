@@ -107,16 +107,19 @@ std::string fields_name(const MessageType& type) {
   return std::string("fields.") + type.info->name;
 }
 
+/// The members of a message and those of what it is part of.
+Json message_schema(const MessageType& type, Json others, const std::vector<std::string>& required) {
+  others["message"] = {{"const", type.info->name}};
+  others["fields"] = reference_to(fields_name(type));
+  return object_schema(std::move(others), required);
+}
+
 /// A message with its fields: any of those that pass `is_wanted`.
 template <class Wanted>
-Json messages_schema(Json others, const std::vector<std::string>& required, Wanted is_wanted) {
+Json messages_schema(const Json& others, const std::vector<std::string>& required, Wanted is_wanted) {
   Json alternatives = Json::array();
   for (const MessageType* const type : message_types()) {
-    if (!is_wanted(*type)) continue;
-    Json properties = others;
-    properties["message"] = {{"const", type->info->name}};
-    properties["fields"] = reference_to(fields_name(*type));
-    alternatives.push_back(object_schema(std::move(properties), required));
+    if (is_wanted(*type)) alternatives.push_back(message_schema(*type, others, required));
   }
   return {{"oneOf", std::move(alternatives)}};
 }
@@ -259,9 +262,11 @@ Json gateway_schema() {
   definitions["state"] = state_schema();
   definitions["event"] = event_schema();
   definitions["gateway_state"] = gateway_state_schema();
-  definitions["telemetry"] =
-      messages_schema(stamp_schema(), {"version", "time", "message", "fields"}, is_from_board);
   for (const MessageType* const type : message_types()) {
+    if (is_from_board(*type)) {
+      definitions[std::string("telemetry.") + type->info->name] =
+          message_schema(*type, stamp_schema(), {"version", "time", "message", "fields"});
+    }
     Json fields = members_schema(type->fields(), type->is_sent_to_board());
     fields["description"] = type->info->summary;
     definitions[fields_name(*type)] = std::move(fields);

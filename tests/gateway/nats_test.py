@@ -1,0 +1,69 @@
+"""`sbgc gateway` on a cluster of NATS servers that speak MQTT 3.1.1, of which one is killed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from brokers import Commander, Nats, Subscriber, free_port
+from emulated_gimbal import emulated_gimbal
+from gateway import eventually, running_gateway
+
+BEFORE = 20
+AFTER = 20
+
+
+@pytest.fixture(name="servers")
+def servers_(tmp_path: Path) -> Iterator[list[Nats]]:
+    routes = [free_port() for _ in range(3)]
+    servers = [Nats(tmp_path / f"n{number}", number, routes) for number in range(3)]
+    for server in servers:
+        server.start()
+    try:
+        # Until the servers have found each other, they accept no session.
+        for server in servers:
+            probe = Commander(server.port)
+            eventually(lambda probe=probe: probe.publish("probe", "x", check=False) == 0, 120)
+        yield servers
+    finally:
+        for server in servers:
+            server.kill()
+
+
+def test_one_of_three_servers_is_killed(servers: list[Nats], tmp_path: Path) -> None:
+    addresses = ", ".join(f'"127.0.0.1:{server.port}"' for server in servers)
+    seen = Subscriber(servers[1].port, "sbgc/#", "-c", "-i", "observer")
+    say = Commander(servers[2].port)
+    with emulated_gimbal() as gimbal:
+        text = f"""[fleet]
+name = "studio"
+[broker]
+address = [{addresses}]
+journal = "fleet.db"
+[gimbal.front]
+port = "{gimbal.address}"
+allow = ["raw", "stop", "home"]
+telemetry = ["RealtimeData4 10"]
+"""
+        with running_gateway(tmp_path, text) as gateway:
+            eventually(lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text])
+            eventually(lambda: seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
+            asks = {"message": "GetAnglesRequest"}
+            keys = [say.command("front", "raw", asks) for _ in range(BEFORE)]
+            servers[0].kill()  # the gateway is connected to it
+            keys += [
+                say.command("front", "raw", asks, deadline=say.payload()["deadline"] + 30_000)
+                for _ in range(AFTER)
+            ]
+            for key in keys:
+                assert seen.result(key, 120)["status"] == "done"
+            eventually(lambda: "connected to the broker" in gateway.log.read_text())
+            # Motion works again, so nothing waits in front of it.
+            eventually(lambda: seen.result(say.command("front", "home"))["status"] == "done", 120)
+            assert gateway.end() == 0
+        eventually(
+            lambda: seen.on("sbgc/studio/gateway/state")[-1].json["state"] == "offline", 60
+        )
+    seen.close()
