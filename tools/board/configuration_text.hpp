@@ -69,7 +69,8 @@ class SectionReader {
       : text_(text), section_(section) {}
 
   std::optional<std::string> text(std::string_view key);
-  /// The same, but finish() rejects a section without it. `example` completes the hint, such as "port = \"/dev/ttyS0\"".
+  /// The same, but finish() rejects a section without it. `example` completes the hint, such as
+  /// "port = \"/dev/ttyS0\"".
   std::string required_text(std::string_view key, std::string_view example);
   std::optional<double> number(std::string_view key, double least, double most);
   std::optional<std::chrono::milliseconds> duration(std::string_view key);

@@ -45,11 +45,11 @@ std::vector<std::string> read_allowed(SectionReader& section) {
   if (const auto* const words = section.texts("allow")) {
     for (const ConfigurationValue& word : *words) {
       if (std::ranges::find(tasks, word.text) == tasks.end()) {
-        section.reject(word, fmt::format("no task '{}'{}", word.text,
-                                         detail::did_you_mean(
-                                             detail::nearest(word.text, tasks),
-                                             "tasks are " +
-                                                 detail::alternatives(tasks, false, "and"))));
+        section.reject(word,
+                       fmt::format("no task '{}'{}", word.text,
+                                   detail::did_you_mean(
+                                       detail::nearest(word.text, tasks),
+                                       "tasks are " + detail::alternatives(tasks, false, "and"))));
       }
       result.push_back(word.text);
     }
@@ -65,11 +65,11 @@ Effects read_effects(SectionReader& section, Effects by_default) {
     const std::optional<Effect> effect = effect_of_word(word.text);
     if (!effect) {
       const std::vector<std::string> known = known_effect_words();
-      section.reject(word, fmt::format("no effect '{}'{}", word.text,
-                                       detail::did_you_mean(
-                                           detail::nearest(word.text, known),
-                                           "effects are " +
-                                               detail::alternatives(known, false, "and"))));
+      section.reject(word,
+                     fmt::format("no effect '{}'{}", word.text,
+                                 detail::did_you_mean(
+                                     detail::nearest(word.text, known),
+                                     "effects are " + detail::alternatives(known, false, "and"))));
     }
     result = result | *effect;
   }
@@ -167,7 +167,8 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
   if (const auto version = section.text("mqtt")) {
     broker.is_mqtt_5 = *version == "5";
     if (!broker.is_mqtt_5 && *version != "3.1.1") {
-      section.reject("mqtt", fmt::format("'mqtt' is '{}'; it must be \"3.1.1\" or \"5\"", *version));
+      section.reject("mqtt",
+                     fmt::format("'mqtt' is '{}'; it must be \"3.1.1\" or \"5\"", *version));
     }
   }
   broker.client_id = section.text("client-id").value_or("");
@@ -180,8 +181,9 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
                    "'certificate-file' and 'key-file' belong together");
   }
   if (broker.ca_file.empty() && !broker.key_file.empty()) {
-    section.reject("key-file", "a certificate needs TLS: add ca-file, the certificates of those "
-                               "who may sign that of the broker");
+    section.reject("key-file",
+                   "a certificate needs TLS: add ca-file, the certificates of those "
+                   "who may sign that of the broker");
   }
   if (!broker.password_file.empty() && broker.user.empty()) {
     section.reject("password-file", "a password needs a user: add user = \"…\"");
@@ -200,10 +202,10 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
   };
   read_count("most-waiting", broker.most_waiting);
   read_count("history", broker.history);
-  broker.journal =
-      path_in(folder, section.required_text(
-                          "journal", "journal = \"/var/lib/sbgc-gateway/studio.db\", a file of the "
-                                     "gateway for what must not be lost"));
+  broker.journal = path_in(
+      folder, section.required_text("journal",
+                                    "journal = \"/var/lib/sbgc-gateway/studio.db\", a file of the "
+                                    "gateway for what must not be lost"));
   return broker;
 }
 

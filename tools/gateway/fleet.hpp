@@ -46,7 +46,7 @@ struct Telemetry {
 };
 
 struct FleetGimbal {
-  NamedGimbal line{};  ///< name, port and how to connect
+  NamedGimbal line{};                ///< name, port and how to connect
   std::vector<std::string> allow{};  ///< of gateway_tasks
   Effects raw_effects = Effect::reads;
   std::vector<Telemetry> telemetry{};
@@ -58,8 +58,9 @@ struct MetricsSettings {
   std::string listen{"127.0.0.1:9110"};
   std::chrono::milliseconds interval{5'000};  ///< between two requests for live data
   /// Fields of live data, as for `sbgc stream --fields`.
-  std::string fields{"bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,"
-                     "i2c_error_count,serial_error_cnt,system_error,angle"};
+  std::string fields{
+      "bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,"
+      "i2c_error_count,serial_error_cnt,system_error,angle"};
 };
 
 struct BrokerAddress {
@@ -69,20 +70,20 @@ struct BrokerAddress {
 
 struct BrokerSettings {
   std::vector<BrokerAddress> addresses{};  ///< of one broker, or of the servers of a cluster
-  bool is_mqtt_5 = false;  ///< otherwise 3.1.1
-  std::string client_id{};  ///< by default "sbgc-<fleet>"
+  bool is_mqtt_5 = false;                  ///< otherwise 3.1.1
+  std::string client_id{};                 ///< by default "sbgc-<fleet>"
   std::string user{};
   std::string password_file{};
   std::string ca_file{};           ///< with one, TLS
   std::string certificate_file{};  ///< of the client
   std::string key_file{};
   std::chrono::milliseconds keep_alive{30'000};
-  std::filesystem::path journal{};  ///< the SQLite file
+  std::filesystem::path journal{};   ///< the SQLite file
   std::size_t most_waiting{10'000};  ///< events and results on disk
   std::size_t history{10'000};       ///< results by which a repeated command is known
   std::chrono::milliseconds longest_deadline{60'000};  ///< of a command
-  std::chrono::milliseconds clock_skew{1'000};   ///< how far the clocks of senders may differ
-  std::chrono::milliseconds stop_after{2'000};   ///< without the broker, a moving gimbal stops
+  std::chrono::milliseconds clock_skew{1'000};         ///< how far the clocks of senders may differ
+  std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
 };
 
 struct Fleet {

@@ -36,9 +36,10 @@ struct GatewayOptions {
 
 void report_on(Gimbal& gimbal) {
   gimbal.on_status([&gimbal](const GimbalStatus& status) {
-    const std::string details = status.link == GimbalLink::online
-                                    ? fmt::format("board {}, firmware {}", status.board, status.firmware)
-                                    : status.reason;
+    const std::string details =
+        status.link == GimbalLink::online
+            ? fmt::format("board {}, firmware {}", status.board, status.firmware)
+            : status.reason;
     remark("sbgc: {} is {}: {}\n", gimbal.name(), name(status.link), details);
   });
   gimbal.on_event([&gimbal](const GimbalEvent& event, Gimbal::Time) {
@@ -66,6 +67,7 @@ int serve_fleet(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& 
   if (metrics) {
     metrics->start();
     remark("sbgc: metrics at {}\n", metrics->address());
+    if (metrics->is_open()) remark("sbgc: warning: metrics are open to any other machine\n");
   }
   wait_for_signal();
   metrics.reset();
@@ -100,8 +102,7 @@ void add_gateway(CLI::App& app, CommandContext& context) {
   const Subcommand<GatewayOptions> command(
       app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
   auto& options = command.options();
-  command->add_option("--config", options.config, "The fleet, in TOML")
-      ->type_name("FILE");
+  command->add_option("--config", options.config, "The fleet, in TOML")->type_name("FILE");
   command->add_flag("--check", options.only_checks, "Only read the file, and say what is wrong");
   command->add_flag("--schema", options.shows_schema,
                     "Print the JSON Schema of what the broker carries");

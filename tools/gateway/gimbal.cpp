@@ -1,6 +1,7 @@
 #include "gateway/gimbal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/control.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
@@ -46,7 +48,7 @@ std::string event_kind(NoticeKind kind) {
   switch (kind) {
     case NoticeKind::board_reset: return "board_reset";
     case NoticeKind::board_error: return "board_error";
-    case NoticeKind::link_lost: return "link_lost";
+    case NoticeKind::link_lost: break;
     case NoticeKind::unreadable: return "unreadable";
     case NoticeKind::polling: return "polling";
     case NoticeKind::stream_ended: return "telemetry_failed";
@@ -151,10 +153,9 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
   void connect() {
     if (is_closing_) return;
-    client_->async_connect(settings_.line.port, options_,
-                          [self = shared_from_this()](const Result<void>& connected) {
-                            self->has_tried(connected);
-                          });
+    client_->async_connect(
+        settings_.line.port, options_,
+        [self = shared_from_this()](const Result<void>& connected) { self->has_tried(connected); });
   }
 
   void has_tried(const Result<void>& connected) {
@@ -220,14 +221,14 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   }
 
   void has_noticed(const Notice& notice) {
-    if (is_closing_) return;
-    std::string message = notice.message;
+    // A change of the state reports a lost line as well.
+    if (is_closing_ || notice.kind == NoticeKind::link_lost) return;
     if (notice.kind == NoticeKind::board_error) {
       const auto reason = static_cast<roles::ErrorReason>(notice.detail);
       const std::lock_guard lock(mutex_);
       ++counters_.board_errors[to_string(reason)];
     }
-    tell({event_kind(notice.kind), std::move(message)});
+    tell({event_kind(notice.kind), notice.message});
   }
 
   void tell(const GimbalEvent& event) const {
@@ -242,8 +243,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     one.is_running = true;
     if (const StreamType* const stream = one.source.stream()) {
       stream->async_start(
-          *client_, one.interval,
-          [this](const AnyMessage& message) { take(message); },
+          *client_, one.interval, [this](const AnyMessage& message) { take(message); },
           [self = shared_from_this(), &one](Result<Subscription> begun) {
             if (self->is_closing_) return;
             if (begun) {
@@ -261,16 +261,15 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   void poll(RunningTelemetry& one) {
     if (is_closing_) return;
     one.timer.expires_after(one.interval);
-    client_->async_call(
-        *one.source.request(), CallOptions{},
-        [self = shared_from_this(), &one](const CallResult<AnyMessage>& answer) {
-          if (self->is_closing_) return;
-          if (!answer) return self->has_failed(one, answer.error());
-          if (*answer) self->take(**answer);
-          one.timer.async_wait([self, &one](std::error_code error) {
-            if (!error) self->poll(one);
-          });
-        });
+    client_->async_call(*one.source.request(), CallOptions{},
+                        [self = shared_from_this(), &one](const CallResult<AnyMessage>& answer) {
+                          if (self->is_closing_) return;
+                          if (!answer) return self->has_failed(one, answer.error());
+                          if (*answer) self->take(**answer);
+                          one.timer.async_wait([self, &one](std::error_code error) {
+                            if (!error) self->poll(one);
+                          });
+                        });
   }
 
   void has_failed(RunningTelemetry& one, const ClientError& error) {
@@ -313,8 +312,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   CountedLine line_{};
 };
 
-Gimbal::Gimbal(Io& io, const FleetGimbal& settings)
-    : impl_(std::make_shared<Impl>(io, settings)) {}
+Gimbal::Gimbal(Io& io, const FleetGimbal& settings) : impl_(std::make_shared<Impl>(io, settings)) {}
 
 Gimbal::~Gimbal() {
   close();

@@ -66,20 +66,20 @@ struct GimbalStatus {
 
 /// What a gimbal has counted since the start, over all connections.
 struct GimbalCounters {
-  ClientStatistics line{};  ///< without StreamUsage
+  ClientStatistics line{};                              ///< without StreamUsage
   std::map<std::string, std::uint64_t> telemetry{};     ///< messages by name
   std::map<std::string, std::uint64_t> board_errors{};  ///< those outside of calls, by name
 };
 
 /// What has happened to a gimbal outside of telemetry and commands.
 struct GimbalEvent {
-  std::string kind{};     ///< such as "board_error", "board_reset", "event"
-  std::string message{};  ///< for people
+  std::string kind{};                  ///< such as "board_error", "board_reset", "event"
+  std::string message{};               ///< for people
   const AnyMessage* report = nullptr;  ///< what the board has sent, if anything; valid in the call
 };
 
-/// Keeps the connection to one gimbal and its telemetry, forever. Its own strand carries everything,
-/// so that it delays no other gimbal: handlers must not block.
+/// Keeps the connection to one gimbal and its telemetry, forever. Its own strand carries
+/// everything, so that it delays no other gimbal: handlers must not block.
 class Gimbal {
  public:
   using Time = std::chrono::system_clock::time_point;

@@ -44,7 +44,8 @@ std::pair<std::string, double> base_unit_of(const UnitInfo* unit) {
   }
   std::string name = unit->name;
   for (char& c : name) {
-    const bool is_allowed = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    const bool is_allowed =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     if (!is_allowed) c = '_';
   }
   return {name, 1};

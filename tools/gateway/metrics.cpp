@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <asio/ip/address.hpp>
 #include <fmt/format.h>
 #include <prometheus/exposer.h>
 #include <sys/resource.h>
@@ -192,11 +193,11 @@ class Metrics::Collector : public prometheus::Collectable {
     const bool is_online = status.link == GimbalLink::online;
     families.add_gauge("sbgc_gimbal_up", "1 if the gimbal is connected.", {gimbal}, is_online);
     if (!status.firmware.empty()) {
-      families.add_gauge("sbgc_gimbal_info", "What the board says of itself. Always 1.",
-                         {gimbal, label_of("firmware", status.firmware),
-                          label_of("board", status.board),
-                          label_of("serial_number", status.serial_number)},
-                         1);
+      families.add_gauge(
+          "sbgc_gimbal_info", "What the board says of itself. Always 1.",
+          {gimbal, label_of("firmware", status.firmware), label_of("board", status.board),
+           label_of("serial_number", status.serial_number)},
+          1);
     }
     families.add_counter("sbgc_connections_total", "Connections that were made to the gimbal.",
                          {gimbal}, static_cast<double>(status.connections));
@@ -249,9 +250,10 @@ class Metrics::Collector : public prometheus::Collectable {
     families.add_gauge("sbgc_broker_waiting_limit_messages",
                        "The most events and results that the disk keeps.", {},
                        static_cast<double>(broker.most_waiting));
-    families.add_counter("sbgc_broker_thinned_samples_total",
-                         "Samples of telemetry that newer ones replaced, because the broker is slow.",
-                         {}, static_cast<double>(broker.thinned));
+    families.add_counter(
+        "sbgc_broker_thinned_samples_total",
+        "Samples of telemetry that newer ones replaced, because the broker is slow.", {},
+        static_cast<double>(broker.thinned));
     families.add_counter("sbgc_broker_dropped_messages_total",
                          "Events for which the disk had no room.", {},
                          static_cast<double>(broker.dropped));
@@ -279,9 +281,7 @@ class Metrics::Server {
  public:
   explicit Server(const std::string& address) : exposer_(address) {}
 
-  void add(const std::shared_ptr<Collector>& collector) {
-    exposer_.RegisterCollectable(collector);
-  }
+  void add(const std::shared_ptr<Collector>& collector) { exposer_.RegisterCollectable(collector); }
   int port() const { return exposer_.GetListeningPorts().front(); }
 
  private:
@@ -290,8 +290,7 @@ class Metrics::Server {
 
 Metrics::Metrics(const MetricsSettings& settings,
                  const std::vector<std::unique_ptr<Gimbal>>& gimbals, const Broker* broker)
-    : listen_(settings.listen),
-      collector_(std::make_shared<Collector>(settings, gimbals, broker)) {
+    : listen_(settings.listen), collector_(std::make_shared<Collector>(settings, gimbals, broker)) {
   try {
     server_ = std::make_unique<Server>(settings.listen);
   } catch (const std::exception&) {
@@ -310,6 +309,14 @@ void Metrics::start() { collector_->start(); }
 std::string Metrics::address() const {
   return fmt::format("http://{}:{}/metrics", listen_.substr(0, listen_.rfind(':')),
                      server_->port());
+}
+
+bool Metrics::is_open() const {
+  std::string host = listen_.substr(0, listen_.rfind(':'));
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  std::error_code error;
+  const asio::ip::address address = asio::ip::make_address(host, error);
+  return error || !address.is_loopback();
 }
 
 }  // namespace sbgc::tools

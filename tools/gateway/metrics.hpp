@@ -27,6 +27,8 @@ class Metrics {
 
   /// For example "http://127.0.0.1:9110/metrics".
   std::string address() const;
+  /// True if other machines can connect.
+  bool is_open() const;
 
  private:
   class Collector;

@@ -48,8 +48,7 @@ TelemetrySource TelemetrySource::find(std::string_view message, std::string_view
     source.stream_ = StreamType::find(message);
     source.stream_->configure(contents);
     if (source.stream_->lacks_flags()) {
-      throw CommandError(fmt::format("say what {} contains, after its rate: {}",
-                                     source.info().name,
+      throw CommandError(fmt::format("say what {} contains, after its rate: {}", source.info().name,
                                      fmt::join(source.stream_->flags(), "|")));
     }
     return source;
@@ -69,11 +68,10 @@ TelemetrySource TelemetrySource::find(std::string_view message, std::string_view
     }
     known.emplace_back(answer->info->name);
   }
-  throw CommandError(
-      fmt::format("no board sends '{}' by itself or when it is asked{}", clipped(message),
-                  detail::did_you_mean(detail::nearest(message, known),
-                                       "there are streams of " +
-                                           detail::alternatives(streams, false, "and"))));
+  throw CommandError(fmt::format(
+      "no board sends '{}' by itself or when it is asked{}", clipped(message),
+      detail::did_you_mean(detail::nearest(message, known),
+                           "there are streams of " + detail::alternatives(streams, false, "and"))));
 }
 
 }  // namespace sbgc::tools
