@@ -36,7 +36,7 @@ constexpr const char* gateway_level = "gateway";
 
 /// Messages on the way to the broker.
 constexpr std::size_t most_unacknowledged = 64;
-constexpr std::size_t most_unsent = 64;
+constexpr std::size_t most_unsent = 256;
 /// Events that wait for the thread of the broker.
 constexpr std::size_t most_notices = 1'000;
 
@@ -150,11 +150,11 @@ class Broker::Impl {
   void connected();
   void subscribed();
   void lost(const std::string& reason);
-  void idle();
+  bool idle();
   void record_happenings();
   void publish_waiting();
   void publish_states();
-  void publish_telemetry();
+  bool publish_telemetry();
   void beat();
   void fail(const std::string& problem);
 
@@ -195,7 +195,6 @@ class Broker::Impl {
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
   std::string last_problem_{};
-  Statistics shown_{};
 
   MqttConnection mqtt_;  // last: its thread uses the others
 };
@@ -229,7 +228,7 @@ MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
                 delivered_.push_back(found->second);
                 on_the_way_.erase(found);
               },
-          .on_idle = [this] { idle(); },
+          .on_idle = [this] { return idle(); },
           .on_failure = [this](const std::string& problem) { fail(problem); }};
 }
 
@@ -455,13 +454,13 @@ void Broker::Impl::lost(const std::string& reason) {
   last_problem_ = reason;
 }
 
-void Broker::Impl::idle() {
+bool Broker::Impl::idle() {
   record_happenings();
-  if (!mqtt_.is_connected()) return;
+  if (!mqtt_.is_connected()) return false;
   publish_waiting();
   publish_states();
-  publish_telemetry();
   beat();
+  return publish_telemetry();
 }
 
 /// One commit for all that has ended, happened or was acknowledged.
@@ -525,16 +524,18 @@ void Broker::Impl::publish_states() {
   }
 }
 
-void Broker::Impl::publish_telemetry() {
+/// Returns true if some is left.
+bool Broker::Impl::publish_telemetry() {
   constexpr std::chrono::seconds lifetime{10};
   while (mqtt_.unsent() < most_unsent) {
     std::optional<Newest::Entry> sample = telemetry_.take();
-    if (!sample) return;
+    if (!sample) return false;
     mqtt_.publish({.topic = std::move(sample->topic),
                    .payload = std::move(sample->payload),
                    .quality = 0,
                    .expiry = lifetime});
   }
+  return true;
 }
 
 /// A message that the broker must acknowledge shows that it is there; it also carries figures.

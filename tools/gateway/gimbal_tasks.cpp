@@ -22,6 +22,12 @@ namespace {
 /// How often a moving gimbal looks for the broker.
 constexpr std::chrono::milliseconds look_interval{100};
 
+/// True if the camera must stop when the broker is gone.
+bool is_motion(const Order& order) {
+  return std::holds_alternative<MoveOrder>(order.what) ||
+         std::holds_alternative<SpeedOrder>(order.what) || order.goes_on.count() != 0;
+}
+
 TaskOutcome failed_outcome(const ClientError& error) {
   return {"failed", name(error.code), error.message, {}};
 }
@@ -83,7 +89,12 @@ void GimbalTasks::shut_down(std::function<void()> done) {
       job.done({"refused", "closing", "the gateway ends", {}});
     }
     const bool was_moving = self->is_moving();
-    if (self->current_ && self->cancel_) self->cancel_->emit(asio::cancellation_type::terminal);
+    // Parameters are not left half written.
+    const bool writes =
+        self->current_ && std::holds_alternative<SetOrder>(self->current_->order.what);
+    if (self->current_ && self->cancel_ && !writes) {
+      self->cancel_->emit(asio::cancellation_type::terminal);
+    }
     const auto end = [self, done](const TaskOutcome&) {
       self->speed_.reset();
       done();
@@ -114,12 +125,12 @@ void GimbalTasks::begin_next() {
       job.done({"refused", "expired", "its deadline passed before it could begin", {}});
       continue;
     }
-    if (job.order.moves && !hooks_.is_broker_there()) {
+    if (is_motion(job.order) && !hooks_.is_broker_there()) {
       job.done({"refused", "no_broker", "the broker is gone, so nothing would stop it", {}});
       continue;
     }
     current_.emplace(std::move(job));
-    if (current_->order.moves) watch();
+    if (is_motion(current_->order)) watch();
     begin(current_->order);
   }
 }
@@ -146,7 +157,10 @@ void GimbalTasks::begin(const Order& order) {
     is_turning_ = false;
     static_cast<void>(speed_->stop());
   }
-  if (order.goes_on && !std::holds_alternative<SpeedOrder>(order.what)) may_move_ = true;
+  if (order.goes_on == Order::forever) moves_until_ = Clock::time_point::max();
+  if (order.goes_on.count() != 0 && order.goes_on != Order::forever) {
+    moves_until_ = std::max(moves_until_.value_or(Clock::time_point()), Clock::now() + order.goes_on);
+  }
   AsyncReconnectingClient& client = gimbal_.client();
   const auto visit = [&](const auto& what) {
     using What = std::decay_t<decltype(what)>;
@@ -202,14 +216,17 @@ TaskOutcome GimbalTasks::set_speed(const SpeedOrder& order) {
 void GimbalTasks::stop(Done done) {
   is_turning_ = false;
   if (speed_) static_cast<void>(speed_->stop());
-  if (current_ && current_->order.moves && cancel_) {
+  if (current_ && std::holds_alternative<MoveOrder>(current_->order.what)) {
     cancel_->emit(asio::cancellation_type::terminal);
   }
   gimbal_.client().async_run(
       tasks::stop(),
       asio::bind_executor(gimbal_.executor(), [self = shared_from_this(), done = std::move(done)](
                                                   const Result<void>& stopped) {
-        if (stopped) self->may_move_ = self->must_halt_ = false;
+        if (stopped) {
+          self->moves_until_.reset();
+          self->must_halt_ = false;
+        }
         done(stopped ? TaskOutcome() : failed_outcome(stopped.error()));
       }));
 }
@@ -237,7 +254,8 @@ void GimbalTasks::end_waiting_motions(const char* code, const char* message) {
 }
 
 bool GimbalTasks::is_moving() const {
-  return is_turning_ || may_move_ || must_halt_ || (current_ && current_->order.moves);
+  const bool goes_on = moves_until_ && Clock::now() < *moves_until_;
+  return is_turning_ || goes_on || must_halt_ || (current_ && is_motion(current_->order));
 }
 
 void GimbalTasks::watch() {

@@ -34,6 +34,7 @@ struct TaskOutcome {
 /// command, it stops when the broker is gone.
 class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
  public:
+  using Clock = std::chrono::steady_clock;
   using Time = std::chrono::system_clock::time_point;
   using Done = std::function<void(TaskOutcome)>;
 
@@ -90,7 +91,7 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   std::unique_ptr<asio::cancellation_signal> cancel_{};
   std::unique_ptr<SpeedControl> speed_{};
   bool is_turning_ = false;  // speed_ holds a speed
-  bool may_move_ = false;    // because of a command that has ended
+  std::optional<Clock::time_point> moves_until_{};  // because of a command that has ended
   bool must_halt_ = false;   // as soon as the gimbal is online
   bool is_halting_ = false;
   bool is_online_ = false;

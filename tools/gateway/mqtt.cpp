@@ -307,7 +307,8 @@ std::string MqttConnection::turn() {
   std::array<pollfd, 2> waiting{
       {{mosquitto_socket(connection), static_cast<short>(POLLIN | (writes ? POLLOUT : 0)), 0},
        {wake_.get(), POLLIN, 0}}};
-  ::poll(waiting.data(), waiting.size(), static_cast<int>(mqtt_turn.count()));
+  const milliseconds longest = has_more_ && !writes ? milliseconds(0) : mqtt_turn;
+  ::poll(waiting.data(), waiting.size(), static_cast<int>(longest.count()));
   if (waiting[1].revents != 0) {
     std::uint64_t count = 0;
     [[maybe_unused]] const auto size = ::read(wake_.get(), &count, sizeof count);
@@ -316,7 +317,7 @@ std::string MqttConnection::turn() {
   std::string problem = can_read ? read() : "";
   // They are on the disk before the acknowledgments, which the library has queued, are written.
   if (!arrived_.empty()) handlers_.on_messages(std::exchange(arrived_, {}));
-  handlers_.on_idle();
+  has_more_ = handlers_.on_idle();
   if (!problem.empty()) return problem;
   if (mosquitto_want_write(connection)) {
     const int status = mosquitto_loop_write(connection, 1);

@@ -55,8 +55,9 @@ class MqttConnection {
     std::function<void()> on_subscribed{};
     /// A message with quality 1 is acknowledged. `refused` says why the broker refused it, or is "".
     std::function<void(int id, const std::string& refused)> on_acknowledged{};
-    /// There is time: after anything else, and several times a second.
-    std::function<void()> on_idle{};
+    /// There is time: after anything else, and several times a second. Returns true if there is more
+    /// to do as soon as the socket has taken what was published.
+    std::function<bool()> on_idle{};
     /// A handler has thrown this. The thread ends, and acknowledges nothing more.
     std::function<void(const std::string& problem)> on_failure{};
   };
@@ -120,6 +121,7 @@ class MqttConnection {
   // Of the thread:
   std::size_t attempts_ = 0;
   bool is_connected_ = false;
+  bool has_more_ = false;  // to do
   std::string refusal_{};  // of the broker
   std::vector<MqttMessage> arrived_{};
   std::unordered_set<int> unsent_{};

@@ -138,7 +138,7 @@ Order read_speed(const Json& object) {
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (speeds[i]) order.speed[i] = to_speed(*speeds[i], axis_names[i]);
   }
-  return {.what = order, .moves = true, .goes_on = true};
+  return {.what = order, .moves = true};
 }
 
 /// Returns the order of a request with values. Throws ValueError.
@@ -148,7 +148,7 @@ Order call_of(const MessageType& type, const std::vector<Assignment>& assignment
   const std::string problems = violations_of(request, newest);
   if (!problems.empty()) throw ValueError(problems);
   const bool moves = effects_of(request).has(Effect::moves);
-  return {.what = CallOrder{std::move(request)}, .moves = moves, .goes_on = moves};
+  return {.what = CallOrder{std::move(request)}, .moves = moves};
 }
 
 Order read_motors(const Json& object) {
@@ -157,13 +157,15 @@ Order read_motors(const Json& object) {
   if (!on.is_boolean()) refuse_parameter("'on' must be true or false");
   const char* const name =
       on.get<bool>() ? Meta<msg::MotorsOn>::info.name : Meta<msg::MotorsOff>::info.name;
-  Order order = call_of(*find_message(name), {});
-  order.goes_on = false;
-  return order;
+  return call_of(*find_message(name), {});
 }
 
 Order read_menu(const std::string& action) {
-  return call_of(*find_message(Meta<msg::ExecuteMenu>::info.name), {{"cmd_id", action}});
+  // Assumption: no action turns the camera for longer.
+  constexpr std::chrono::minutes longest_action{1};
+  Order order = call_of(*find_message(Meta<msg::ExecuteMenu>::info.name), {{"cmd_id", action}});
+  order.goes_on = longest_action;
+  return order;
 }
 
 Order read_calibrate(const Json& object) {
@@ -241,7 +243,10 @@ Order read_raw(const Json& object, Effects allowed) {
                                              type.info->name, effect_words(excess)));
   }
   const bool moves = effects.has(Effect::moves) || effects.has(Effect::unknown);
-  return {.what = CallOrder{std::move(request)}, .moves = moves, .goes_on = moves};
+  // It may be a speed, which only another request ends.
+  return {.what = CallOrder{std::move(request)},
+          .moves = moves,
+          .goes_on = moves ? Order::forever : std::chrono::milliseconds(0)};
 }
 
 Order read_without_parameters(const Json& object, Order order) {

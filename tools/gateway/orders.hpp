@@ -1,7 +1,7 @@
 /// What a command of the broker asks for, with parameters that are checked before anything is sent.
 #pragma once
 
-#include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -50,8 +50,10 @@ struct Order {
       what{};
   /// The camera can move, or its motors gain or lose power.
   bool moves = false;
-  /// What it sets in motion goes on after the response.
-  bool goes_on = false;
+  /// How long what it sets in motion may go on after the response.
+  std::chrono::milliseconds goes_on{0};
+
+  static constexpr auto forever = std::chrono::milliseconds::max();
 };
 
 /// Returns what the parameters of a task mean. Throws Refusal. Messages of `raw` may read and have
