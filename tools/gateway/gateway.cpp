@@ -62,13 +62,13 @@ int serve_fleet(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& 
   if (fleet.broker) broker.emplace(fleet, gimbals);
   std::optional<Metrics> metrics;
   if (fleet.metrics) metrics.emplace(*fleet.metrics, gimbals, broker ? &*broker : nullptr);
-  for (const auto& gimbal : gimbals) gimbal->start();
-  if (broker) broker->start();
   if (metrics) {
     metrics->start();
     remark("sbgc: metrics at {}\n", metrics->address());
     if (metrics->is_open()) remark("sbgc: warning: metrics are open to any other machine\n");
   }
+  for (const auto& gimbal : gimbals) gimbal->start();
+  if (broker) broker->start();
   wait_for_signal();
   metrics.reset();
   if (broker) broker->close();
