@@ -181,7 +181,7 @@ def report(
     asked = count * rate * span
     taken = increase("sbgc_telemetry_messages_total")
     print(f"{count} gimbals at {rate:g} per second for {span:.0f} s: {asked:.0f} samples")
-    print(f"{taken:.0f} taken by the gateway, {delays.total()} received from the broker")
+    print(f"{taken:.0f} taken by the gateway, {sum(delays.values())} received from the broker")
     print(f"{increase('sbgc_broker_thinned_samples_total'):.0f} thinned, "
           f"{increase('sbgc_broker_dropped_messages_total'):.0f} events dropped, "
           f"{increase('sbgc_connections_total'):.0f} reconnections")  # fmt: skip

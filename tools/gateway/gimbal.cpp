@@ -12,8 +12,8 @@
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
 
-#include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/control.hpp>
+#include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
