@@ -113,6 +113,7 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if a signal ended it, 1 if the file is wrong or it could not begin, 2 "
       "for wrong usage.");
+  command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);
 }
 
