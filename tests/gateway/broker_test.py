@@ -95,7 +95,11 @@ def test_what_is_published_fits_the_schema(studio: Studio) -> None:
     jsonschema.Draft202012Validator.check_schema(schema)
 
     def check(kind: str, value: Any) -> None:
-        jsonschema.validate(value, {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]})
+        validator = jsonschema.Draft202012Validator(
+            {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
+        )
+        for error in validator.iter_errors(value):
+            raise error
 
     assert studio.result("raw", {"message": "BoardInfoRequest"})["status"] == "done"
     assert studio.result("move", {"angles": {"yaw": 1}, "speed": -1})["status"] == "refused"
@@ -269,7 +273,7 @@ def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> N
     assert studio.seen.result(reads)["status"] in ("done", "failed")  # the gimbal may not be there yet
     # Once as a message that waited, and once as a retained one.
     eventually(lambda: "retained" in codes(studio))
-    studio.say.publish("sbgc/studio/front/cmd/home", "", "-r")
+    studio.say.remove_retained("sbgc/studio/front/cmd/home")
     eventually(lambda: studio.result("home")["status"] == "done")
 
 

@@ -84,7 +84,7 @@ class Nats(Server):
         links = ", ".join(f'"nats://127.0.0.1:{one}"' for one in routes)
         file.write_text(
             f"server_name: n{number}\nlisten: 127.0.0.1:{free_port()}\n"
-            f'jetstream {{ store_dir: "{folder}" }}\nmqtt {{ listen: "127.0.0.1:{port}" }}\n'
+            f'jetstream {{ store_dir: "{folder}" }}\nmqtt {{ listen: "127.0.0.1:{port}", ack_wait: "5s" }}\n'
             f"cluster {{ name: fleet, listen: 127.0.0.1:{routes[number]}, routes: [{links}] }}\n"
         )
         super().__init__(port, folder / "nats.log", program("nats-server"), "-c", str(file))
@@ -107,7 +107,7 @@ class Subscriber:
     def __init__(self, port: int, filters: str | list[str] = "sbgc/#", *options: str) -> None:
         topics = [filters] if isinstance(filters, str) else filters
         self.process = subprocess.Popen(
-            ["stdbuf", "-oL", "mosquitto_sub", "-p", str(port), "-q", "1", "-d", "-F", "\x01%t\t%r\t%p", *options]
+            ["stdbuf", "-oL", "mosquitto_sub", "-h", "127.0.0.1", "-p", str(port), "-q", "1", "-d", "-F", "\x01%t\t%r\t%p", *options]
             + [word for topic in topics for word in ("-t", topic)],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -155,7 +155,7 @@ class Commander:
     """Publishes commands."""
 
     def __init__(self, port: int, fleet: str = "studio", *options: str) -> None:
-        self.base = ["mosquitto_pub", "-p", str(port), "-q", "1", *options]
+        self.base = ["mosquitto_pub", "-h", "127.0.0.1", "-p", str(port), "-q", "1", *options]
         self.fleet = fleet
         self.count = 0
 
@@ -164,6 +164,9 @@ class Commander:
             [*self.base, *options, "-t", topic, "-s"], input=text, text=True, timeout=60, check=check
         )
         return done.returncode
+
+    def remove_retained(self, topic: str) -> None:
+        subprocess.run([*self.base, "-t", topic, "-r", "-n"], timeout=60, check=True)
 
     def publish_many(self, topic: str, payloads: list[dict[str, Any]]) -> subprocess.Popen[str]:
         """Publishes them over one connection, in the background."""

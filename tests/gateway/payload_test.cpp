@@ -1,6 +1,8 @@
 // Topics and payloads of commands, and what waits for a slow broker.
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,7 +92,8 @@ TEST(Payload, what_is_refused) {
            {R"({"version": 1, "dead_line": 1})", "unknown key 'dead_line'"},
            {std::string(longest_payload + 1, ' '), "longer than"},
            {std::string(40, '['), "nested deeper"}}) {
-    EXPECT_THAT([&, text = text] { read(text); }, ThrowsMessage<Refusal>(HasSubstr(problem))) << text;
+    const auto reading = [&text = text] { read(text); };
+    EXPECT_THAT(reading, ThrowsMessage<Refusal>(HasSubstr(problem))) << text;
   }
 }
 
