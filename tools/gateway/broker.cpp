@@ -83,9 +83,11 @@ bool is_utf8(std::string_view text) {
   return is_valid;
 }
 
+}  // namespace
+
 /// Detects what was published before a subscription: commands come in their order, so those that
 /// come before our own message have waited at the broker.
-class Fence {
+class Broker::Fence {
  public:
   explicit Fence(std::string topic) : topic_(std::move(topic)) {}
 
@@ -103,8 +105,6 @@ class Fence {
   std::string token_{};
   bool is_open_ = false;
 };
-
-}  // namespace
 
 class Broker::Impl {
  public:
@@ -176,11 +176,11 @@ class Broker::Impl {
   Newest telemetry_{};
   mutable std::mutex mutex_{};
   std::deque<Happening> happenings_{};
-  std::map<std::string, std::string> states_{};        // by topic
-  std::map<std::string, std::string> new_states_{};    // that are not published
-  std::uint64_t overflowed_ = 0;                       // notices that gave way in memory
+  std::map<std::string, std::string> states_{};      // by topic
+  std::map<std::string, std::string> new_states_{};  // that are not published
+  std::uint64_t overflowed_ = 0;                     // notices that gave way in memory
   std::string failure_{};
-  std::map<std::string, std::uint64_t> ended_{};       // commands by status
+  std::map<std::string, std::uint64_t> ended_{};  // commands by status
   std::atomic<bool> is_connected_{false};
   std::atomic<bool> is_closing_{false};
   std::atomic<std::uint64_t> acknowledged_{0};
@@ -203,11 +203,11 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
     : settings_(with_client_id(fleet)),
       longest_deadline_(settings_.longest_deadline),
       topics_(fleet.name),
-      journal_(settings_.journal,
-               {.most_waiting = settings_.most_waiting,
-                .history = settings_.history,
-                .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
-      fences_{Fence(topics_.of(gateway_level, "cmd/fence")), Fence(topics_.of(gateway_level, "raw"))},
+      journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
+                                   .history = settings_.history,
+                                   .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
+      fences_{Fence(topics_.of(gateway_level, "cmd/fence")),
+              Fence(topics_.of(gateway_level, "raw"))},
       mqtt_(settings_, will(), mqtt_handlers()) {
   settle_unfinished();
   for (const auto& gimbal : gimbals) add_station(*gimbal);
@@ -251,7 +251,7 @@ void Broker::Impl::add_station(Gimbal& gimbal) {
   auto tasks = std::make_shared<GimbalTasks>(
       gimbal, GimbalTasks::Hooks{[this] { return is_there(); }, notify});
   gimbal.on_status([this, tasks, topic = topics_.of(name, "state"),
-                   allow = gimbal.settings().allow](const GimbalStatus& state) {
+                    allow = gimbal.settings().allow](const GimbalStatus& state) {
     tasks->link_changed(state.link == GimbalLink::online);
     Json json = stamped();
     json["state"] = sbgc::tools::name(state.link);
@@ -263,12 +263,12 @@ void Broker::Impl::add_station(Gimbal& gimbal) {
     json["allow"] = allow;
     set_state(topic, payload_text(json));
   });
-  gimbal.on_telemetry([this, prefix = topics_.of(name, "telemetry/")](const AnyMessage& message,
-                                                                      WallTime time) {
-    if (telemetry_.put(prefix + message.type().info->name, sample_text(message, time))) {
-      mqtt_.wake();
-    }
-  });
+  gimbal.on_telemetry(
+      [this, prefix = topics_.of(name, "telemetry/")](const AnyMessage& message, WallTime time) {
+        if (telemetry_.put(prefix + message.type().info->name, sample_text(message, time))) {
+          mqtt_.wake();
+        }
+      });
   gimbal.on_event([this, event_topic](const GimbalEvent& event, WallTime time) {
     Json json = stamped(time);
     json["event"] = event.kind;
@@ -288,8 +288,10 @@ void Broker::Impl::settle_unfinished() {
   for (const UnfinishedCommand& one : journal_.unfinished()) {
     const Json result =
         result_json(one.gimbal, one.request.substr(0, one.request.find(' ')), one.key,
-                    {"unknown", "gateway_restarted",
-                     "the gateway ended while the command ran; it may have been carried out", {}});
+                    {"unknown",
+                     "gateway_restarted",
+                     "the gateway ended while the command ran; it may have been carried out",
+                     {}});
     for (const ReplyAddress& address : journal_.finish(one.id, payload_text(result))) {
       answer(WaitingKind::result, one.gimbal, address, result);
     }
@@ -359,8 +361,7 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& to
       answer(WaitingKind::notice, topic.gimbal, command.reply, std::move(result));
       return {};
     }
-    case Recognition::reused:
-      throw Refusal("key_reused", "another command has the same key");
+    case Recognition::reused: throw Refusal("key_reused", "another command has the same key");
     case Recognition::full: throw Refusal("overload", "too much waits for the broker");
   }
   if (is_closing_) throw Refusal("closing", "the gateway ends");
@@ -444,7 +445,8 @@ void Broker::Impl::connected() {
 }
 
 void Broker::Impl::subscribed() {
-  for (const Fence& fence : fences_) mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
+  for (const Fence& fence : fences_)
+    mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
 }
 
 void Broker::Impl::lost(const std::string& reason) {
@@ -498,8 +500,8 @@ void Broker::Impl::publish_waiting() {
   if (on_the_way_.size() >= most_unacknowledged) return;
   for (const WaitingMessage& one :
        journal_.waiting_after(last_published_, most_unacknowledged - on_the_way_.size())) {
-    const auto id = mqtt_.publish(
-        {.topic = one.topic, .payload = one.payload, .correlation = one.correlation});
+    const auto id =
+        mqtt_.publish({.topic = one.topic, .payload = one.payload, .correlation = one.correlation});
     if (!id) return;
     last_published_ = one.id;
     if (*id == 0) {
@@ -585,8 +587,7 @@ void Broker::Impl::count(const std::string& status) {
 }
 
 bool Broker::Impl::is_there() const {
-  return is_connected_ &&
-         MqttConnection::Clock::now() <= mqtt_.last_heard() + settings_.stop_after;
+  return is_connected_ && MqttConnection::Clock::now() <= mqtt_.last_heard() + settings_.stop_after;
 }
 
 std::string Broker::Impl::gateway_state(const char* state) const {

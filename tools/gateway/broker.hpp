@@ -48,6 +48,7 @@ class Broker {
   std::string failure() const;
 
  private:
+  class Fence;
   class Impl;
 
   std::unique_ptr<Impl> impl_;

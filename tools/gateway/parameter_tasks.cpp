@@ -35,6 +35,11 @@ void add_shown(Json& list, const FoundParameters& found, const Parameters& block
   }
 }
 
+/// Which of the copies of a block a name means: blocks that profiles share have one.
+std::uint8_t copy_of(const FoundParameters& one, std::uint8_t profile) {
+  return one.message->copies == 1 ? std::uint8_t{0} : profile;
+}
+
 Json changes_of(const WriteReport& report) {
   Json changes = Json::array();
   for (const ParametersReport& block : report.parameters) {
@@ -53,13 +58,10 @@ Json changes_of(const WriteReport& report) {
 Task<Result<Json>> get_parameters(GetOrder order) {
   const Result<std::uint8_t> profile = co_await chosen_profile(order.profile);
   if (!profile) co_return profile.error();
-  const auto copy_of = [&](const FoundParameters& one) {
-    return one.message->copies == 1 ? std::uint8_t{0} : *profile;
-  };
   ReadOptions options;
   options.wanted = [&](const ParametersId& id) {
     return std::ranges::any_of(order.parameters, [&](const FoundParameters& one) {
-      return id == ParametersId{one.message->type->info->name, copy_of(one)};
+      return id == ParametersId{one.message->type->info->name, copy_of(one, *profile)};
     });
   };
   const Result<ParameterSet> set = co_await tasks::read_parameters(options);
@@ -68,7 +70,7 @@ Task<Result<Json>> get_parameters(GetOrder order) {
   Json list = Json::array();
   for (const FoundParameters& one : order.parameters) {
     const char* const name = one.message->type->info->name;
-    const Parameters* const block = set->find({name, copy_of(one)});
+    const Parameters* const block = set->find({name, copy_of(one, *profile)});
     if (block == nullptr) {
       co_return ClientError{ErrorCode::unsupported,
                             fmt::format("this board does not have {}", name)};
