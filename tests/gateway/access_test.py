@@ -60,7 +60,9 @@ def secret_file(folder: Path, text: str) -> None:
 
 
 def wait_until_online(seen: Subscriber) -> None:
-    eventually(lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text])
+    eventually(
+        lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text]
+    )
 
 
 def test_the_sample_of_an_acl(tmp_path: Path) -> None:
@@ -68,7 +70,10 @@ def test_the_sample_of_an_acl(tmp_path: Path) -> None:
     secret_file(tmp_path, "sbgc-gateway-secret")
     settings = f"allow_anonymous false\npassword_file {users}\nacl_file {ACL}\n"
     login = 'user = "sbgc-gateway"\nbroker-password-file = "broker.password"'
-    with running(tmp_path, settings, login.replace("broker-password-file", "password-file")) as (broker, _):
+    with running(tmp_path, settings, login.replace("broker-password-file", "password-file")) as (
+        broker,
+        _,
+    ):
         viewer = ("-u", "viewer", "-P", "viewer-secret")
         operator = ("-u", "operator", "-P", "operator-secret")
         seen = Subscriber(broker.port, "sbgc/#", *viewer)
@@ -80,7 +85,9 @@ def test_the_sample_of_an_acl(tmp_path: Path) -> None:
             box = "sbgc/studio/reply/operator/1"
 
             # The broker keeps these from the gateway: `raw`, and whatever the viewer says.
-            by_operator.command("front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box)
+            by_operator.command(
+                "front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box
+            )
             by_viewer.command("front", "home", key="viewer", reply=box)
             by_operator.command("front", "home", key="home", reply=box)
             assert mine.result("home")["key"] == "home"
@@ -174,7 +181,16 @@ def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
         try:
             wait_until_online(seen)
             eventually(lambda: f"{box} (QoS 1)" in broker.log.read_text())
-            properties = ["-D", "publish", "response-topic", box, "-D", "publish", "correlation-data", "c9"]
+            properties = [
+                "-D",
+                "publish",
+                "response-topic",
+                box,
+                "-D",
+                "publish",
+                "correlation-data",
+                "c9",
+            ]
             say = Commander(broker.port, "studio", "-V", "5")
             payload = say.payload(reply=None)
             say.publish("sbgc/studio/front/cmd/home", json.dumps(payload), *properties)

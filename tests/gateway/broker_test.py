@@ -52,9 +52,6 @@ class Studio:
         assert result["status"] == "refused", result
         return str(result["error"]["code"])
 
-    def turn(self) -> None:
-        assert self.result("speed", {"speeds": {"pitch": 5}})["status"] == "done"
-
 
 def speed_of(gimbal: EmulatedGimbal) -> float:
     """The speed of the pitch axis, past the gateway."""
@@ -139,7 +136,9 @@ def test_states_are_retained(studio: Studio) -> None:
         eventually(lambda: len(late.messages) == 3)
         states = {one.topic.split("/")[2]: one for one in late.messages}
         assert all(one.is_retained for one in late.messages)
-        assert states["front"].json["state"] == "online" and states["front"].json["firmware"] == "2.59"
+        assert (
+            states["front"].json["state"] == "online" and states["front"].json["firmware"] == "2.59"
+        )
         assert states["gateway"].json["state"] == "online"
     finally:
         late.close()
@@ -220,7 +219,7 @@ def test_results_without_an_address_are_events(studio: Studio) -> None:
 
 def test_a_speed_has_a_dead_man(studio: Studio) -> None:
     count = len(studio.seen.events("front", "speed_ended"))
-    studio.turn()
+    assert studio.result("speed", {"speeds": {"pitch": 5}})["status"] == "done"
     eventually(lambda: len(studio.seen.events("front", "speed_ended")) > count)
     assert speed_of(studio.front) == 0
 
@@ -270,7 +269,10 @@ def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> N
     )
     studio.gateway.restart()
     assert studio.seen.result(moves)["error"]["code"] == "queued"
-    assert studio.seen.result(reads)["status"] in ("done", "failed")  # the gimbal may not be there yet
+    assert studio.seen.result(reads)["status"] in (
+        "done",
+        "failed",
+    )  # the gimbal may not be there yet
     # Once as a message that waited, and once as a retained one.
     eventually(lambda: "retained" in codes(studio))
     studio.say.remove_retained("sbgc/studio/front/cmd/home")

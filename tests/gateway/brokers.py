@@ -107,7 +107,21 @@ class Subscriber:
     def __init__(self, port: int, filters: str | list[str] = "sbgc/#", *options: str) -> None:
         topics = [filters] if isinstance(filters, str) else filters
         self.process = subprocess.Popen(
-            ["stdbuf", "-oL", "mosquitto_sub", "-h", "127.0.0.1", "-p", str(port), "-q", "1", "-d", "-F", "\x01%t\t%r\t%p", *options]
+            [
+                "stdbuf",
+                "-oL",
+                "mosquitto_sub",
+                "-h",
+                "127.0.0.1",
+                "-p",
+                str(port),
+                "-q",
+                "1",
+                "-d",
+                "-F",
+                "\x01%t\t%r\t%p",
+                *options,
+            ]
             + [word for topic in topics for word in ("-t", topic)],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -136,7 +150,9 @@ class Subscriber:
 
     def result(self, key: str, seconds: float = 60) -> Any:
         """The first result of the command with this key."""
-        return eventually(lambda: [one for one in self.results() if one.get("key") == key], seconds)[0]
+        return eventually(
+            lambda: [one for one in self.results() if one.get("key") == key], seconds
+        )[0]
 
     def events(self, gimbal: str, kind: str) -> list[Any]:
         found = [one.json for one in list(self.messages) if one.topic.endswith(f"/{gimbal}/event")]
@@ -161,7 +177,11 @@ class Commander:
 
     def publish(self, topic: str, text: str, *options: str, check: bool = True) -> int:
         done = subprocess.run(
-            [*self.base, *options, "-t", topic, "-s"], input=text, text=True, timeout=60, check=check
+            [*self.base, *options, "-t", topic, "-s"],
+            input=text,
+            text=True,
+            timeout=60,
+            check=check,
         )
         return done.returncode
 
@@ -192,7 +212,12 @@ class Commander:
         return {name: value for name, value in payload.items() if value is not None}
 
     def command(
-        self, gimbal: str, task: str, parameters: Any = None, options: tuple[str, ...] = (), **members: Any
+        self,
+        gimbal: str,
+        task: str,
+        parameters: Any = None,
+        options: tuple[str, ...] = (),
+        **members: Any,
     ) -> str:
         """Publishes a command and returns its key."""
         payload = self.payload(parameters, **members)

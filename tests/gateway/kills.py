@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -17,8 +18,6 @@ from typing import Any
 from brokers import Commander, Mosquitto, Subscriber, now
 from gateway import Gateway, eventually
 from sbgc_command import PROGRAM
-
-import subprocess
 
 BODY_WITHOUT_NOTES = 12
 NOTES = range(1, 26)
@@ -54,7 +53,6 @@ raw-effects = ["sets"]
 """,
         )
         self.statuses: Counter[str] = Counter()
-        self.twice = 0
 
     def close(self) -> None:
         self.gateway.kill()
@@ -64,8 +62,7 @@ raw-effects = ["sets"]
         self.gimbal.wait()
 
     def wait_until_online(self) -> None:
-        count = self.gateway.log.read_text().count("front is online")
-        eventually(lambda: self.gateway.log.read_text().count("front is online") > count or count > 0)
+        eventually(lambda: "front is online" in self.gateway.log.read_text())
 
     def played(self, since: int) -> Counter[int]:
         text = self.log.read_bytes()[since:].decode(errors="replace")

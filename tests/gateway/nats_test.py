@@ -16,6 +16,12 @@ BEFORE = 20
 AFTER = 20
 
 
+def wait_for_sessions(server: Nats) -> None:
+    """Until the servers have found each other, they accept none."""
+    probe = Commander(server.port)
+    eventually(lambda: probe.publish("probe", "x", check=False) == 0, 120)
+
+
 @pytest.fixture(name="servers")
 def servers_(tmp_path: Path) -> Iterator[list[Nats]]:
     routes = [free_port() for _ in range(3)]
@@ -23,10 +29,8 @@ def servers_(tmp_path: Path) -> Iterator[list[Nats]]:
     for server in servers:
         server.start()
     try:
-        # Until the servers have found each other, they accept no session.
         for server in servers:
-            probe = Commander(server.port)
-            eventually(lambda probe=probe: probe.publish("probe", "x", check=False) == 0, 120)
+            wait_for_sessions(server)
         yield servers
     finally:
         for server in servers:
@@ -66,7 +70,11 @@ allow = ["raw", "stop", "home"]
 telemetry = ["RealtimeData4 10"]
 """
         with running_gateway(tmp_path, text) as gateway:
-            eventually(lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text])
+            eventually(
+                lambda: [
+                    one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text
+                ]
+            )
             eventually(lambda: seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
             keys = [ask(say) for _ in range(BEFORE)]
             servers[0].kill()  # the gateway is connected to it
@@ -77,7 +85,5 @@ telemetry = ["RealtimeData4 10"]
             # Motion works again, so nothing waits in front of it.
             eventually(lambda: is_home(seen, say), 120)
             assert gateway.end() == 0
-        eventually(
-            lambda: seen.on("sbgc/studio/gateway/state")[-1].json["state"] == "offline", 60
-        )
+        eventually(lambda: '"offline"' in seen.on("sbgc/studio/gateway/state")[-1].text, 60)
     seen.close()
