@@ -1,7 +1,6 @@
 // The journal of a gateway: what it keeps, whatever happens to the process.
 
-#include <sys/wait.h>
-#include <unistd.h>
+#include "gateway/journal.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -13,8 +12,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "gateway/journal.hpp"
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace sbgc::tools {
 namespace {
@@ -107,9 +106,11 @@ TEST_F(JournalTest, a_command_without_a_key_may_be_repeated) {
 
 TEST_F(JournalTest, every_address_that_asked_while_it_ran_gets_the_result) {
   Journal journal(file(), {});
-  const auto id = within(journal, [&] { return journal.admit(a_command("k", "sbgc/f/reply/a"), noon); });
+  const auto id =
+      within(journal, [&] { return journal.admit(a_command("k", "sbgc/f/reply/a"), noon); });
   for (int i = 0; i < 2; ++i) {
-    within(journal, [&] { return journal.recognize(a_command("k", "sbgc/f/reply/b")).recognition; });
+    within(journal,
+           [&] { return journal.recognize(a_command("k", "sbgc/f/reply/b")).recognition; });
   }
   EXPECT_THAT(within(journal, [&] { return journal.finish(*id, "{}"); }), SizeIs(2));
 }
@@ -184,8 +185,7 @@ TEST_F(JournalTest, the_history_is_bounded_but_keeps_what_may_come_again) {
     return id.has_value();
   };
   const auto is_known = [&](int number) {
-    return journal.recognize(a_command(std::to_string(number))).recognition !=
-           Recognition::unknown;
+    return journal.recognize(a_command(std::to_string(number))).recognition != Recognition::unknown;
   };
   // At the same time, so that none is old enough: twice the history, and no more.
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(do_one(i, noon)) << i;

@@ -1,5 +1,7 @@
 // Topics and payloads of commands, and what waits for a slow broker.
 
+#include "gateway/payload.hpp"
+
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -8,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "gateway/newest.hpp"
-#include "gateway/payload.hpp"
 
 namespace sbgc::tools {
 namespace {
@@ -99,9 +100,9 @@ TEST(Payload, what_is_refused) {
 
 TEST(Payload, a_refusal_knows_where_to_go) {
   CommandPayload payload;
-  EXPECT_THROW(
-      read_payload(R"({"version": 9, "x": 1, "key": "k", "reply": "sbgc/studio/reply/a"})", topics, payload),
-      Refusal);
+  EXPECT_THROW(read_payload(R"({"version": 9, "x": 1, "key": "k", "reply": "sbgc/studio/reply/a"})",
+                            topics, payload),
+               Refusal);
   EXPECT_EQ(payload.key, "k");
   EXPECT_EQ(payload.reply, "sbgc/studio/reply/a");
 }

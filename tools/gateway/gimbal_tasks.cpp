@@ -159,7 +159,8 @@ void GimbalTasks::begin(const Order& order) {
   }
   if (order.goes_on == Order::forever) moves_until_ = Clock::time_point::max();
   if (order.goes_on.count() != 0 && order.goes_on != Order::forever) {
-    moves_until_ = std::max(moves_until_.value_or(Clock::time_point()), Clock::now() + order.goes_on);
+    moves_until_ =
+        std::max(moves_until_.value_or(Clock::time_point()), Clock::now() + order.goes_on);
   }
   AsyncReconnectingClient& client = gimbal_.client();
   const auto visit = [&](const auto& what) {
@@ -173,20 +174,22 @@ void GimbalTasks::begin(const Order& order) {
     } else if constexpr (std::is_same_v<What, CallOrder>) {
       CallOptions options;
       options.expect_confirmation = true;
-      client.async_call(what.request, options,
-                        handler<std::optional<AnyMessage>>(
-                            [](const Result<std::optional<AnyMessage>>& response) {
-                              if (!response) return failed_outcome(response.error());
-                              return TaskOutcome{.result = response_json(*response)};
-                            }));
+      client.async_call(
+          what.request, options,
+          handler<std::optional<AnyMessage>>([](const Result<std::optional<AnyMessage>>& response) {
+            if (!response) return failed_outcome(response.error());
+            return TaskOutcome{.result = response_json(*response)};
+          }));
     } else if constexpr (std::is_same_v<What, CalibrateOrder>) {
       start<CalibrationEnd>(tasks::run_calibration(what.request), [](const CalibrationEnd& end) {
         return TaskOutcome{.result = {{"end", calibration_text(end)}}};
       });
     } else if constexpr (std::is_same_v<What, GetOrder>) {
-      start<Json>(get_parameters(what), [](const Json& json) { return TaskOutcome{.result = json}; });
+      start<Json>(get_parameters(what),
+                  [](const Json& json) { return TaskOutcome{.result = json}; });
     } else if constexpr (std::is_same_v<What, SetOrder>) {
-      start<Json>(set_parameters(what), [](const Json& json) { return TaskOutcome{.result = json}; });
+      start<Json>(set_parameters(what),
+                  [](const Json& json) { return TaskOutcome{.result = json}; });
     } else {
       static_assert(std::is_same_v<What, StopOrder>);  // add() does not queue it
     }
@@ -238,9 +241,10 @@ void GimbalTasks::halt(const std::string& reason) {
   end_waiting_motions("stopped", "the camera was stopped");
   stop([self = shared_from_this(), reason](const TaskOutcome& outcome) {
     self->is_halting_ = false;
-    self->hooks_.notify("stopped", outcome.code.empty()
-                                       ? reason + "; the camera has stopped"
-                                       : reason + "; the camera may still turn: " + outcome.message);
+    self->hooks_.notify("stopped",
+                        outcome.code.empty()
+                            ? reason + "; the camera has stopped"
+                            : reason + "; the camera may still turn: " + outcome.message);
     if (self->must_halt_) self->watch();  // to try again
   });
 }

@@ -90,9 +90,9 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   std::optional<Job> current_{};
   std::unique_ptr<asio::cancellation_signal> cancel_{};
   std::unique_ptr<SpeedControl> speed_{};
-  bool is_turning_ = false;  // speed_ holds a speed
+  bool is_turning_ = false;                         // speed_ holds a speed
   std::optional<Clock::time_point> moves_until_{};  // because of a command that has ended
-  bool must_halt_ = false;   // as soon as the gimbal is online
+  bool must_halt_ = false;                          // as soon as the gimbal is online
   bool is_halting_ = false;
   bool is_online_ = false;
   bool is_watching_ = false;

@@ -53,12 +53,12 @@ std::int64_t milliseconds_of(Journal::Time time) {
 
 std::shared_ptr<sqlite3> open_database(const std::filesystem::path& file) {
   sqlite3* opened = nullptr;
-  const int status = sqlite3_open_v2(file.c_str(), &opened,
-                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  const int status =
+      sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   std::shared_ptr<sqlite3> database(opened, sqlite3_close);
   if (status == SQLITE_OK) return database;
-  throw std::runtime_error(fmt::format("the journal {} cannot be opened: {}", file.string(),
-                                       sqlite3_errstr(status)));
+  throw std::runtime_error(
+      fmt::format("the journal {} cannot be opened: {}", file.string(), sqlite3_errstr(status)));
 }
 
 }  // namespace
@@ -151,8 +151,7 @@ Journal::Journal(const std::filesystem::path& file, const JournalLimits& limits)
     run("COMMIT");
   } catch (const std::runtime_error&) {
     if (sqlite3_errcode(database_.get()) != SQLITE_BUSY) throw;
-    throw std::runtime_error(
-        fmt::format("another process uses the journal {}", file.string()));
+    throw std::runtime_error(fmt::format("another process uses the journal {}", file.string()));
   }
   waiting_ = static_cast<std::size_t>(count("SELECT count(*) FROM waiting"));
   expected_ = static_cast<std::size_t>(count("SELECT count(*) FROM replies"));
@@ -222,8 +221,7 @@ void Journal::put(const WaitingMessage& message) {
       return;
     }
   }
-  Statement(*this,
-            "INSERT INTO waiting (kind, topic, payload, correlation) VALUES (?, ?, ?, ?)")
+  Statement(*this, "INSERT INTO waiting (kind, topic, payload, correlation) VALUES (?, ?, ?, ?)")
       .add(static_cast<std::int64_t>(message.kind))
       .add_text(message.topic)
       .add_text(message.payload)
@@ -242,8 +240,7 @@ std::vector<UnfinishedCommand> Journal::unfinished() const {
   Statement commands(
       *this, "SELECT id, gimbal, key, request FROM commands WHERE result IS NULL ORDER BY id");
   while (commands.next()) {
-    result.push_back(
-        {commands.integer(0), commands.text(1), commands.text(2), commands.text(3)});
+    result.push_back({commands.integer(0), commands.text(1), commands.text(2), commands.text(3)});
   }
   return result;
 }

@@ -93,8 +93,8 @@ struct MqttConnection::Callbacks {
   static void connected(mosquitto* /*connection*/, void* user, int code) {
     MqttConnection& self = of(user);
     if (code != 0) {
-      self.refusal_ = self.settings_.is_mqtt_5 ? mosquitto_reason_string(code)
-                                               : mosquitto_connack_string(code);
+      self.refusal_ =
+          self.settings_.is_mqtt_5 ? mosquitto_reason_string(code) : mosquitto_connack_string(code);
       return;
     }
     // What is in the buffer of the socket cannot be replaced by newer telemetry.
@@ -169,10 +169,10 @@ void MqttConnection::set_up(const MqttPublication& will) {
   // The library leaves acknowledgments to mosquitto_loop_write(), which runs after on_messages().
   require_mqtt(mosquitto_threaded_set(connection, true), "MQTT");
   require_mqtt(mosquitto_max_inflight_messages_set(connection, 0), "MQTT");
-  require_mqtt(mosquitto_will_set(connection, will.topic.c_str(),
-                                  static_cast<int>(will.payload.size()), will.payload.data(),
-                                  will.quality, will.is_retained),
-               "the will");
+  require_mqtt(
+      mosquitto_will_set(connection, will.topic.c_str(), static_cast<int>(will.payload.size()),
+                         will.payload.data(), will.quality, will.is_retained),
+      "the will");
   if (!settings_.user.empty()) {
     const std::string password =
         settings_.password_file.empty() ? "" : read_password(settings_.password_file, "the broker");
@@ -185,8 +185,8 @@ void MqttConnection::set_up(const MqttPublication& will) {
       return file.empty() ? nullptr : file.c_str();
     };
     require_mqtt(mosquitto_tls_set(connection, settings_.ca_file.c_str(), nullptr,
-                                   or_null(settings_.certificate_file),
-                                   or_null(settings_.key_file), nullptr),
+                                   or_null(settings_.certificate_file), or_null(settings_.key_file),
+                                   nullptr),
                  "the files of TLS");
   }
   mosquitto_connect_callback_set(connection, Callbacks::connected);
@@ -295,8 +295,8 @@ std::string MqttConnection::connect() {
     status = mosquitto_connect_bind_v5(connection_.get(), address.host.c_str(), address.port,
                                        keep_alive, nullptr, properties.get());
   } else {
-    status = mosquitto_connect_async(connection_.get(), address.host.c_str(), address.port,
-                                     keep_alive);
+    status =
+        mosquitto_connect_async(connection_.get(), address.host.c_str(), address.port, keep_alive);
   }
   return status == MOSQ_ERR_SUCCESS ? "" : mqtt_error(status);
 }

@@ -39,8 +39,8 @@ struct MqttPublication {
   std::optional<std::chrono::seconds> expiry{};
 };
 
-/// Its thread talks to the broker; handlers run there. It tries the addresses in turn. A name server
-/// that does not answer, or with MQTT 5 a host that does not, keeps the thread for a while.
+/// Its thread talks to the broker; handlers run there. It tries the addresses in turn. A name
+/// server that does not answer, or with MQTT 5 a host that does not, keeps the thread for a while.
 class MqttConnection {
  public:
   using Clock = std::chrono::steady_clock;
@@ -53,10 +53,11 @@ class MqttConnection {
     std::function<void(const std::string& reason)> on_lost{};
     /// The broker has answered a subscribe().
     std::function<void()> on_subscribed{};
-    /// A message with quality 1 is acknowledged. `refused` says why the broker refused it, or is "".
+    /// A message with quality 1 is acknowledged. `refused` says why the broker refused it, or is
+    /// "".
     std::function<void(int id, const std::string& refused)> on_acknowledged{};
-    /// There is time: after anything else, and several times a second. Returns true if there is more
-    /// to do as soon as the socket has taken what was published.
+    /// There is time: after anything else, and several times a second. Returns true if there is
+    /// more to do as soon as the socket has taken what was published.
     std::function<bool()> on_idle{};
     /// A handler has thrown this. The thread ends, and acknowledges nothing more.
     std::function<void(const std::string& problem)> on_failure{};

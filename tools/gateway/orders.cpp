@@ -36,7 +36,8 @@ class TaskParameters {
   TaskParameters(const Json& object, std::initializer_list<const char*> known) : object_(object) {
     for (const auto& item : object.items()) {
       const std::string& name = item.key();
-      const bool is_known = std::ranges::any_of(known, [&](const char* one) { return name == one; });
+      const bool is_known =
+          std::ranges::any_of(known, [&](const char* one) { return name == one; });
       if (!is_known) refuse_parameter(fmt::format("unknown parameter '{}'", name));
     }
   }
@@ -120,9 +121,8 @@ Order read_move(const Json& object) {
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (angles[i]) order.target[i] = to_angle(*angles[i], axis_names[i]);
   }
-  order.options.speed =
-      to_speed(parameters.number("speed", usual_speed, 0, std::numeric_limits<double>::max()),
-               "speed");
+  order.options.speed = to_speed(
+      parameters.number("speed", usual_speed, 0, std::numeric_limits<double>::max()), "speed");
   // It would select the speed in the parameters.
   if (order.options.speed.raw() == 0) refuse_parameter("'speed' must be more than 0");
   using Seconds = std::chrono::duration<double>;
@@ -171,8 +171,8 @@ Order read_menu(const std::string& action) {
 Order read_calibrate(const Json& object) {
   const TaskParameters parameters(object, {"calibration", "values"});
   const std::string name = parameters.text("calibration");
-  const auto known = std::ranges::find_if(
-      calibrations(), [&](const Calibration& one) { return name == one.name; });
+  const auto known = std::ranges::find_if(calibrations(),
+                                          [&](const Calibration& one) { return name == one.name; });
   if (known == calibrations().end()) {
     refuse_parameter(fmt::format("unknown calibration '{}'", name));
   }

@@ -31,7 +31,8 @@ inline constexpr std::size_t longest_correlation = 128;
 /// Why a command is refused: a word for programs and a sentence for people.
 class Refusal : public std::runtime_error {
  public:
-  Refusal(const char* code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  Refusal(const char* code, const std::string& message)
+      : std::runtime_error(message), code_(code) {}
 
   const char* code() const noexcept { return code_; }
 

@@ -56,10 +56,9 @@ Json integer_schema(const FieldType& type) {
 
 /// Commands may name values.
 Json number_schema(const FieldType& type, bool is_to_board) {
-  Json number = type.shape == FieldShape::integer
-                    ? integer_schema(type)
-                    // JSON has no infinities and NaN: they are words.
-                    : Json{{"type", {"number", "string"}}};
+  Json number = type.shape == FieldShape::integer ? integer_schema(type)
+                                                  // JSON has no infinities and NaN: they are words.
+                                                  : Json{{"type", {"number", "string"}}};
   const bool has_names = type.names != nullptr || type.packed != nullptr;
   if (!is_to_board || !has_names || number["type"] == "string") return number;
   Json names = text_schema();
@@ -108,7 +107,8 @@ std::string fields_name(const MessageType& type) {
 }
 
 /// The members of a message and those of what it is part of.
-Json message_schema(const MessageType& type, Json others, const std::vector<std::string>& required) {
+Json message_schema(const MessageType& type, Json others,
+                    const std::vector<std::string>& required) {
   others["message"] = {{"const", type.info->name}};
   others["fields"] = reference_to(fields_name(type));
   return object_schema(std::move(others), required);
@@ -116,7 +116,8 @@ Json message_schema(const MessageType& type, Json others, const std::vector<std:
 
 /// A message with its fields: any of those that pass `is_wanted`.
 template <class Wanted>
-Json messages_schema(const Json& others, const std::vector<std::string>& required, Wanted is_wanted) {
+Json messages_schema(const Json& others, const std::vector<std::string>& required,
+                     Wanted is_wanted) {
   Json alternatives = Json::array();
   for (const MessageType* const type : message_types()) {
     if (is_wanted(*type)) alternatives.push_back(message_schema(*type, others, required));
@@ -153,18 +154,26 @@ Json values_schema() {
 
 Json parameters_schema(std::string_view task) {
   if (task == "move") {
-    return object_schema(
-        {{"angles", axes_schema("degrees")},
-         {"speed", {{"type", "number"}, {"exclusiveMinimum", 0}, {"description", "degrees per second; 10 without it"}}},
-         {"timeout", {{"type", "number"}, {"minimum", 0.1}, {"maximum", 600}, {"description", "seconds; 30 without it"}}}},
-        {"angles"});
+    return object_schema({{"angles", axes_schema("degrees")},
+                          {"speed",
+                           {{"type", "number"},
+                            {"exclusiveMinimum", 0},
+                            {"description", "degrees per second; 10 without it"}}},
+                          {"timeout",
+                           {{"type", "number"},
+                            {"minimum", 0.1},
+                            {"maximum", 600},
+                            {"description", "seconds; 30 without it"}}}},
+                         {"angles"});
   }
   if (task == "speed") {
-    return object_schema({{"speeds", axes_schema("degrees per second; others hold still")}}, {"speeds"});
+    return object_schema({{"speeds", axes_schema("degrees per second; others hold still")}},
+                         {"speeds"});
   }
   if (task == "motors") return object_schema({{"on", {{"type", "boolean"}}}}, {"on"});
   if (task == "menu") {
-    return object_schema({{"action", {{"type", "string"}, {"description", "as `sbgc menu --list`"}}}}, {"action"});
+    return object_schema(
+        {{"action", {{"type", "string"}, {"description", "as `sbgc menu --list`"}}}}, {"action"});
   }
   if (task == "calibrate") {
     std::vector<std::string> names;
@@ -174,7 +183,8 @@ Json parameters_schema(std::string_view task) {
   }
   if (task == "get") {
     return object_schema(
-        {{"names", {{"type", "array"}, {"items", text_schema()}, {"minItems", 1}, {"maxItems", 256}}},
+        {{"names",
+          {{"type", "array"}, {"items", text_schema()}, {"minItems", 1}, {"maxItems", 256}}},
          {"profile", profile_schema()}},
         {"names"});
   }
@@ -182,7 +192,8 @@ Json parameters_schema(std::string_view task) {
     return object_schema({{"values", values_schema()}, {"profile", profile_schema()}}, {"values"});
   }
   if (task == "raw") {
-    return messages_schema({}, {"message"}, [](const MessageType& type) { return type.is_sent_to_board(); });
+    return messages_schema({}, {"message"},
+                           [](const MessageType& type) { return type.is_sent_to_board(); });
   }
   return object_schema(Json::object(), {});  // stop, home
 }
@@ -214,7 +225,8 @@ Json result_schema() {
   properties["key"] = text_schema();
   properties["correlation"] = text_schema();
   properties["status"] = one_of_texts({"done", "failed", "refused", "unknown"});
-  properties["error"] = object_schema({{"code", text_schema()}, {"message", text_schema()}}, {"code", "message"});
+  properties["error"] =
+      object_schema({{"code", text_schema()}, {"message", text_schema()}}, {"code", "message"});
   properties["result"] = {{"type", "object"}};
   properties["repeated"] = {{"const", true}};
   return object_schema(std::move(properties), {"version", "time", "gimbal", "task", "status"});
