@@ -118,7 +118,10 @@ def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     "text, reason",
     [
         ("[gimbal.front]\nattempts = 3\n", ":1:1: [gimbal.front] has no port; add port = "),
-        ('[gimbal.front]\nport = "x"\nattempt = 3\n', ":3:1: unknown key 'attempt' of [gimbal.front]"),
+        (
+            '[gimbal.front]\nport = "x"\nattempt = 3\n',
+            ":3:1: unknown key 'attempt' of [gimbal.front]",
+        ),
         ('[gimbal.front]\nport = "x"\nattempts = many\n', 'texts stand in quotes: "many"'),
         ('[gimbal.front]\nport = "x"\nattempts = 0\n', "it must be a number from 1 to 100"),
         ('[gimbal.front]\nport = "x"\ntimeout = 0\n', ":3:11: 'timeout' is '0'; it must be a time"),
