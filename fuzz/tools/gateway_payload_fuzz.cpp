@@ -23,7 +23,9 @@ void check(const Order& order, sbgc::Effects allowed) {
   const auto* const call = std::get_if<CallOrder>(&order.what);
   if (call == nullptr) return;
   const sbgc::Effects effects = effects_of(call->request);
-  require(!effects.has(sbgc::Effect::moves) || order.moves);
+  for (const auto effect : {sbgc::Effect::moves, sbgc::Effect::restarts, sbgc::Effect::unknown}) {
+    require(!effects.has(effect) || order.must_not_wait);
+  }
   for (const auto effect : {sbgc::Effect::stores, sbgc::Effect::moves, sbgc::Effect::restarts,
                             sbgc::Effect::erases, sbgc::Effect::unknown}) {
     require(!effects.has(effect) || allowed.has(effect));

@@ -199,6 +199,51 @@ TEST_F(JournalTest, the_history_is_bounded_but_keeps_what_may_come_again) {
   EXPECT_TRUE(is_known(7));
 }
 
+TEST_F(JournalTest, notices_leave_room_for_results) {
+  Journal journal(file(), {.most_waiting = 2});
+  journal.begin();
+  for (int i = 0; i < 5; ++i) {
+    journal.put({.kind = WaitingKind::notice, .topic = "t", .payload = "n"});
+  }
+  for (const char* const key : {"1", "2"}) {
+    const auto id = journal.admit(a_command(key), noon);
+    ASSERT_TRUE(id) << key;
+    journal.finish(*id, "{}");
+    journal.put({.kind = WaitingKind::result, .topic = "t", .payload = "r"});
+  }
+  EXPECT_FALSE(journal.admit(a_command("3"), noon));
+  EXPECT_EQ(journal.waiting(), 2U);
+  journal.remove(journal.waiting_after(0, 1).at(0).id);
+  EXPECT_TRUE(journal.admit(a_command("3"), noon));
+  journal.commit();
+}
+
+TEST_F(JournalTest, the_history_goes_on_after_the_clock_was_set_back) {
+  Journal journal(file(), {.history = 1, .keep = milliseconds(1'000)});
+  for (const auto now : {noon, noon, noon - std::chrono::hours(1)}) {
+    journal.begin();
+    const auto id = journal.admit(a_command(""), now);
+    EXPECT_TRUE(id);
+    if (id) journal.finish(*id, "{}");
+    journal.commit();
+  }
+}
+
+TEST_F(JournalTest, gimbals_in_motion_are_known_after_a_restart) {
+  {
+    Journal journal(file(), {});
+    journal.begin();
+    journal.set_moving("front", 1);
+    journal.set_moving("front", 2);
+    journal.set_moving("rear", 3);
+    journal.set_at_rest("front", 1);  // it moves because of 2
+    journal.set_at_rest("rear", 4);
+    journal.commit();
+  }
+  const Journal journal(file(), {});
+  EXPECT_THAT(journal.moving(), ElementsAre(testing::Pair("front", 2)));
+}
+
 TEST_F(JournalTest, what_is_committed_survives_the_process) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);

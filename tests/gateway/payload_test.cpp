@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gateway/allowance.hpp"
 #include "gateway/newest.hpp"
 
 namespace sbgc::tools {
@@ -119,6 +120,18 @@ TEST(Newest, the_newest_of_each_topic_wins) {
   EXPECT_EQ(newest.take()->payload, "4");
   EXPECT_FALSE(newest.take());
   EXPECT_TRUE(newest.put("a", "5"));
+}
+
+TEST(Allowance, it_comes_back_with_time) {
+  using std::chrono::milliseconds;
+  const Allowance::Time start = Allowance::Time() + std::chrono::hours(1);
+  Allowance allowance(2, 3);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(allowance.take(start));
+  EXPECT_FALSE(allowance.take(start));
+  EXPECT_FALSE(allowance.take(start + milliseconds(400)));
+  EXPECT_TRUE(allowance.take(start + milliseconds(500)));
+  EXPECT_FALSE(allowance.take(start + milliseconds(900)));
+  EXPECT_TRUE(allowance.take(start + std::chrono::hours(1)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -18,6 +19,7 @@
 
 #include "command/remark.hpp"
 #include "command/wording.hpp"
+#include "gateway/allowance.hpp"
 #include "gateway/gimbal_tasks.hpp"
 #include "gateway/journal.hpp"
 #include "gateway/mqtt.hpp"
@@ -33,12 +35,16 @@ using WallTime = std::chrono::system_clock::time_point;
 
 /// The level of the gateway's own topics.
 constexpr const char* gateway_level = "gateway";
+constexpr const char* stop_task = "stop";
 
 /// Messages on the way to the broker.
 constexpr std::size_t most_unacknowledged = 64;
 constexpr std::size_t most_unsent = 256;
 /// Events that wait for the thread of the broker.
 constexpr std::size_t most_notices = 1'000;
+/// Refusals that are answered: garbage must not keep the disk busy.
+constexpr double refusals_per_second = 50;
+constexpr double most_refusals_at_once = 500;
 
 std::int64_t unix_milliseconds(WallTime time) {
   return std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count();
@@ -120,10 +126,11 @@ class Broker::Impl {
     Gimbal* gimbal{};
     std::shared_ptr<GimbalTasks> tasks{};
   };
-  /// The end of a command, or a notice, on its way to the thread of the broker.
+  /// The end of a command or of a motion, or a notice, on its way to the thread of the broker.
   struct Happening {
     std::int64_t command{};  // or 0
     std::string result{};
+    std::string at_rest{};  // the gimbal that `command` and those before do not move any more
     MqttPublication notice{};
   };
   /// A command that is to be carried out once it is on the disk.
@@ -132,19 +139,27 @@ class Broker::Impl {
     GimbalTasks::Job job{};
   };
 
+  /// True if a later `stop` for the gimbal has come with a command.
+  using IsOvertaken = std::function<bool(const Station&)>;
+
   MqttConnection::Handlers mqtt_handlers();
   MqttPublication will() const;
-  void add_station(Gimbal& gimbal);
+  void add_station(Gimbal& gimbal, std::optional<std::int64_t> moved_by);
 
   // On the thread of the broker.
   void settle_unfinished();
   void take(std::vector<MqttMessage> messages);
-  std::optional<Admitted> take_one(MqttMessage message);
+  const Station* stop_at_once(const MqttMessage& message);
+  std::optional<Admitted> take_one(const MqttMessage& message, const IsOvertaken& is_overtaken);
+  CommandPayload addressed_payload(const MqttMessage& message) const;
+  Station& station_for(const CommandTopic& topic, bool is_retained);
   std::optional<Admitted> admit(const CommandTopic& topic, const CommandPayload& payload,
-                                bool is_retained);
-  void check_times(const CommandTopic& topic, const CommandPayload& payload) const;
+                                Station& station, bool is_overtaken);
+  void check_times(const CommandPayload& payload) const;
   void refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
               const std::string& message);
+  WaitingMessage answer_to(const std::string& gimbal, const ReplyAddress& address,
+                           Json result) const;
   void answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
               Json result);
   void connected();
@@ -195,6 +210,7 @@ class Broker::Impl {
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
   std::string last_problem_{};
+  Allowance refusals_{refusals_per_second, most_refusals_at_once};
 
   MqttConnection mqtt_;  // last: its thread uses the others
 };
@@ -210,7 +226,11 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
               Fence(topics_.of(gateway_level, "raw"))},
       mqtt_(settings_, will(), mqtt_handlers()) {
   settle_unfinished();
-  for (const auto& gimbal : gimbals) add_station(*gimbal);
+  const std::map<std::string, std::int64_t> moved_by = journal_.moving();
+  for (const auto& gimbal : gimbals) {
+    const auto found = moved_by.find(gimbal->name());
+    add_station(*gimbal, found == moved_by.end() ? std::optional<std::int64_t>() : found->second);
+  }
 }
 
 MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
@@ -239,7 +259,7 @@ MqttPublication Broker::Impl::will() const {
           .is_retained = true};
 }
 
-void Broker::Impl::add_station(Gimbal& gimbal) {
+void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved_by) {
   const std::string& name = gimbal.name();
   const std::string event_topic = topics_.of(name, "event");
   const auto notify = [this, event_topic](const std::string& kind, const std::string& message) {
@@ -248,8 +268,11 @@ void Broker::Impl::add_station(Gimbal& gimbal) {
     event["message"] = message;
     happen({.notice = {.topic = event_topic, .payload = payload_text(event)}});
   };
+  const auto at_rest = [this, name](std::int64_t command) {
+    happen({.command = command, .at_rest = name});
+  };
   auto tasks = std::make_shared<GimbalTasks>(
-      gimbal, GimbalTasks::Hooks{[this] { return is_there(); }, notify});
+      gimbal, GimbalTasks::Hooks{[this] { return is_there(); }, notify, at_rest}, moved_by);
   gimbal.on_status([this, tasks, topic = topics_.of(name, "state"),
                     allow = gimbal.settings().allow](const GimbalStatus& state) {
     tasks->link_changed(state.link == GimbalLink::online);
@@ -302,50 +325,104 @@ void Broker::Impl::settle_unfinished() {
 }
 
 void Broker::Impl::take(std::vector<MqttMessage> messages) {
+  const auto arrived = GimbalTasks::Clock::now();
+  // Before the disk is asked, and before all that has come with them.
+  std::map<const Station*, std::size_t> stops;  // the last one of each gimbal
+  std::vector<const Station*> stopped(messages.size());
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    stopped[i] = stop_at_once(messages[i]);
+    if (stopped[i] != nullptr) stops[stopped[i]] = i;
+  }
   std::vector<Admitted> admitted;
   journal_.begin();
-  for (MqttMessage& message : messages) {
-    if (auto one = take_one(std::move(message))) admitted.push_back(std::move(*one));
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (stopped[i] != nullptr) continue;
+    const auto is_overtaken = [&](const Station& station) {
+      const auto found = stops.find(&station);
+      return found != stops.end() && i < found->second;
+    };
+    if (auto one = take_one(messages[i], is_overtaken)) admitted.push_back(std::move(*one));
   }
   journal_.commit();
-  for (Admitted& one : admitted) one.station->tasks->run(std::move(one.job));
+  for (Admitted& one : admitted) {
+    one.job.arrived = arrived;
+    one.station->tasks->run(std::move(one.job));
+  }
 }
 
-std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(MqttMessage message) {
+/// Stops a gimbal, whatever waits or was commanded before. Returns null if the message is no `stop`
+/// or is refused, which take_one() does.
+const Broker::Impl::Station* Broker::Impl::stop_at_once(const MqttMessage& message) {
+  const std::optional<CommandTopic> topic = topics_.command(message.topic);
+  if (!topic || topic->task != stop_task) return nullptr;
+  CommandPayload payload = addressed_payload(message);
+  try {
+    read_payload(message.payload, topics_, payload);
+    Station& station = station_for(*topic, message.is_retained);
+    Order order = read_order(stop_task, payload.parameters, {});
+    const auto done =
+        [this, gimbal = topic->gimbal, key = payload.key,
+         reply = ReplyAddress{payload.reply, payload.correlation}](const TaskOutcome& outcome) {
+          WaitingMessage result =
+              answer_to(gimbal, reply, result_json(gimbal, stop_task, key, outcome));
+          happen({.notice = {.topic = std::move(result.topic),
+                             .payload = std::move(result.payload),
+                             .correlation = std::move(result.correlation)}});
+          count(outcome.status);
+        };
+    station.tasks->run({.order = std::move(order), .done = done});
+    return &station;
+  } catch (const Refusal&) {
+    return nullptr;
+  }
+}
+
+std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(const MqttMessage& message,
+                                                             const IsOvertaken& is_overtaken) {
   for (Fence& fence : fences_) {
     if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
   }
   const std::optional<CommandTopic> topic = topics_.command(message.topic);
   if (!topic) return {};
-  CommandPayload payload;
-  payload.correlation = message.correlation.substr(0, longest_correlation);
-  if (topics_.is_reply(message.reply)) payload.reply = message.reply;
+  CommandPayload payload = addressed_payload(message);
   try {
     read_payload(message.payload, topics_, payload);
-    return admit(*topic, payload, message.is_retained);
+    Station& station = station_for(*topic, message.is_retained);
+    return admit(*topic, payload, station, is_overtaken(station));
   } catch (const Refusal& refusal) {
     refuse(*topic, payload, refusal.code(), refusal.what());
     return {};
   }
 }
 
-/// Throws Refusal.
-std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& topic,
-                                                          const CommandPayload& payload,
-                                                          bool is_retained) {
+/// With what the properties of the message say.
+CommandPayload Broker::Impl::addressed_payload(const MqttMessage& message) const {
+  CommandPayload payload;
+  payload.correlation = message.correlation.substr(0, longest_correlation);
+  if (topics_.is_reply(message.reply)) payload.reply = message.reply;
+  return payload;
+}
+
+/// Returns the one that may carry out the command. Throws Refusal.
+Broker::Impl::Station& Broker::Impl::station_for(const CommandTopic& topic, bool is_retained) {
   const auto found = stations_.find(topic.gimbal);
   if (found == stations_.end()) {
     throw Refusal("unknown_gimbal", fmt::format("the fleet has no gimbal '{}'", topic.gimbal));
   }
-  Station& station = found->second;
-  const FleetGimbal& settings = station.gimbal->settings();
-  const bool is_stop = topic.task == "stop";
+  const FleetGimbal& settings = found->second.gimbal->settings();
   // Whoever may command a gimbal may stop it.
-  if (is_stop ? settings.allow.empty() : !settings.allows(topic.task)) {
+  if (topic.task == stop_task ? settings.allow.empty() : !settings.allows(topic.task)) {
     throw Refusal("not_allowed", fmt::format("the configuration does not allow '{}' for '{}'",
                                              clipped(topic.task), topic.gimbal));
   }
   if (is_retained) throw Refusal("retained", "commands must not be retained");
+  return found->second;
+}
+
+/// Throws Refusal.
+std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& topic,
+                                                          const CommandPayload& payload,
+                                                          Station& station, bool is_overtaken) {
   const JournalCommand command{topic.gimbal,
                                payload.key,
                                topic.task + ' ' + payload_text(payload.parameters),
@@ -365,13 +442,17 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& to
     case Recognition::full: throw Refusal("overload", "too much waits for the broker");
   }
   if (is_closing_) throw Refusal("closing", "the gateway ends");
-  check_times(topic, payload);
-  Order order = read_order(topic.task, payload.parameters, settings.raw_effects);
-  if (order.moves && !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
+  check_times(payload);
+  Order order = read_order(topic.task, payload.parameters, station.gimbal->settings().raw_effects);
+  if (order.must_not_wait && is_overtaken && !order.is_urgent) {
+    throw Refusal("superseded", "a later command stops the camera");
+  }
+  if (order.must_not_wait && !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
     throw Refusal("queued", "it was published while the gateway was not connected");
   }
   const auto id = journal_.admit(command, std::chrono::system_clock::now());
   if (!id) throw Refusal("overload", "too much waits for the broker");
+  if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
   ++running_;
   const auto done = [this, id = *id, topic, key = payload.key](const TaskOutcome& outcome) {
     happen({.command = id,
@@ -381,12 +462,12 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& to
   };
   std::optional<WallTime> deadline = payload.deadline;
   if (deadline) *deadline += settings_.clock_skew;
-  return Admitted{&station, {std::move(order), deadline, done}};
+  return Admitted{&station,
+                  {.command = *id, .order = std::move(order), .deadline = deadline, .done = done}};
 }
 
 /// The clocks of senders may differ from ours by `clock_skew`. Throws Refusal.
-void Broker::Impl::check_times(const CommandTopic& topic, const CommandPayload& payload) const {
-  if (topic.task == "stop") return;
+void Broker::Impl::check_times(const CommandPayload& payload) const {
   if (payload.key.empty()) throw Refusal("invalid", "'key' is missing");
   if (!payload.deadline) throw Refusal("invalid", "'deadline' is missing");
   const auto left = *payload.deadline - std::chrono::system_clock::now();
@@ -403,18 +484,23 @@ void Broker::Impl::refuse(const CommandTopic& topic, const CommandPayload& paylo
   count("refused");
   // Only the fleet's gimbals have topics for events.
   if (payload.reply.empty() && !stations_.contains(topic.gimbal)) return;
+  if (!refusals_.take(GimbalTasks::Clock::now())) {
+    const std::scoped_lock lock(mutex_);
+    ++overflowed_;
+    return;
+  }
   answer(WaitingKind::notice, topic.gimbal, {payload.reply, payload.correlation},
          result_json(clipped(topic.gimbal), clipped(topic.task), payload.key,
                      {"refused", code, message, {}}));
 }
 
-/// Puts a result on the disk: to the address or, without one, among the events of the gimbal.
-void Broker::Impl::answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
-                          Json result) {
+/// A result: to the address or, without one, among the events of the gimbal.
+WaitingMessage Broker::Impl::answer_to(const std::string& gimbal, const ReplyAddress& address,
+                                       Json result) const {
   if (!address.correlation.empty() && is_utf8(address.correlation)) {
     result["correlation"] = address.correlation;
   }
-  WaitingMessage message{.kind = kind, .correlation = address.correlation};
+  WaitingMessage message{.correlation = address.correlation};
   if (address.topic.empty()) {
     Json event = stamped();
     event["event"] = "result";
@@ -425,6 +511,14 @@ void Broker::Impl::answer(WaitingKind kind, const std::string& gimbal, const Rep
     message.topic = address.topic;
     message.payload = payload_text(result);
   }
+  return message;
+}
+
+/// Puts a result on the disk.
+void Broker::Impl::answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
+                          Json result) {
+  WaitingMessage message = answer_to(gimbal, address, std::move(result));
+  message.kind = kind;
   journal_.put(message);
 }
 
@@ -482,7 +576,12 @@ void Broker::Impl::record_happenings() {
     if (one.command == 0) {
       journal_.put({.kind = WaitingKind::notice,
                     .topic = std::move(one.notice.topic),
-                    .payload = std::move(one.notice.payload)});
+                    .payload = std::move(one.notice.payload),
+                    .correlation = std::move(one.notice.correlation)});
+      continue;
+    }
+    if (!one.at_rest.empty()) {
+      journal_.set_at_rest(one.at_rest, one.command);
       continue;
     }
     ++ended;

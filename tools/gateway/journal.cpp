@@ -39,7 +39,12 @@ constexpr const char* journal_tables = R"(
     correlation BLOB NOT NULL
   );
   CREATE INDEX notices ON waiting (id) WHERE kind = 1;
+  CREATE TABLE moving (
+    gimbal TEXT PRIMARY KEY,
+    command INTEGER NOT NULL   -- the last one that may have set it in motion
+  ) WITHOUT ROWID;
 )";
+static_assert(static_cast<int>(WaitingKind::result) == 0);
 static_assert(static_cast<int>(WaitingKind::notice) == 1);
 
 std::int64_t milliseconds_of(Journal::Time time) {
@@ -154,6 +159,7 @@ Journal::Journal(const std::filesystem::path& file, const JournalLimits& limits)
     throw std::runtime_error(fmt::format("another process uses the journal {}", file.string()));
   }
   waiting_ = static_cast<std::size_t>(count("SELECT count(*) FROM waiting"));
+  results_ = static_cast<std::size_t>(count("SELECT count(*) FROM waiting WHERE kind = 0"));
   expected_ = static_cast<std::size_t>(count("SELECT count(*) FROM replies"));
   finished_ =
       static_cast<std::size_t>(count("SELECT count(*) FROM commands WHERE result IS NOT NULL"));
@@ -228,11 +234,37 @@ void Journal::put(const WaitingMessage& message) {
       .add_bytes(message.correlation)
       .run();
   ++waiting_;
+  if (message.kind == WaitingKind::result) ++results_;
 }
 
 void Journal::remove(std::int64_t message) {
-  Statement(*this, "DELETE FROM waiting WHERE id = ?").add(message).run();
-  waiting_ -= static_cast<std::size_t>(sqlite3_changes(database_.get()));
+  Statement removed(*this, "DELETE FROM waiting WHERE id = ? RETURNING kind");
+  removed.add(message);
+  while (removed.next()) {
+    --waiting_;
+    if (removed.integer(0) == static_cast<int>(WaitingKind::result)) --results_;
+  }
+}
+
+void Journal::set_moving(std::string_view gimbal, std::int64_t command) {
+  Statement(*this, "INSERT OR REPLACE INTO moving VALUES (?, ?)")
+      .add_text(gimbal)
+      .add(command)
+      .run();
+}
+
+void Journal::set_at_rest(std::string_view gimbal, std::int64_t command) {
+  Statement(*this, "DELETE FROM moving WHERE gimbal = ? AND command <= ?")
+      .add_text(gimbal)
+      .add(command)
+      .run();
+}
+
+std::map<std::string, std::int64_t> Journal::moving() const {
+  std::map<std::string, std::int64_t> result;
+  Statement rows(*this, "SELECT gimbal, command FROM moving");
+  while (rows.next()) result[rows.text(0)] = rows.integer(1);
+  return result;
 }
 
 std::vector<UnfinishedCommand> Journal::unfinished() const {
@@ -278,8 +310,9 @@ void Journal::forget(Time now) {
   if (finished_ < limits_.history) return;
   Statement(*this,
             "DELETE FROM commands WHERE id IN (SELECT id FROM commands WHERE result IS NOT NULL "
-            "AND received < ? ORDER BY id LIMIT ?)")
+            "AND received NOT BETWEEN ? AND ? ORDER BY id LIMIT ?)")
       .add(milliseconds_of(now - limits_.keep))
+      .add(milliseconds_of(now + limits_.keep))
       .add(static_cast<std::int64_t>(finished_ - limits_.history + 1))
       .run();
   finished_ -= static_cast<std::size_t>(sqlite3_changes(database_.get()));

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,7 +74,8 @@ struct RecognizedCommand {
 struct JournalLimits {
   std::size_t most_waiting = 10'000;  ///< messages for the broker
   std::size_t history = 10'000;       ///< finished commands whose results are kept
-  /// No finished command is forgotten before, so that a copy of it is recognized until it expires.
+  /// No finished command is forgotten before, so that a copy of it is recognized until it expires;
+  /// nor this long before it, as the clock sees it after it was set back.
   std::chrono::milliseconds keep{60'000};
 };
 
@@ -104,8 +106,15 @@ class Journal {
   /// for results: admit() refuses commands before they can be too many.
   void put(const WaitingMessage& message);
   void remove(std::int64_t message);
+  /// Remembers that a command may set its gimbal in motion.
+  void set_moving(std::string_view gimbal, std::int64_t command);
+  /// No command up to this one has left the gimbal in motion.
+  void set_at_rest(std::string_view gimbal, std::int64_t command);
 
   // At any time.
+
+  /// The gimbals that commands may have set in motion, and the last of these.
+  std::map<std::string, std::int64_t> moving() const;
 
   /// Commands that were running when the last gateway ended.
   std::vector<UnfinishedCommand> unfinished() const;
@@ -120,7 +129,8 @@ class Journal {
   class Statement;
 
   void run(const char* sql);
-  bool is_full() const noexcept { return waiting_ + expected_ >= limits_.most_waiting; }
+  /// Notices do not count: they give way to results.
+  bool is_full() const noexcept { return results_ + expected_ >= limits_.most_waiting; }
   void add_reply(std::int64_t id, const ReplyAddress& reply);
   void forget(Time now);
   std::int64_t count(const char* sql) const;
@@ -128,6 +138,7 @@ class Journal {
   JournalLimits limits_;
   std::shared_ptr<sqlite3> database_;
   std::size_t waiting_ = 0;
+  std::size_t results_ = 0;   // of these
   std::size_t expected_ = 0;  // results of running commands
   std::size_t finished_ = 0;
   std::uint64_t dropped_ = 0;

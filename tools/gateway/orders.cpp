@@ -128,7 +128,7 @@ Order read_move(const Json& object) {
   using Seconds = std::chrono::duration<double>;
   order.options.timeout = std::chrono::round<std::chrono::milliseconds>(
       Seconds(parameters.number("timeout", 30, 0.1, longest_move)));
-  return {.what = order, .moves = true};
+  return {.what = order, .must_not_wait = true};
 }
 
 Order read_speed(const Json& object) {
@@ -138,7 +138,14 @@ Order read_speed(const Json& object) {
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (speeds[i]) order.speed[i] = to_speed(*speeds[i], axis_names[i]);
   }
-  return {.what = order, .moves = true};
+  return {.what = order, .must_not_wait = true};
+}
+
+/// True for what nobody expects any more after a while.
+bool must_not_wait(Effects effects) {
+  return effects.has(Effect::moves) || effects.has(Effect::restarts) ||
+         effects.has(Effect::erases) || effects.has(Effect::disconnects) ||
+         effects.has(Effect::unknown);
 }
 
 /// Returns the order of a request with values. Throws ValueError.
@@ -147,8 +154,11 @@ Order call_of(const MessageType& type, const std::vector<Assignment>& assignment
   assign(request, assignments);
   const std::string problems = violations_of(request, newest);
   if (!problems.empty()) throw ValueError(problems);
-  const bool moves = effects_of(request).has(Effect::moves);
-  return {.what = CallOrder{std::move(request)}, .moves = moves};
+  const bool is_urgent = request.get_if<msg::MotorsOff>() != nullptr;
+  const Effects effects = effects_of(request);
+  return {.what = CallOrder{std::move(request)},
+          .must_not_wait = must_not_wait(effects),
+          .is_urgent = is_urgent};
 }
 
 Order read_motors(const Json& object) {
@@ -189,7 +199,7 @@ Order read_calibrate(const Json& object) {
     all.push_back({"action", "REGULAR"});
   }
   AnyMessage request = std::get<CallOrder>(call_of(type, all).what).request;
-  return {.what = CalibrateOrder{std::move(request)}, .moves = true};
+  return {.what = CalibrateOrder{std::move(request)}, .must_not_wait = true};
 }
 
 Order read_get(const Json& object) {
@@ -213,7 +223,7 @@ Order read_set(const Json& object) {
   const std::vector<Assignment> values = parameters.assignments("values");
   if (values.empty()) refuse_parameter("'values' is missing");
   // Parameters take effect at once, and the camera can move.
-  return {.what = SetOrder{values_of(values, false), parameters.profile()}, .moves = true};
+  return {.what = SetOrder{values_of(values, false), parameters.profile()}, .must_not_wait = true};
 }
 
 Order read_raw(const Json& object, Effects allowed) {
@@ -242,11 +252,13 @@ Order read_raw(const Json& object, Effects allowed) {
     throw Refusal("not_allowed", fmt::format("{} {}, which 'raw-effects' does not allow",
                                              type.info->name, effect_words(excess)));
   }
+  const bool is_urgent = request.get_if<msg::MotorsOff>() != nullptr;
   const bool moves = effects.has(Effect::moves) || effects.has(Effect::unknown);
   // It may be a speed, which only another request ends.
   return {.what = CallOrder{std::move(request)},
-          .moves = moves,
-          .goes_on = moves ? Order::forever : std::chrono::milliseconds(0)};
+          .must_not_wait = must_not_wait(effects),
+          .is_urgent = is_urgent,
+          .goes_on = moves && !is_urgent ? Order::forever : std::chrono::milliseconds(0)};
 }
 
 Order read_without_parameters(const Json& object, Order order) {

@@ -48,12 +48,21 @@ struct SetOrder {
 struct Order {
   std::variant<StopOrder, MoveOrder, SpeedOrder, CallOrder, CalibrateOrder, GetOrder, SetOrder>
       what{};
-  /// The camera can move, or its motors gain or lose power.
-  bool moves = false;
+  /// It happens soon or never: the camera can move, the motors gain or lose power, the board
+  /// restarts, or nobody knows.
+  bool must_not_wait = false;
+  /// It turns the motors off, so it goes before all others but `stop`.
+  bool is_urgent = false;
   /// How long what it sets in motion may go on after the response.
   std::chrono::milliseconds goes_on{0};
 
   static constexpr auto forever = std::chrono::milliseconds::max();
+
+  /// True if the camera must be stopped when nobody is there any more.
+  bool sets_in_motion() const {
+    return std::holds_alternative<MoveOrder>(what) || std::holds_alternative<SpeedOrder>(what) ||
+           goes_on.count() != 0;
+  }
 };
 
 /// Returns what the parameters of a task mean. Throws Refusal. Messages of `raw` may read and have
