@@ -199,6 +199,11 @@ def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
             assert kind == "application/json" and data == "c9"
             result = json.loads(text)
             assert result["key"] == payload["key"] and result["correlation"] == "c9"
+            # Also instead of the members: the key, and the deadline.
+            bare = say.payload(key=None, deadline=None)
+            said = "-D publish user-property key k5 -D publish message-expiry-interval 20".split()
+            say.publish("sbgc/studio/front/cmd/home", json.dumps(bare), *said)
+            assert seen.result("k5")["status"] in ("done", "failed")
             # The session lasts over the end of the gateway.
             assert gateway.end() == 0
             key = say.command("front", "raw", {"message": "GetAnglesRequest"})

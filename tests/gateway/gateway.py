@@ -31,6 +31,8 @@ class Gateway:
     """A gateway of the fleet in a text, in a folder of its own. Its metrics are at a free port if the text
     has LISTEN in their place."""
 
+    keeps_signals = False  # that Python ignores, such as SIGXFSZ
+
     def __init__(self, folder: Path, text: str) -> None:
         self.file = folder / "fleet.toml"
         self.file.write_text(text.replace("LISTEN", "127.0.0.1:0"))
@@ -42,6 +44,7 @@ class Gateway:
             [PROGRAM, "gateway", "--config", str(self.file)],
             stdout=subprocess.DEVNULL,
             stderr=self.log.open("ab"),
+            restore_signals=not self.keeps_signals,
         )
 
     @property

@@ -45,9 +45,13 @@ TEST(Topics, replies) {
   EXPECT_TRUE(topics.is_reply("sbgc/studio/reply/app/7"));
   for (const char* const topic :
        {"", "sbgc/studio/reply/", "sbgc/studio/front/cmd/move", "sbgc/studio/reply/#",
-        "sbgc/studio/reply/+", "sbgc/studio/reply/a\n", "sbgc/other/reply/app"}) {
+        "sbgc/studio/reply/+", "sbgc/studio/reply/a\n", "sbgc/other/reply/app",
+        // Brokers refuse some of Unicode, and close the connection of who publishes there.
+        "sbgc/studio/reply/\xEF\xBF\xBF"}) {
     EXPECT_FALSE(topics.is_reply(topic)) << topic;
   }
+  EXPECT_TRUE(topics.is_reply("sbgc/studio/reply" + std::string(29, '/') + 'a'));
+  EXPECT_FALSE(topics.is_reply("sbgc/studio/reply" + std::string(200, '/') + 'a'));
   EXPECT_FALSE(topics.is_reply("sbgc/studio/reply/" + std::string(300, 'a')));
 }
 
@@ -120,6 +124,14 @@ TEST(Newest, the_newest_of_each_topic_wins) {
   EXPECT_EQ(newest.take()->payload, "4");
   EXPECT_FALSE(newest.take());
   EXPECT_TRUE(newest.put("a", "5"));
+}
+
+TEST(Keys, what_is_one) {
+  EXPECT_TRUE(is_key("desk-17"));
+  EXPECT_FALSE(is_key(""));
+  EXPECT_FALSE(is_key("\n"));
+  EXPECT_FALSE(is_key("\xFF"));
+  EXPECT_FALSE(is_key(std::string(129, 'a')));
 }
 
 TEST(Allowance, it_comes_back_with_time) {

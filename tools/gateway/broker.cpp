@@ -17,6 +17,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <sbgc/parse_json.hpp>
+
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "gateway/allowance.hpp"
@@ -40,6 +42,10 @@ constexpr const char* stop_task = "stop";
 /// Messages on the way to the broker.
 constexpr std::size_t most_unacknowledged = 64;
 constexpr std::size_t most_unsent = 256;
+/// After which a message that the broker has refused, as for a quota, is published again.
+constexpr std::chrono::seconds pause_after_refusal{10};
+/// How long our own message of a fence may take.
+constexpr std::chrono::seconds fence_patience{10};
 /// Events that wait for the thread of the broker.
 constexpr std::size_t most_notices = 1'000;
 /// Refusals that are answered: garbage must not keep the disk busy.
@@ -81,6 +87,16 @@ Json result_json(const std::string& gimbal, const std::string& task, const std::
   }
   if (!outcome.result.is_null()) result["result"] = outcome.result;
   return result;
+}
+
+/// Leaves out what a result or an event reports at length; nothing if there is no such thing.
+std::optional<std::string> shortened(const std::string& payload) {
+  Json json = Json::parse(payload);
+  Json& result = json.contains("event") && json.contains("result") ? json["result"] : json;
+  const std::size_t erased = json.erase("report") + result.erase("result");
+  if (erased == 0) return {};
+  json["shortened"] = true;
+  return payload_text(json);
 }
 
 bool is_utf8(std::string_view text) {
@@ -126,6 +142,11 @@ class Broker::Impl {
     Gimbal* gimbal{};
     std::shared_ptr<GimbalTasks> tasks{};
   };
+  /// A message of the journal that the broker has not taken.
+  struct RefusedMessage {
+    MqttConnection::Clock::time_point again{};
+    std::int64_t id{};
+  };
   /// The end of a command or of a motion, or a notice, on its way to the thread of the broker.
   struct Happening {
     std::int64_t command{};  // or 0
@@ -151,11 +172,13 @@ class Broker::Impl {
   void take(std::vector<MqttMessage> messages);
   const Station* stop_at_once(const MqttMessage& message);
   std::optional<Admitted> take_one(const MqttMessage& message, const IsOvertaken& is_overtaken);
+  void check_rival(const std::string& heartbeat) const;
   CommandPayload addressed_payload(const MqttMessage& message) const;
   Station& station_for(const CommandTopic& topic, bool is_retained);
   std::optional<Admitted> admit(const CommandTopic& topic, const CommandPayload& payload,
                                 Station& station, bool is_overtaken);
   void check_times(const CommandPayload& payload) const;
+  void check_freshness(const CommandTopic& topic, const CommandPayload& payload) const;
   void refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
               const std::string& message);
   WaitingMessage answer_to(const std::string& gimbal, const ReplyAddress& address,
@@ -168,9 +191,12 @@ class Broker::Impl {
   bool idle();
   void record_happenings();
   void publish_waiting();
+  bool publish_one(const WaitingMessage& message);
+  void shorten(const WaitingMessage& message);
   void publish_states();
   bool publish_telemetry();
   void beat();
+  void watch_fences();
   void fail(const std::string& problem);
 
   // On any thread.
@@ -181,8 +207,12 @@ class Broker::Impl {
   std::string gateway_state(const char* state) const;
 
   const BrokerSettings settings_;
+  const bool has_metrics_;
   const milliseconds longest_deadline_;
   const Topics topics_;
+  const std::string heartbeat_topic_;
+  /// When this gateway began, in microseconds of Unix time; it tells gateways apart.
+  const std::int64_t instance_;
   Journal journal_;
   std::map<std::string, Station> stations_{};
   std::array<Fence, 2> fences_;
@@ -206,10 +236,14 @@ class Broker::Impl {
   // Of the thread of the broker:
   std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
   std::vector<std::int64_t> delivered_{};               // of these, acknowledged
+  std::deque<RefusedMessage> refused_{};                // of these, the others
+  std::string last_refusal_{};
   std::int64_t last_published_ = 0;
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
+  std::optional<MqttConnection::Clock::time_point> fenced_{};
   std::string last_problem_{};
+  WallTime connected_at_{};
   Allowance refusals_{refusals_per_second, most_refusals_at_once};
 
   MqttConnection mqtt_;  // last: its thread uses the others
@@ -217,8 +251,13 @@ class Broker::Impl {
 
 Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals)
     : settings_(with_client_id(fleet)),
+      has_metrics_(fleet.metrics.has_value()),
       longest_deadline_(settings_.longest_deadline),
       topics_(fleet.name),
+      heartbeat_topic_(topics_.of(gateway_level, "heartbeat")),
+      instance_(std::chrono::duration_cast<std::chrono::microseconds>(
+                    std::chrono::system_clock::now().time_since_epoch())
+                    .count()),
       journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
                                    .history = settings_.history,
                                    .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
@@ -241,11 +280,19 @@ MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
           .on_acknowledged =
               [this](int id, const std::string& refused) {
                 if (heartbeat_ == id) heartbeat_.reset();
-                if (!refused.empty()) remark("sbgc: the broker refuses a message: {}\n", refused);
+                const bool is_news = refused != std::exchange(last_refusal_, refused);
+                if (is_news && !refused.empty()) {
+                  remark("sbgc: the broker refuses messages: {}\n", refused);
+                }
                 const auto found = on_the_way_.find(id);
                 if (found == on_the_way_.end()) return;
-                ++acknowledged_;
-                delivered_.push_back(found->second);
+                if (refused.empty()) {
+                  ++acknowledged_;
+                  delivered_.push_back(found->second);
+                } else {
+                  refused_.push_back(
+                      {MqttConnection::Clock::now() + pause_after_refusal, found->second});
+                }
                 on_the_way_.erase(found);
               },
           .on_idle = [this] { return idle(); },
@@ -382,6 +429,7 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(const MqttMessage& 
   for (Fence& fence : fences_) {
     if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
   }
+  if (message.topic == heartbeat_topic_) return check_rival(message.payload), std::nullopt;
   const std::optional<CommandTopic> topic = topics_.command(message.topic);
   if (!topic) return {};
   CommandPayload payload = addressed_payload(message);
@@ -395,11 +443,33 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(const MqttMessage& 
   }
 }
 
+/// Two gateways of one fleet would carry out commands twice. The younger one ends. Heartbeats from
+/// before it began may be of its predecessor.
+void Broker::Impl::check_rival(const std::string& heartbeat) const {
+  const ParsedJson parsed = parse_json(heartbeat, {.size = longest_payload, .depth = 4});
+  if (!parsed || !parsed.value.is_object()) return;
+  const auto number = [&](const char* name) {
+    const auto found = parsed.value.find(name);
+    const bool is_number = found != parsed.value.end() && found->is_number_integer();
+    return is_number ? found->get<std::int64_t>() : 0;
+  };
+  const std::int64_t theirs = number("instance");
+  const std::int64_t time = number("time");
+  const std::int64_t skew = settings_.clock_skew.count();
+  const bool is_older = theirs > 0 && theirs < instance_;
+  const bool is_alive = time > instance_ / 1'000 + skew &&
+                        time <= unix_milliseconds(std::chrono::system_clock::now()) + skew;
+  if (!is_older || !is_alive) return;
+  throw std::runtime_error("another gateway serves this fleet; two would move its gimbals");
+}
+
 /// With what the properties of the message say.
 CommandPayload Broker::Impl::addressed_payload(const MqttMessage& message) const {
   CommandPayload payload;
   payload.correlation = message.correlation.substr(0, longest_correlation);
   if (topics_.is_reply(message.reply)) payload.reply = message.reply;
+  if (is_key(message.key)) payload.key = message.key;
+  if (message.expiry) payload.deadline = std::chrono::system_clock::now() + *message.expiry;
   return payload;
 }
 
@@ -447,9 +517,7 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::admit(const CommandTopic& to
   if (order.must_not_wait && is_overtaken && !order.is_urgent) {
     throw Refusal("superseded", "a later command stops the camera");
   }
-  if (order.must_not_wait && !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
-    throw Refusal("queued", "it was published while the gateway was not connected");
-  }
+  if (order.must_not_wait) check_freshness(topic, payload);
   const auto id = journal_.admit(command, std::chrono::system_clock::now());
   if (!id) throw Refusal("overload", "too much waits for the broker");
   if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
@@ -476,6 +544,19 @@ void Broker::Impl::check_times(const CommandPayload& payload) const {
     throw Refusal("deadline_too_far",
                   fmt::format("its deadline is more than {} s ahead",
                               std::chrono::duration<double>(longest_deadline_).count()));
+  }
+}
+
+/// Brokers keep commands while the gateway is away, and some deliver them again long afterwards.
+/// Throws Refusal.
+void Broker::Impl::check_freshness(const CommandTopic& topic, const CommandPayload& payload) const {
+  if (!payload.sent) throw Refusal("invalid", "'sent' is missing");
+  if (*payload.sent > std::chrono::system_clock::now() + settings_.clock_skew) {
+    throw Refusal("sent_in_future", "the clock of its sender is ahead");
+  }
+  if (*payload.sent < connected_at_ - settings_.clock_skew ||
+      !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
+    throw Refusal("queued", "it was published while the gateway was not connected");
   }
 }
 
@@ -526,13 +607,14 @@ void Broker::Impl::connected() {
   is_connected_ = true;
   if (!last_problem_.empty()) remark("sbgc: connected to the broker\n");
   last_problem_.clear();
-  const auto now = unix_milliseconds(std::chrono::system_clock::now());
+  connected_at_ = std::chrono::system_clock::now();
+  const auto now = unix_milliseconds(connected_at_);
   for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
   {
     const std::scoped_lock lock(mutex_);
     new_states_ = states_;
   }
-  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")});
+  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw"), heartbeat_topic_});
   mqtt_.publish({.topic = topics_.of(gateway_level, "state"),
                  .payload = gateway_state("online"),
                  .is_retained = true});
@@ -541,11 +623,13 @@ void Broker::Impl::connected() {
 void Broker::Impl::subscribed() {
   for (const Fence& fence : fences_)
     mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
+  fenced_ = MqttConnection::Clock::now();
 }
 
 void Broker::Impl::lost(const std::string& reason) {
   is_connected_ = false;
   for (Fence& fence : fences_) fence.close("");
+  fenced_.reset();
   if (reason != last_problem_) remark("sbgc: no connection to the broker: {}\n", reason);
   last_problem_ = reason;
 }
@@ -556,6 +640,7 @@ bool Broker::Impl::idle() {
   publish_waiting();
   publish_states();
   beat();
+  watch_fences();
   return publish_telemetry();
 }
 
@@ -596,20 +681,53 @@ void Broker::Impl::record_happenings() {
 }
 
 void Broker::Impl::publish_waiting() {
+  const auto now = MqttConnection::Clock::now();
+  while (!refused_.empty() && refused_.front().again <= now &&
+         on_the_way_.size() < most_unacknowledged) {
+    const std::int64_t id = refused_.front().id;
+    const std::vector<WaitingMessage> found = journal_.waiting_after(id - 1, 1);
+    // A notice may have given way.
+    const bool is_there = !found.empty() && found.front().id == id;
+    if (is_there && !publish_one(found.front())) return;
+    refused_.pop_front();
+  }
   if (on_the_way_.size() >= most_unacknowledged) return;
   for (const WaitingMessage& one :
        journal_.waiting_after(last_published_, most_unacknowledged - on_the_way_.size())) {
-    const auto id =
-        mqtt_.publish({.topic = one.topic, .payload = one.payload, .correlation = one.correlation});
-    if (!id) return;
+    if (!publish_one(one)) return;
     last_published_ = one.id;
-    if (*id == 0) {
-      remark("sbgc: the broker takes no message of {} bytes\n", one.payload.size());
-      delivered_.push_back(one.id);
-    } else {
-      on_the_way_[*id] = one.id;
-    }
   }
+}
+
+/// Returns false if it cannot be sent now.
+bool Broker::Impl::publish_one(const WaitingMessage& message) {
+  const auto id = mqtt_.publish(
+      {.topic = message.topic, .payload = message.payload, .correlation = message.correlation});
+  if (!id) return false;
+  if (*id == 0) {
+    shorten(message);
+  } else {
+    on_the_way_[*id] = message.id;
+  }
+  return true;
+}
+
+/// The broker never takes it as it is.
+void Broker::Impl::shorten(const WaitingMessage& message) {
+  remark("sbgc: the broker takes no message of {} bytes to {}\n", message.payload.size(),
+         message.topic);
+  journal_.begin();
+  journal_.remove(message.id);
+  if (auto payload = shortened(message.payload)) {
+    WaitingMessage rest = message;
+    rest.payload = *std::move(payload);
+    journal_.put(rest);
+  } else {
+    const std::scoped_lock lock(mutex_);
+    ++overflowed_;
+  }
+  journal_.commit();
+  waiting_ = journal_.waiting();
 }
 
 void Broker::Impl::publish_states() {
@@ -628,7 +746,7 @@ void Broker::Impl::publish_states() {
 /// Returns true if some is left.
 bool Broker::Impl::publish_telemetry() {
   constexpr std::chrono::seconds lifetime{10};
-  while (mqtt_.unsent() < most_unsent) {
+  while (mqtt_.can_publish() && mqtt_.unsent() < most_unsent) {
     std::optional<Newest::Entry> sample = telemetry_.take();
     if (!sample) return false;
     mqtt_.publish({.topic = std::move(sample->topic),
@@ -636,7 +754,7 @@ bool Broker::Impl::publish_telemetry() {
                    .quality = 0,
                    .expiry = lifetime});
   }
-  return true;
+  return mqtt_.can_publish();
 }
 
 /// A message that the broker must acknowledge shows that it is there; it also carries figures.
@@ -644,18 +762,33 @@ void Broker::Impl::beat() {
   const auto now = MqttConnection::Clock::now();
   if (heartbeat_ || now < last_beat_ + settings_.stop_after / 4) return;
   last_beat_ = now;
-  heartbeat_ = mqtt_.publish(
-      {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});
+  heartbeat_ = mqtt_.publish({.topic = heartbeat_topic_, .payload = gateway_state("online")});
 }
 
+/// Who may command, but not read the topic of a fence, would wonder why nothing moves.
+void Broker::Impl::watch_fences() {
+  if (!fenced_ || MqttConnection::Clock::now() < *fenced_ + fence_patience) return;
+  fenced_.reset();
+  for (const Fence& fence : fences_) {
+    if (fence.is_open()) continue;
+    remark(
+        "sbgc: warning: motion is refused, because the broker has not returned a message to {}: "
+        "the gateway must be allowed to write and to read it\n",
+        fence.topic());
+  }
+}
+
+/// The metrics go on. The gimbals that move stop, because the broker is gone.
 void Broker::Impl::fail(const std::string& problem) {
   is_connected_ = false;
-  remark("sbgc: the gateway ends: {}\n", problem);
+  remark("sbgc: {}: {}\n",
+         has_metrics_ ? "nothing goes to the broker or comes from it any more" : "the gateway ends",
+         problem);
   {
     const std::scoped_lock lock(mutex_);
     failure_ = problem;
   }
-  ::kill(::getpid(), SIGTERM);
+  if (!has_metrics_) ::kill(::getpid(), SIGTERM);
 }
 
 void Broker::Impl::happen(Happening happening) {
@@ -693,6 +826,7 @@ std::string Broker::Impl::gateway_state(const char* state) const {
   const Statistics figures = statistics();
   Json json = stamped();
   json["state"] = state;
+  json["instance"] = instance_;
   json["waiting"] = figures.waiting;
   json["most_waiting"] = figures.most_waiting;
   json["dropped"] = figures.dropped;
@@ -712,7 +846,8 @@ void Broker::Impl::close() {
   const auto at_rest = std::make_shared<std::atomic<std::size_t>>(0);
   for (auto& [name, station] : stations_) station.tasks->shut_down([at_rest] { ++*at_rest; });
   const StopOptions stopping;
-  wait_until([&] { return *at_rest == stations_.size() && running_ == 0; },
+  const bool has_failed = !failure().empty();  // then nobody counts what ends
+  wait_until([&] { return *at_rest == stations_.size() && (has_failed || running_ == 0); },
              stopping.timeout + std::chrono::seconds(1));
   set_state(topics_.of(gateway_level, "state"), gateway_state("offline"));
   wait_until([&] { return !is_connected_ || waiting_ == 0; }, std::chrono::seconds(2));
@@ -726,6 +861,7 @@ Broker::Statistics Broker::Impl::statistics() const {
     return found == ended_.end() ? std::uint64_t{0} : found->second;
   };
   return {.is_connected = is_connected_,
+          .has_failed = !failure_.empty(),
           .thinned = telemetry_.thinned(),
           .dropped = dropped_,
           .acknowledged = acknowledged_,

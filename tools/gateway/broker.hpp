@@ -19,6 +19,7 @@ class Broker {
  public:
   struct Statistics {
     bool is_connected{};
+    bool has_failed{};             ///< see failure()
     std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
     std::uint64_t dropped{};       ///< events and refusals for which there was no room
     std::uint64_t acknowledged{};  ///< messages with quality 1
@@ -43,8 +44,8 @@ class Broker {
   void close();
 
   Statistics statistics() const;
-  /// Why the gateway cannot go on, such as a full disk; it has asked the process to end. "" if it
-  /// can.
+  /// Why this half cannot go on, such as a full disk; without metrics, it has asked the process to
+  /// end. "" if it can.
   std::string failure() const;
 
  private:

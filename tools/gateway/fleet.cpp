@@ -9,6 +9,7 @@
 #include <sbgc/detail/suggestions.hpp>
 
 #include "command/command_error.hpp"
+#include "command/duration.hpp"
 #include "values/effect_text.hpp"
 
 namespace sbgc::tools {
@@ -21,6 +22,10 @@ constexpr std::array<std::string_view, 2> reserved_names{"gateway", "reply"};
 constexpr double slowest_telemetry = 0.02;
 constexpr double fastest_telemetry = 1000;
 constexpr double most_kept = 1e7;
+constexpr std::chrono::seconds longest_keep_alive{65'535};  // of MQTT
+constexpr std::chrono::seconds longest_clock_skew{60};
+constexpr std::chrono::seconds longest_stop_after{60};
+constexpr std::chrono::hours farthest_deadline{24};
 constexpr std::uint16_t mqtt_port = 1883;
 constexpr std::uint16_t mqtt_tls_port = 8883;
 
@@ -188,13 +193,20 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
   if (!broker.password_file.empty() && broker.user.empty()) {
     section.reject("password-file", "a password needs a user: add user = \"…\"");
   }
-  const auto read_time = [&](const char* key, std::chrono::milliseconds& into) {
-    if (const auto time = section.duration(key)) into = *time;
+  const auto read_time = [&](const char* key, std::chrono::seconds longest,
+                             std::chrono::milliseconds& into) {
+    const auto time = section.duration(key);
+    if (!time) return;
+    if (*time > longest) {
+      section.reject(key, fmt::format("'{}' is {}; it can be at most {}", key,
+                                      duration_text(*time), duration_text(longest)));
+    }
+    into = *time;
   };
-  read_time("keep-alive", broker.keep_alive);
-  read_time("clock-skew", broker.clock_skew);
-  read_time("stop-after", broker.stop_after);
-  read_time("longest-deadline", broker.longest_deadline);
+  read_time("keep-alive", longest_keep_alive, broker.keep_alive);
+  read_time("clock-skew", longest_clock_skew, broker.clock_skew);
+  read_time("stop-after", longest_stop_after, broker.stop_after);
+  read_time("longest-deadline", farthest_deadline, broker.longest_deadline);
   const auto read_count = [&](const char* key, std::size_t& into) {
     if (const auto count = section.number(key, 1, most_kept)) {
       into = static_cast<std::size_t>(*count);

@@ -52,8 +52,8 @@ void wait_for_signal() {
   while (!was_interrupted()) ::poll(&signal, 1, -1);
 }
 
-/// Serves the fleet until a signal comes, or the broker's half cannot go on.
-int serve_fleet(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
+/// Serves the fleet until a signal comes, or neither half can go on.
+int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
   remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
   const Interruption interruption;
@@ -73,6 +73,7 @@ int serve_fleet(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& 
   metrics.reset();
   if (broker) broker->close();
   for (const auto& gimbal : gimbals) gimbal->close();
+  io.finish();  // what still completes uses the broker and the gimbals
   return broker && !broker->failure().empty() ? failure : success;
 }
 
@@ -93,7 +94,7 @@ int run_gateway(const GatewayOptions& options) {
     remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
     return success;
   }
-  return serve_fleet(fleet, gimbals);
+  return serve_fleet(io, fleet, gimbals);
 }
 
 }  // namespace
@@ -111,8 +112,8 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
       "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
       "\n"
-      "The exit status is 0 if a signal ended it, 1 if the file is wrong or it could not begin, 2 "
-      "for wrong usage.");
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or the "
+      "broker's half has failed, 2 for wrong usage.");
   command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);
 }

@@ -63,9 +63,10 @@ Io::Io(unsigned threads)
   for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { context_.run(); });
 }
 
-Io::~Io() {
+void Io::finish() {
   work_.reset();
   for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
 }
 
 /// Everything but the functions for any thread runs on the strand.
@@ -100,6 +101,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
   /// Waits until no handler runs any more.
   void close() {
+    if (std::exchange(is_closed_, true)) return;
     std::promise<void> done;
     asio::post(strand_, [this, &done] {
       is_closing_ = true;
@@ -305,6 +307,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   Subscription notices_{};
   std::vector<std::unique_ptr<RunningTelemetry>> telemetry_{};
   bool is_closing_ = false;
+  bool is_closed_ = false;  // of the thread that closes
 
   mutable std::mutex mutex_;
   GimbalStatus status_{};

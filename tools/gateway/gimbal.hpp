@@ -29,8 +29,11 @@ class Io {
   explicit Io(unsigned threads);
   Io(const Io&) = delete;
   Io& operator=(const Io&) = delete;
-  /// Waits until nothing is left to do: everything that uses the executor must be closed before.
-  ~Io();
+  ~Io() { finish(); }
+
+  /// Waits until nothing is left to do, and ends the threads: everything that uses the executor must
+  /// be closed before.
+  void finish();
 
   asio::any_io_executor executor() { return context_.get_executor(); }
 
@@ -103,8 +106,9 @@ class Gimbal {
   void on_event(OnEvent handler);
 
   void start();
-  /// Closes the line; handlers do not run afterwards. Any thread but those of Io, as for the
-  /// destructor, which also waits for a line that is being opened.
+  /// Closes the line; handlers do not run afterwards, but what was begun with client() completes
+  /// until Io::finish() returns. Any thread but those of Io, as for the destructor, which also waits
+  /// for a line that is being opened.
   void close();
 
   // On any thread.

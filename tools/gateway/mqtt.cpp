@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "board/password.hpp"
+#include "gateway/payload.hpp"
 
 namespace sbgc::tools {
 
@@ -30,6 +31,12 @@ constexpr milliseconds mqtt_turn{100};
 constexpr std::chrono::seconds mqtt_patience{10};
 constexpr milliseconds first_mqtt_pause{250};
 constexpr milliseconds longest_mqtt_pause{4'000};
+/// Of the ids of messages, the largest; 1 follows.
+constexpr int last_mqtt_id = 65'535;
+/// What one batch of messages may hold.
+constexpr std::size_t most_arrived_bytes = std::size_t{1} << 20U;
+/// Of a packet for us, with MQTT 5: the payload, a topic and properties.
+constexpr std::uint32_t longest_packet = 2 * longest_payload;
 
 /// The library needs this once, before anything else.
 void initialize_mqtt() {
@@ -80,6 +87,30 @@ std::string bytes_property(const mosquitto_property* properties, int identifier)
   return result;
 }
 
+/// The value of the user property of this name; "" if there is none.
+std::string user_property(const mosquitto_property* properties, std::string_view wanted) {
+  std::string result;
+  char* name = nullptr;
+  char* value = nullptr;
+  bool skips_first = false;
+  while ((properties = mosquitto_property_read_string_pair(
+              properties, MQTT_PROP_USER_PROPERTY, &name, &value, skips_first)) != nullptr) {
+    if (name == wanted && result.empty()) result = value;
+    std::free(name);   // NOLINT: the library has allocated it
+    std::free(value);  // NOLINT: the same
+    skips_first = true;
+  }
+  return result;
+}
+
+std::optional<std::chrono::seconds> expiry_property(const mosquitto_property* properties) {
+  std::uint32_t seconds = 0;
+  const bool is_there = mosquitto_property_read_int32(properties, MQTT_PROP_MESSAGE_EXPIRY_INTERVAL,
+                                                      &seconds, false) != nullptr;
+  if (!is_there) return {};
+  return std::chrono::seconds(seconds);
+}
+
 bool is_readable(int socket) {
   pollfd one{socket, POLLIN, 0};
   return ::poll(&one, 1, 0) > 0;
@@ -108,19 +139,28 @@ struct MqttConnection::Callbacks {
                       const mosquitto_property* properties) {
     MqttMessage taken{.topic = message->topic, .is_retained = message->retain};
     if (message->payloadlen > 0) {
-      taken.payload.assign(static_cast<const char*>(message->payload),
-                           static_cast<std::size_t>(message->payloadlen));
+      // One byte too many shows that it is too long.
+      taken.payload.assign(
+          static_cast<const char*>(message->payload),
+          std::min(static_cast<std::size_t>(message->payloadlen), longest_payload + 1));
     }
     if (properties != nullptr) {
       taken.reply = text_property(properties, MQTT_PROP_RESPONSE_TOPIC);
       taken.correlation = bytes_property(properties, MQTT_PROP_CORRELATION_DATA);
+      taken.key = user_property(properties, "key");
+      taken.expiry = expiry_property(properties);
     }
-    of(user).arrived_.push_back(std::move(taken));
+    MqttConnection& self = of(user);
+    self.arrived_bytes_ += taken.payload.size();
+    self.arrived_.push_back(std::move(taken));
   }
   static void published(mosquitto* /*connection*/, void* user, int id, int code,
                         const mosquitto_property* /*properties*/) {
     MqttConnection& self = of(user);
-    if (self.unsent_.erase(id) != 0) return;
+    if (self.unacknowledged_.erase(id) == 0) {
+      self.unsent_.erase(id);
+      return;
+    }
     constexpr int first_failure = 0x80;
     self.handlers_.on_acknowledged(id, code < first_failure ? "" : mosquitto_reason_string(code));
   }
@@ -215,12 +255,19 @@ void MqttConnection::subscribe(const std::vector<std::string>& filters) {
   std::vector<char*> texts;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library only reads them
   for (const std::string& one : filters) texts.push_back(const_cast<char*>(one.c_str()));
-  mosquitto_subscribe_multiple(connection_.get(), nullptr, static_cast<int>(texts.size()),
-                               texts.data(), 1, 0, nullptr);
+  // With MQTT 3.1.1, a retained message has its mark only for those who subscribe later.
+  const int options = settings_.is_mqtt_5 ? MQTT_SUB_OPT_RETAIN_AS_PUBLISHED : 0;
+  mosquitto_subscribe_multiple(connection_.get(), &last_id_, static_cast<int>(texts.size()),
+                               texts.data(), 1, options, nullptr);
+}
+
+bool MqttConnection::can_publish() const noexcept {
+  const int next = last_id_ % last_mqtt_id + 1;
+  return is_connected_ && !unsent_.contains(next) && !unacknowledged_.contains(next);
 }
 
 std::optional<int> MqttConnection::publish(const MqttPublication& message) {
-  if (!is_connected_) return {};
+  if (!can_publish()) return {};
   Properties properties;
   if (settings_.is_mqtt_5) {
     mosquitto_property_add_byte(properties.add(), MQTT_PROP_PAYLOAD_FORMAT_INDICATOR, 1);
@@ -239,9 +286,13 @@ std::optional<int> MqttConnection::publish(const MqttPublication& message) {
   const int status = mosquitto_publish_v5(
       connection_.get(), &id, message.topic.c_str(), static_cast<int>(message.payload.size()),
       message.payload.data(), message.quality, message.is_retained, properties.get());
-  if (status == MOSQ_ERR_OVERSIZE_PACKET || status == MOSQ_ERR_PAYLOAD_SIZE) return 0;
+  if (status == MOSQ_ERR_OVERSIZE_PACKET || status == MOSQ_ERR_PAYLOAD_SIZE ||
+      status == MOSQ_ERR_INVAL || status == MOSQ_ERR_MALFORMED_UTF8) {
+    return 0;
+  }
   if (status != MOSQ_ERR_SUCCESS) return {};
-  if (message.quality == 0) unsent_.insert(id);
+  last_id_ = id;
+  (message.quality == 0 ? unsent_ : unacknowledged_).insert(id);
   return id;
 }
 
@@ -250,6 +301,7 @@ void MqttConnection::run() {
     serve();
   } catch (const std::exception& error) {
     handlers_.on_failure(error.what());
+    connection_.reset();
   }
 }
 
@@ -292,6 +344,7 @@ std::string MqttConnection::connect() {
     Properties properties;
     constexpr std::uint32_t never = 0xFFFFFFFF;
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_SESSION_EXPIRY_INTERVAL, never);
+    mosquitto_property_add_int32(properties.add(), MQTT_PROP_MAXIMUM_PACKET_SIZE, longest_packet);
     status = mosquitto_connect_bind_v5(connection_.get(), address.host.c_str(), address.port,
                                        keep_alive, nullptr, properties.get());
   } else {
@@ -316,6 +369,7 @@ std::string MqttConnection::turn() {
   const bool can_read = (waiting[0].revents & ~POLLOUT) != 0;
   std::string problem = can_read ? read() : "";
   // They are on the disk before the acknowledgments, which the library has queued, are written.
+  arrived_bytes_ = 0;
   if (!arrived_.empty()) handlers_.on_messages(std::exchange(arrived_, {}));
   has_more_ = handlers_.on_idle();
   if (!problem.empty()) return problem;
@@ -338,7 +392,7 @@ std::string MqttConnection::read() {
     if (status != MOSQ_ERR_SUCCESS) return mqtt_error(status);
     last_heard_ = Clock::now().time_since_epoch().count();
     const int socket = mosquitto_socket(connection_.get());
-    if (socket < 0 || !is_readable(socket)) break;
+    if (socket < 0 || arrived_bytes_ > most_arrived_bytes || !is_readable(socket)) break;
   }
   return "";
 }

@@ -20,13 +20,15 @@ struct mosquitto;
 
 namespace sbgc::tools {
 
-/// A message for us.
+/// A message for us. The members after is_retained are of MQTT 5, and empty if there are none.
 struct MqttMessage {
   std::string topic{};
-  std::string payload{};
+  std::string payload{};  ///< not more than longest_payload + 1 bytes of it
   bool is_retained = false;
-  std::string reply{};        ///< of MQTT 5; "" if there is none
-  std::string correlation{};  ///< the same
+  std::string reply{};
+  std::string correlation{};
+  std::string key{};  ///< of idempotence: the user property "key"
+  std::optional<std::chrono::seconds> expiry{};
 };
 
 /// A message of ours. MQTT 3.1.1 has no place for the last two.
@@ -53,13 +55,14 @@ class MqttConnection {
     std::function<void(const std::string& reason)> on_lost{};
     /// The broker has answered a subscribe().
     std::function<void()> on_subscribed{};
-    /// A message with quality 1 is acknowledged. `refused` says why the broker refused it, or is
-    /// "".
+    /// A message with quality 1 is acknowledged. `refused` says why the broker did not take it, or
+    /// is "". The library does not send it again.
     std::function<void(int id, const std::string& refused)> on_acknowledged{};
     /// There is time: after anything else, and several times a second. Returns true if there is
     /// more to do as soon as the socket has taken what was published.
     std::function<bool()> on_idle{};
-    /// A handler has thrown this. The thread ends, and acknowledges nothing more.
+    /// A handler has thrown this. The thread ends: it acknowledges nothing more, and breaks the
+    /// connection, so that the broker publishes the will.
     std::function<void(const std::string& problem)> on_failure{};
   };
 
@@ -87,10 +90,13 @@ class MqttConnection {
 
   bool is_connected() const noexcept { return is_connected_; }
   void subscribe(const std::vector<std::string>& filters);
-  /// Returns the id of the message; 0 if it is too large for the broker; nothing if it cannot be
-  /// sent now. A message with quality 1 that has an id is sent again after the connection was lost,
+  /// Returns the id of the message; 0 if it is too large for the broker, or its topic cannot be one;
+  /// nothing if it cannot be sent now. A message with quality 1 that has an id is sent again after the connection was lost,
   /// until it is acknowledged.
   std::optional<int> publish(const MqttPublication& message);
+  /// True if publish() has an id. There are 65,535, for both qualities, and the next one can still
+  /// belong to a message that the broker has not acknowledged.
+  bool can_publish() const noexcept;
   /// Messages with quality 0 that the socket has not taken yet.
   std::size_t unsent() const noexcept { return unsent_.size(); }
 
@@ -125,7 +131,10 @@ class MqttConnection {
   bool has_more_ = false;  // to do
   std::string refusal_{};  // of the broker
   std::vector<MqttMessage> arrived_{};
-  std::unordered_set<int> unsent_{};
+  std::size_t arrived_bytes_ = 0;
+  int last_id_ = 0;
+  std::unordered_set<int> unsent_{};          // ids of messages with quality 0
+  std::unordered_set<int> unacknowledged_{};  // the same with quality 1
   Clock::time_point begun_{};  // of the attempt
 };
 

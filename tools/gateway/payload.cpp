@@ -26,6 +26,10 @@ bool is_plain_text(std::string_view text) {
   return is_plain;
 }
 
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
+}
+
 std::string text_member(const Json& value, const std::string& name, std::size_t longest) {
   if (!value.is_string()) throw Refusal("invalid", fmt::format("'{}' must be a string", name));
   const auto text = value.get<std::string>();
@@ -36,13 +40,13 @@ std::string text_member(const Json& value, const std::string& name, std::size_t 
   return text;
 }
 
-CommandPayload::Time time_member(const Json& value) {
+CommandPayload::Time time_member(const Json& value, const std::string& name) {
   using std::chrono::milliseconds;
   // What the clock can hold.
   constexpr std::int64_t most =
       std::chrono::duration_cast<milliseconds>(CommandPayload::Time::duration::max()).count();
   if (!value.is_number_integer() || value < 0 || value > most) {
-    throw Refusal("invalid", "'deadline' must be Unix time in milliseconds");
+    throw Refusal("invalid", fmt::format("'{}' must be Unix time in milliseconds", name));
   }
   return CommandPayload::Time(milliseconds(value.get<std::int64_t>()));
 }
@@ -57,12 +61,16 @@ void read_member(const std::string& name, const Json& value, const Topics& topic
   } else if (name == "reply") {
     const std::string reply = text_member(value, name, longest_reply);
     if (!topics.is_reply(reply)) {
-      throw Refusal("invalid", fmt::format("'reply' must be a topic below {}, without wildcards",
-                                           topics.of("reply", "")));
+      throw Refusal("invalid",
+                    fmt::format("'reply' must be a topic below {}, of at most {} levels in ASCII, "
+                                "without wildcards",
+                                topics.of("reply", ""), most_reply_levels));
     }
     payload.reply = reply;
   } else if (name == "deadline") {
-    payload.deadline = time_member(value);
+    payload.deadline = time_member(value, name);
+  } else if (name == "sent") {
+    payload.sent = time_member(value, name);
   } else if (name == "parameters") {
     if (!value.is_object()) throw Refusal("invalid", "'parameters' must be an object");
     payload.parameters = value;
@@ -91,7 +99,12 @@ std::optional<CommandTopic> Topics::command(std::string_view topic) const {
 bool Topics::is_reply(std::string_view topic) const {
   const std::string box = of("reply", "");
   return topic.size() > box.size() && topic.size() <= longest_reply && topic.starts_with(box) &&
-         topic.find_first_of("+#") == std::string_view::npos && is_plain_text(topic);
+         topic.find_first_of("+#") == std::string_view::npos && is_ascii(topic) &&
+         std::ranges::count(topic, '/') < static_cast<std::ptrdiff_t>(most_reply_levels);
+}
+
+bool is_key(std::string_view text) {
+  return !text.empty() && text.size() <= longest_key && is_plain_text(text);
 }
 
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload) {

@@ -26,6 +26,7 @@ inline constexpr int payload_version = 1;
 inline constexpr std::size_t longest_payload = 65'536;
 inline constexpr std::size_t longest_key = 128;    ///< of idempotence
 inline constexpr std::size_t longest_reply = 256;  ///< topic
+inline constexpr std::size_t most_reply_levels = 32;
 inline constexpr std::size_t longest_correlation = 128;
 
 /// Why a command is refused: a word for programs and a sentence for people.
@@ -55,7 +56,7 @@ class Topics {
   }
   /// Returns what a topic commands; nothing if it is not one of commands.
   std::optional<CommandTopic> command(std::string_view topic) const;
-  /// True if results may go there.
+  /// True if results may go there: what every broker takes as a topic.
   bool is_reply(std::string_view topic) const;
 
  private:
@@ -69,9 +70,13 @@ struct CommandPayload {
   std::string key{};
   std::string reply{};
   std::string correlation{};
+  std::optional<Time> sent{};
   std::optional<Time> deadline{};
   Json parameters = Json::object();
 };
+
+/// True if it can be a key of idempotence.
+bool is_key(std::string_view text);
 
 /// Reads into `payload`, so that what comes before a problem is known. Throws Refusal.
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload);

@@ -205,17 +205,24 @@ Json command_schema(std::string_view task) {
   Json parameters = parameters_schema(task);
   std::vector<std::string> required{"version"};
   if (task != "stop") required.insert(required.end(), {"key", "deadline"});
+  // Of `raw`, some messages need it.
+  if (task != "stop" && task != "get" && task != "raw") required.emplace_back("sent");
   if (parameters.contains("oneOf") || !parameters["required"].empty()) {
     required.emplace_back("parameters");
   }
   return object_schema(
       {{"version", version_schema()},
        {"key", short_text(longest_key)},
+       {"sent", time_schema("Unix time in milliseconds, at which it was sent")},
        {"deadline", time_schema("Unix time in milliseconds, before which it must begin")},
        {"reply", short_text(longest_reply)},
        {"correlation", short_text(longest_correlation)},
        {"parameters", std::move(parameters)}},
       required);
+}
+
+Json shortened_schema() {
+  return {{"const", true}, {"description", "The whole was too large for the broker"}};
 }
 
 Json result_schema() {
@@ -229,6 +236,7 @@ Json result_schema() {
       object_schema({{"code", text_schema()}, {"message", text_schema()}}, {"code", "message"});
   properties["result"] = {{"type", "object"}};
   properties["repeated"] = {{"const", true}};
+  properties["shortened"] = shortened_schema();
   return object_schema(std::move(properties), {"version", "time", "gimbal", "task", "status"});
 }
 
@@ -251,6 +259,7 @@ Json gateway_state_schema() {
   for (const char* const name : {"waiting", "most_waiting", "dropped", "thinned"}) {
     properties[name] = {{"type", "integer"}, {"minimum", 0}};
   }
+  properties["instance"] = time_schema("Unix time in microseconds, at which the gateway began");
   return object_schema(std::move(properties), {"version", "state"});
 }
 
@@ -260,6 +269,7 @@ Json event_schema() {
   properties["message"] = text_schema();
   properties["report"] = messages_schema({}, {"message", "fields"}, is_from_board);
   properties["result"] = reference_to("result");
+  properties["shortened"] = shortened_schema();
   return object_schema(std::move(properties), {"version", "time", "event"});
 }
 
