@@ -72,7 +72,10 @@ def studio_(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
     seen = Subscriber(broker.port)
     with emulated_gimbal("--verbose") as front, emulated_gimbal() as rear:
         text = FLEET.format(
-            port=broker.port, front=front.address, rear=rear.address, broker="stop-after = 1\n"
+            port=broker.port,
+            front=front.address,
+            rear=rear.address,
+            broker="stop-after = 1\n",
         )
         with running_gateway(folder, text) as gateway:
             wait_for_gimbal(seen)
@@ -125,7 +128,11 @@ def test_what_is_published_fits_the_schema(studio: Studio) -> None:
         ("home", None),
     ]:
         check(f"command.{task}", studio.say.payload(parameters))
-    for task, parameters in [("move", {"angles": {"pan": 3}}), ("speed", None), ("raw", {})]:
+    for task, parameters in [
+        ("move", {"angles": {"pan": 3}}),
+        ("speed", None),
+        ("raw", {}),
+    ]:
         with pytest.raises(jsonschema.ValidationError):
             check(f"command.{task}", studio.say.payload(parameters))
 
@@ -173,6 +180,9 @@ def test_commands_are_refused(studio: Studio) -> None:
     assert studio.refusal("menu", {"action": "dance"}) == "invalid"
     assert studio.refusal("raw", {"message": "GetAngles"}) == "invalid"
     assert studio.refusal("move", angles, deadline=None) == "invalid"
+    assert studio.refusal("move", angles, sent=None) == "invalid"
+    assert studio.refusal("move", angles, sent=now() - 600_000) == "queued"
+    assert studio.refusal("move", angles, sent=now() + 600_000) == "sent_in_future"
     assert studio.refusal("move", angles, deadline=now() - 60_000) == "expired"
     assert studio.refusal("move", angles, deadline=now() + 600_000) == "deadline_too_far"
     assert studio.refusal("move", angles, version=2) == "version"
@@ -265,7 +275,9 @@ def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> N
     moves = studio.say.command("front", "move", {"angles": {"pitch": 20}})
     reads = studio.say.command("front", "raw", {"message": "GetAnglesRequest"})
     studio.say.publish(
-        "sbgc/studio/front/cmd/home", json.dumps(studio.say.payload(key="retained")), "-r"
+        "sbgc/studio/front/cmd/home",
+        json.dumps(studio.say.payload(key="retained")),
+        "-r",
     )
     studio.gateway.restart()
     assert studio.seen.result(moves)["error"]["code"] == "queued"

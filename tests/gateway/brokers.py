@@ -171,7 +171,16 @@ class Commander:
     """Publishes commands."""
 
     def __init__(self, port: int, fleet: str = "studio", *options: str) -> None:
-        self.base = ["mosquitto_pub", "-h", "127.0.0.1", "-p", str(port), "-q", "1", *options]
+        self.base = [
+            "mosquitto_pub",
+            "-h",
+            "127.0.0.1",
+            "-p",
+            str(port),
+            "-q",
+            "1",
+            *options,
+        ]
         self.fleet = fleet
         self.count = 0
 
@@ -203,6 +212,7 @@ class Commander:
         payload: dict[str, Any] = {
             "version": 1,
             "key": f"key-{self.count}",
+            "sent": now(),
             "deadline": now() + 20_000,
             "reply": f"sbgc/{self.fleet}/reply/test",
         }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import socket
 import threading
 import time
@@ -124,10 +123,6 @@ class Stage:
     def stands(self) -> bool:
         return self.speed() == 0
 
-    def listen_again(self) -> None:
-        self.seen.close()
-        self.seen = Subscriber(self.broker.port)
-
 
 @pytest.fixture(name="stage")
 def stage_(tmp_path: Path) -> Iterator[Stage]:
@@ -181,9 +176,7 @@ def test_garbage_does_not_delay_a_stop(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("task, parameters", [("move", FAR), ("raw", TURN)])
-def test_a_line_that_comes_back_stops_the_motion(
-    stage: Stage, task: str, parameters: Any
-) -> None:
+def test_a_line_that_comes_back_stops_the_motion(stage: Stage, task: str, parameters: Any) -> None:
     with running_gateway(stage.folder, stage.fleet()) as gateway:
         stage.motors_on()
         key = stage.say.command("front", task, parameters)
@@ -196,23 +189,23 @@ def test_a_line_that_comes_back_stops_the_motion(
         stage.line.is_up = True
         eventually(lambda: stage.online() > before)
         eventually(stage.stands)
-        assert "line was lost" in eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
+        assert (
+            "line was lost"
+            in eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
+        )
         assert gateway.end() == 0
 
 
 def test_a_broker_that_is_gone_while_the_line_is_lost(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()):
         start_turning(stage)
-        before = stage.online()
         stage.line.cut()
         stage.broker.kill()
-        time.sleep(2)
+        time.sleep(2)  # longer than stop-after
         stage.broker.start()
-        stage.listen_again()
+        assert stage.turns()
         stage.line.is_up = True
         eventually(stage.stands)
-        eventually(stage.online)
-        assert before
 
 
 def test_a_gateway_that_was_killed_stops_the_motion(stage: Stage) -> None:
@@ -280,3 +273,24 @@ def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
             time.sleep(1)  # longer than the speed lasts
             assert stage.turns()
             assert stage.result("stop")["status"] == "done"
+
+
+def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
+    """MQTT 5 shows it. Without it, a broker would move the camera again after each connection."""
+    with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
+        stage.motors_on()
+        key = stage.say.command("front", "move", FAR, options=("-V", "5", "-r"))
+        assert stage.seen.result(key)["error"]["code"] == "retained"
+        stage.say.remove_retained("sbgc/studio/front/cmd/move")
+
+
+def test_a_second_gateway_of_a_fleet_ends(stage: Stage) -> None:
+    other = stage.folder / "other"
+    other.mkdir()
+    with running_gateway(stage.folder, stage.fleet()) as first:
+        stage.motors_on()
+        with running_gateway(other, stage.fleet()) as second:
+            assert second.process.wait(60) == 1
+            assert "another gateway serves this fleet" in second.log.read_text()
+        assert first.process.poll() is None
+        eventually(lambda: stage.result("motors", {"on": True})["status"] == "done")
