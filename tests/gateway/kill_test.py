@@ -1,4 +1,4 @@
-"""`kill -9` of a gateway: no command is carried out twice, and none is without a result.
+"""`kill -9` of a gateway on mosquitto: no command plays its tones twice, and none is without a result.
 `./dev test gateway --long` kills 100 times."""
 
 from __future__ import annotations

@@ -75,7 +75,8 @@ class Publisher {
  public:
   static constexpr int last_id = 65'535;
 
-  explicit Publisher(std::uint16_t port) : connection_(settings(port), {.topic = "will"}, handlers()) {
+  explicit Publisher(std::uint16_t port)
+      : connection_(settings(port), {.topic = "will"}, handlers()) {
     connection_.start();
   }
 

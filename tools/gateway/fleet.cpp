@@ -198,8 +198,8 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
     const auto time = section.duration(key);
     if (!time) return;
     if (*time > longest) {
-      section.reject(key, fmt::format("'{}' is {}; it can be at most {}", key,
-                                      duration_text(*time), duration_text(longest)));
+      section.reject(key, fmt::format("'{}' is {}; it can be at most {}", key, duration_text(*time),
+                                      duration_text(longest)));
     }
     into = *time;
   };

@@ -112,7 +112,8 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
       "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
       "\n"
-      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or the "
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or "
+      "the "
       "broker's half has failed, 2 for wrong usage.");
   command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);

@@ -31,8 +31,8 @@ class Io {
   Io& operator=(const Io&) = delete;
   ~Io() { finish(); }
 
-  /// Waits until nothing is left to do, and ends the threads: everything that uses the executor must
-  /// be closed before.
+  /// Waits until nothing is left to do, and ends the threads: everything that uses the executor
+  /// must be closed before.
   void finish();
 
   asio::any_io_executor executor() { return context_.get_executor(); }
@@ -107,8 +107,8 @@ class Gimbal {
 
   void start();
   /// Closes the line; handlers do not run afterwards, but what was begun with client() completes
-  /// until Io::finish() returns. Any thread but those of Io, as for the destructor, which also waits
-  /// for a line that is being opened.
+  /// until Io::finish() returns. Any thread but those of Io, as for the destructor, which also
+  /// waits for a line that is being opened.
   void close();
 
   // On any thread.

@@ -244,10 +244,11 @@ class Metrics::Collector : public prometheus::Collectable {
   static void collect_broker(Families& families, const Broker::Statistics& broker) {
     families.add_gauge("sbgc_broker_up", "1 if the gateway is connected to the broker.", {},
                        broker.is_connected ? 1 : 0);
-    families.add_gauge("sbgc_broker_failed",
-                       "1 if the gateway has given up the broker, such as for a full disk, until it "
-                       "is started again.",
-                       {}, broker.has_failed ? 1 : 0);
+    families.add_gauge(
+        "sbgc_broker_failed",
+        "1 if the gateway has given up the broker, such as for a full disk, until it "
+        "is started again.",
+        {}, broker.has_failed ? 1 : 0);
     families.add_gauge("sbgc_broker_waiting_messages",
                        "Events and results on the disk that the broker has not acknowledged.", {},
                        static_cast<double>(broker.waiting));

@@ -90,9 +90,9 @@ class MqttConnection {
 
   bool is_connected() const noexcept { return is_connected_; }
   void subscribe(const std::vector<std::string>& filters);
-  /// Returns the id of the message; 0 if it is too large for the broker, or its topic cannot be one;
-  /// nothing if it cannot be sent now. A message with quality 1 that has an id is sent again after the connection was lost,
-  /// until it is acknowledged.
+  /// Returns the id of the message; 0 if it is too large for the broker, or its topic cannot be
+  /// one; nothing if it cannot be sent now. A message with quality 1 that has an id is sent again
+  /// after the connection was lost, until it is acknowledged.
   std::optional<int> publish(const MqttPublication& message);
   /// True if publish() has an id. There are 65,535, for both qualities, and the next one can still
   /// belong to a message that the broker has not acknowledged.
@@ -135,7 +135,7 @@ class MqttConnection {
   int last_id_ = 0;
   std::unordered_set<int> unsent_{};          // ids of messages with quality 0
   std::unordered_set<int> unacknowledged_{};  // the same with quality 1
-  Clock::time_point begun_{};  // of the attempt
+  Clock::time_point begun_{};                 // of the attempt
 };
 
 }  // namespace sbgc::tools
