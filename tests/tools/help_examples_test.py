@@ -94,6 +94,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         for name in ("gimbals", ".zfunc", ".config/fish/completions"):
             (path / name).mkdir(parents=True)
         (path / "capture").write_bytes(capture())
+        fleet = f'[fleet]\nname = "a"\n[metrics]\nlisten = "127.0.0.1:0"\n'
+        (path / "fleet.toml").write_text(fleet + f'[gimbal.b]\nport = "{gimbal.address}"\n')
         (path / "commands").write_text("info\nparams get pitch.p\n")
         (path / "frames.jsonl").write_text('{"message": "CMD_MOTORS_ON", "fields": {}}\n')
         for name in ("part", "driver"):

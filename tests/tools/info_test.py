@@ -117,15 +117,19 @@ def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     "text, reason",
     [
-        ("[gimbal.front]\nattempts = 3\n", "gimbal 'front' has no port"),
-        ('[gimbal.front]\nport = "x"\nattempt = 3\n', "unknown key 'attempt' of gimbal 'front'"),
-        ('[gimbal.front]\nport = "x"\nattempts = many\n', "it must be a number from 1 to 100"),
-        ('[gimbal.front]\nport = "x"\ntimeout = 0\n', "'timeout' of gimbal 'front' is '0'"),
+        ("[gimbal.front]\nattempts = 3\n", ":1:1: [gimbal.front] has no port; add port = "),
+        (
+            '[gimbal.front]\nport = "x"\nattempt = 3\n',
+            ":3:1: unknown key 'attempt' of [gimbal.front]",
+        ),
+        ('[gimbal.front]\nport = "x"\nattempts = many\n', 'texts stand in quotes: "many"'),
+        ('[gimbal.front]\nport = "x"\nattempts = 0\n', "it must be a number from 1 to 100"),
+        ('[gimbal.front]\nport = "x"\ntimeout = 0\n', ":3:11: 'timeout' is '0'; it must be a time"),
         ('port = "x"\n', "'port' is not in a section [gimbal.NAME]"),
         ('[camera.front]\nport = "x"\n', "is not in a section [gimbal.NAME]"),
-        ('[gimbal.front]\nport = ["x", "y"]\n', "'port' of gimbal 'front' must have one value"),
-        ("# limits\n[" + "a." * 16 + "b]\n", "line 2: nested deeper than 16 levels"),
-        ("[" + "a" * 300 + "]\n", "line 1: a name longer than 256 bytes"),
+        ('[gimbal.front]\nport = ["x", "y"]\n', "'port' has one value, not a list"),
+        ("# limits\n[" + "a." * 16 + "b]\n", "nested deeper than 16 levels"),
+        ("[" + "a" * 300 + "]\n", ":1:2: a name longer than 256 bytes"),
         ("#\n" * 40000, "has more than 65536 bytes"),
     ],
 )

@@ -1,101 +1,21 @@
 #include "board/configuration.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
-#include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/detail/suggestions.hpp>
 
 #include "command/command_error.hpp"
-#include "command/duration.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-// The parser handles the whole name of a section for each of its keys, level by level.
 constexpr std::size_t largest_configuration = std::size_t{1} << 16U;
-constexpr std::ptrdiff_t longest_name = 256;
-constexpr std::ptrdiff_t most_levels = 16;
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw CommandError(configuration_file().string() + ": " + reason);
-}
-
-void check_names(const std::string& text) {
-  std::istringstream lines(text);
-  std::size_t number = 1;
-  for (std::string line; std::getline(lines, line); ++number) {
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string::npos || line[first] == '#' || line[first] == ';') continue;
-    // The name of a section may have a '='.
-    const std::size_t equals = line[first] == '[' ? line.size() : line.find('=');
-    const auto name_end = line.begin() + static_cast<std::ptrdiff_t>(std::min(equals, line.size()));
-    if (name_end - line.begin() > longest_name) {
-      reject(fmt::format("line {}: a name longer than {} bytes", number, longest_name));
-    }
-    if (std::count(line.begin(), name_end, '.') >= most_levels) {
-      reject(fmt::format("line {}: nested deeper than {} levels", number, most_levels));
-    }
-  }
-}
-
-double number(const CLI::ConfigItem& item, double least, double most) {
-  const std::string& text = item.inputs.front();
-  double value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most) {
-    reject(fmt::format("'{}' of gimbal '{}' is '{}'; it must be a number from {} to {}", item.name,
-                       item.parents.back(), text, least, most));
-  }
-  return value;
-}
-
-std::chrono::milliseconds duration(const CLI::ConfigItem& item) {
-  if (const auto parsed = parse_duration(item.inputs.front())) return *parsed;
-  reject(fmt::format("'{}' of gimbal '{}' is '{}'; it must be a time, such as 5 or \"500ms\"",
-                     item.name, item.parents.back(), item.inputs.front()));
-}
-
-void set(NamedGimbal& gimbal, const CLI::ConfigItem& item) {
-  if (item.inputs.size() != 1) {
-    reject(fmt::format("'{}' of gimbal '{}' must have one value", item.name, gimbal.name));
-  }
-  if (item.name == "port") {
-    gimbal.port = item.inputs.front();
-  } else if (item.name == "timeout") {
-    gimbal.timeout = duration(item);
-  } else if (item.name == "attempts") {
-    gimbal.attempts = static_cast<unsigned>(number(item, 1, 100));
-  } else if (item.name == "attempt-time") {
-    gimbal.attempt_timeout = duration(item);
-  } else if (item.name == "password-file") {
-    const std::string& file = item.inputs.front();
-    gimbal.password_file =
-        file == "-" ? file : (configuration_file().parent_path() / file).string();
-  } else {
-    const std::vector<std::string> known{"port", "timeout", "attempts", "attempt-time",
-                                         "password-file"};
-    reject(fmt::format("unknown key '{}' of gimbal '{}'; the keys are {}", item.name, gimbal.name,
-                       detail::alternatives(known, false, "and")));
-  }
-}
-
-/// Returns the gimbal that the item belongs to, which it adds if necessary.
-NamedGimbal& gimbal_of(const CLI::ConfigItem& item, std::vector<NamedGimbal>& gimbals) {
-  if (item.parents.size() != 2 || item.parents.front() != "gimbal") {
-    reject(fmt::format("'{}' is not in a section [gimbal.NAME]", item.fullname()));
-  }
-  const std::string& name = item.parents.back();
-  const auto found = std::ranges::find(gimbals, name, &NamedGimbal::name);
-  if (found != gimbals.end()) return *found;
-  return gimbals.emplace_back(NamedGimbal{.name = name});
-}
+constexpr double most_attempts = 100;
 
 }  // namespace
 
@@ -119,26 +39,36 @@ std::vector<NamedGimbal> named_gimbals() {
   return gimbals_in(*text);
 }
 
-std::vector<NamedGimbal> gimbals_in(const std::string& text) {
-  check_names(text);
-  std::istringstream input(text);
-  std::vector<NamedGimbal> gimbals;
-  try {
-    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(input)) {
-      // The parser marks the beginning and the end of a section.
-      if (item.name == "++" || item.name == "--") {
-        // A section without keys is a gimbal, too: one without a port.
-        const bool is_gimbal = item.parents.size() == 2 && item.parents.front() == "gimbal";
-        if (is_gimbal) static_cast<void>(gimbal_of(item, gimbals));
-        continue;
-      }
-      set(gimbal_of(item, gimbals), item);
-    }
-  } catch (const CLI::Error& error) {
-    reject(error.what());
+NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
+                        const std::filesystem::path& folder) {
+  NamedGimbal gimbal{.name = name};
+  gimbal.port = section.required_text("port", "port = \"/dev/ttyUSB0\"");
+  gimbal.timeout = section.duration("timeout");
+  if (const auto attempts = section.number("attempts", 1, most_attempts)) {
+    gimbal.attempts = static_cast<unsigned>(*attempts);
   }
-  for (const NamedGimbal& gimbal : gimbals) {
-    if (gimbal.port.empty()) reject(fmt::format("gimbal '{}' has no port", gimbal.name));
+  gimbal.attempt_timeout = section.duration("attempt-time");
+  const std::string file = section.text("password-file").value_or("");
+  gimbal.password_file = file.empty() || file == "-" ? file : (folder / file).string();
+  return gimbal;
+}
+
+std::vector<NamedGimbal> gimbals_in(const std::string& text) {
+  const std::filesystem::path file = configuration_file();
+  const ConfigurationText configuration(text, file.string());
+  std::vector<NamedGimbal> gimbals;
+  for (const ConfigurationSection& section : configuration.sections()) {
+    if (section.path.empty() && section.keys.empty()) continue;
+    if (section.path.size() != 2 || section.path.front() != "gimbal") {
+      const bool has_keys = section.path.empty();
+      configuration.reject(
+          has_keys ? section.keys.front().place : section.place,
+          fmt::format("{} is not in a section [gimbal.NAME]",
+                      has_keys ? '\'' + section.keys.front().name + '\'' : section.name()));
+    }
+    SectionReader reader(configuration, section);
+    gimbals.push_back(read_gimbal(reader, section.path.back(), file.parent_path()));
+    reader.finish();
   }
   return gimbals;
 }

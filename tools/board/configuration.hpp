@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "board/configuration_text.hpp"
+
 namespace sbgc::tools {
 
 struct NamedGimbal {
@@ -33,6 +35,11 @@ std::filesystem::path configuration_file();
 /// Returns the gimbals of the configuration file; none if there is no file. Throws CommandError if
 /// the file cannot be read or is invalid.
 std::vector<NamedGimbal> named_gimbals();
+
+/// Reads the keys of [gimbal.NAME]. A password file counts from this folder. Others may read
+/// further keys before SectionReader::finish().
+NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
+                        const std::filesystem::path& folder);
 
 /// Returns the gimbals in the text of a configuration file. Throws CommandError if it is invalid.
 std::vector<NamedGimbal> gimbals_in(const std::string& text);

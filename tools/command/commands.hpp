@@ -31,7 +31,7 @@ AddCommand add_move, add_speed, add_jog, add_stop, add_motors, add_menu, add_bod
 AddCommand add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module;
 AddCommand add_reset;
 AddCommand add_send, add_record, add_replay, add_decode, add_encode, add_emulate;
-AddCommand add_bridge;
+AddCommand add_bridge, add_gateway;
 AddCommand add_shell, add_help, add_completion, add_manual;
 
 }  // namespace sbgc::tools

@@ -171,26 +171,6 @@ Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
   }
 }
 
-/// Returns what the request can do. A form that only reads may share its fields with one that does
-/// more, as CMD_AHRS_HELPER does: the board looks at their values, so these effects count, too,
-/// unless they are 0.
-Effects effects_of(const AnyMessage& message) {
-  Effects effects = message.type().info->effects;
-  for (const MessageType* const other :
-       messages_named(message.type().info->command, Direction::to_board)) {
-    message.for_each_leaf([&](const Leaf& leaf) {
-      const FieldPath* member = &leaf.path;
-      while (member->parent != nullptr) member = member->parent;
-      const bool is_shared = std::ranges::any_of(other->fields(), [&](const FieldType& field) {
-        return std::string_view(field.name) == member->name;
-      });
-      const bool is_zero = leaf.path.parent == nullptr && raw_text(leaf) == "0";
-      if (is_shared && !is_zero) effects = effects | other->info->effects;
-    });
-  }
-  return effects;
-}
-
 /// Prints frames as `sbgc decode` does.
 class FramePrinting {
  public:
@@ -268,7 +248,7 @@ RawRequest raw_request_of(const SendOptions& options) {
 }
 
 /// Returns what is known of the effects of a body under any id.
-Effects effects_of(const RawRequest& request) {
+Effects known_effects(const RawRequest& request) {
   const MessageType* const type =
       find_message(Direction::to_board, request.id, request.body.size());
   return type == nullptr ? Effects() : type->info->effects;
@@ -292,7 +272,7 @@ int send_raw(const SendOptions& options, const CommandContext& context) {
         "message by its name, with FIELD=@FILE",
         wrong_usage);
   }
-  const Effects effects = effects_of(request);
+  const Effects effects = known_effects(request);
   require_way_back(options, effects);
   const Frame frame{.id = request.id, .body = request.body, .framing = basic_framing};
   FramePrinting printing(options.format == "jsonl");

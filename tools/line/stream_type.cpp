@@ -15,7 +15,6 @@
 #include <sbgc/responses/all.hpp>
 #include <sbgc/surplus.hpp>
 
-#include "board/connection.hpp"
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
 #include "frames/command_lookup.hpp"
@@ -81,6 +80,15 @@ std::function<void(const M&)> taker(SampleHandler handler) {
   };
 }
 
+template <class M>
+std::function<void(const M&)> any_taker(AnyHandler handler) {
+  return [handler = std::move(handler),
+          any = AnyMessage(*find_message(Meta<M>::info.name))](const M& message) mutable {
+    *any.get_if<M>() = message;
+    handler(any);
+  };
+}
+
 }  // namespace
 
 template <class M>
@@ -93,6 +101,10 @@ StreamType::StreamType(Type<M>)
       start_([](ReconnectingClient& client, const roles::StreamRequest& request,
                 SampleHandler handler) {
         return client.stream<M>(request, taker<M>(std::move(handler)));
+      }),
+      async_start_([](AsyncReconnectingClient& client, const roles::StreamRequest& request,
+                      AnyHandler handler, std::function<void(Result<Subscription>)> done) {
+        client.async_stream<M>(request, any_taker<M>(std::move(handler)), std::move(done));
       }) {
   detail::choose_stream<M>(*request_.get_if<roles::StreamRequest>());
   add_demanded(request_);
@@ -127,6 +139,12 @@ roles::StreamRequest StreamType::with_interval(std::int64_t count) const {
   return result;
 }
 
+Result<roles::StreamRequest> StreamType::request(std::chrono::milliseconds interval) const {
+  auto timed = detail::stream_request<roles::StreamRequest>(interval);
+  if (!timed) return timed.error();
+  return with_interval(roles::stream_interval(*timed).raw());
+}
+
 std::vector<StreamField> StreamType::fields() const {
   // A sample of zeros has all the fields.
   const roles::StreamRequest request = with_interval(1);
@@ -147,9 +165,17 @@ std::vector<StreamField> StreamType::fields() const {
 Result<Subscription> StreamType::start(ReconnectingClient& client,
                                        std::chrono::milliseconds interval,
                                        SampleHandler handler) const {
-  auto timed = detail::stream_request<roles::StreamRequest>(interval);
-  if (!timed) return timed.error();
-  return start_(client, with_interval(roles::stream_interval(*timed).raw()), std::move(handler));
+  const auto asked = request(interval);
+  if (!asked) return asked.error();
+  return start_(client, *asked, std::move(handler));
+}
+
+void StreamType::async_start(AsyncReconnectingClient& client, std::chrono::milliseconds interval,
+                             AnyHandler handler,
+                             std::function<void(Result<Subscription>)> done) const {
+  const auto asked = request(interval);
+  if (!asked) return done(asked.error());
+  async_start_(client, *asked, std::move(handler), std::move(done));
 }
 
 void StreamType::configure(std::string_view with) {
@@ -206,7 +232,9 @@ bool StreamType::lacks_flags() const {
 
 roles::StreamRequest raw_stream_request(unsigned id, std::string_view config,
                                         std::chrono::milliseconds interval) {
-  auto request = value_of(detail::stream_request<roles::StreamRequest>(interval));
+  auto made = detail::stream_request<roles::StreamRequest>(interval);
+  if (!made) throw CommandError(made.error().message);
+  roles::StreamRequest request = *std::move(made);
   const auto command = static_cast<std::uint8_t>(id);
   roles::stream_command(request) = static_cast<msg::CommandFromBoard>(command);
   const auto bytes = detail::from_hex(config);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <sbgc/any.hpp>
+#include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/roles.hpp>
 
@@ -18,6 +19,8 @@ namespace sbgc::tools {
 
 /// Takes a sample, which is valid during the call.
 using SampleHandler = std::function<void(const Sample&)>;
+
+using AnyHandler = std::function<void(const AnyMessage&)>;
 
 /// A stream of one kind of message, and its configuration.
 class StreamType {
@@ -49,18 +52,24 @@ class StreamType {
   /// Starts the stream.
   Result<Subscription> start(ReconnectingClient& client, std::chrono::milliseconds interval,
                              SampleHandler handler) const;
+  /// The same; `done` and `handler` are called on the executor of the client.
+  void async_start(AsyncReconnectingClient& client, std::chrono::milliseconds interval,
+                   AnyHandler handler, std::function<void(Result<Subscription>)> done) const;
 
  private:
   template <class M>
   explicit StreamType(Type<M> message);
 
   roles::StreamRequest with_interval(std::int64_t count) const;
+  Result<roles::StreamRequest> request(std::chrono::milliseconds interval) const;
 
   const MessageType* type_;
   AnyMessage request_;
   Subscription (*listen_)(ReconnectingClient& client, SampleHandler handler);
   Result<Subscription> (*start_)(ReconnectingClient& client, const roles::StreamRequest& request,
                                  SampleHandler handler);
+  void (*async_start_)(AsyncReconnectingClient& client, const roles::StreamRequest& request,
+                       AnyHandler handler, std::function<void(Result<Subscription>)> done);
 };
 
 /// Returns the request for the bytes of a stream, also of one that is not known here; `config` is

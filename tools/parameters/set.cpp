@@ -17,7 +17,7 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
-#include "parameters/parameter_messages.hpp"
+#include "parameters/parameter_values.hpp"
 #include "parameters/params_commands.hpp"
 #include "parameters/profile_choice.hpp"
 #include "parameters/write_outcome.hpp"
@@ -34,60 +34,6 @@ struct SetOptions {
   bool no_validate = false;
   Arming arming{};
 };
-
-/// The values to set in one message.
-struct MessageValues {
-  const ParameterMessage* message = nullptr;
-  std::vector<FieldValue> values{};
-
-  bool has_general() const {
-    return std::ranges::any_of(values, [](const auto& value) { return is_general(value.field); });
-  }
-};
-
-/// True if what is written has another meaning on later boards.
-bool depends_on_firmware(const FieldValue& value) {
-  const FieldInfo* const info = value.field.type->innermost().info;
-  return info != nullptr && !info->later.empty();
-}
-
-/// Returns the values by message. Reads each on a new message first, so that most mistakes are
-/// found without a board. Throws ValueError.
-std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments, bool no_validate) {
-  std::vector<MessageValues> result;
-  for (const Assignment& assignment : assignments) {
-    const FoundParameters found = find_parameters(assignment.name);
-    auto at = std::ranges::find(result, found.message, &MessageValues::message);
-    if (at == result.end()) at = result.insert(at, {found.message, {}});
-    for (FieldValue& value : values_for(found.fields, assignment.value)) {
-      add_value(at->values, std::move(value));
-    }
-  }
-  for (const MessageValues& one : result) {
-    AnyMessage message = one.message->type->make();
-    std::vector<FieldValue> certain = one.values;
-    std::erase_if(certain, depends_on_firmware);
-    set_values(message, certain);
-    if (!no_validate) check_ranges(message, certain);
-  }
-  return result;
-}
-
-bool concerns(const MessageValues& one, const ParametersId& id, std::uint8_t profile) {
-  if (id.message != one.message->type->info->name) return false;
-  return one.message->copies == 1 || id.copy == profile || one.has_general();
-}
-
-/// Returns the values that the block with this id gets: general ones in every profile.
-std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& id,
-                                  std::uint8_t profile) {
-  if (one.message->copies == 1 || id.copy == profile) return one.values;
-  std::vector<FieldValue> general;
-  for (const FieldValue& value : one.values) {
-    if (is_general(value.field)) general.push_back(value);
-  }
-  return general;
-}
 
 /// True if the change is one of a parameter that is the same in all profiles.
 bool is_of_general(const FieldChange& change, const std::vector<MessageValues>& values) {
@@ -137,31 +83,8 @@ int set_parameters(const SetOptions& options, const CommandContext& context) {
     return std::ranges::any_of(
         values, [&](const MessageValues& one) { return concerns(one, id, profile.index); });
   });
-  ParameterSet wanted;
-  for (const MessageValues& one : values) {
-    const char* const name = one.message->type->info->name;
-    bool is_present = false;
-    for (const Parameters& block : present.all()) {
-      if (block.id.message != name) continue;
-      is_present = true;
-      AnyMessage message = message_in(block);
-      const std::vector<FieldValue> here = values_in(one, block.id, profile.index);
-      for (const FieldValue& value : here) {
-        if (!message.has(std::get<std::string>(value.field.steps.front()))) {
-          fail_lacking(value.field);
-        }
-      }
-      try {
-        set_values(message, here, client.identity().versions());
-        value_of(wanted.put(block_of(block.id, message)));
-      } catch (const CommandError&) {
-        throw;
-      } catch (const std::runtime_error& error) {
-        throw CommandError(clipped(error.what()), wrong_usage);
-      }
-    }
-    if (!is_present) throw CommandError(fmt::format("this board does not have {}", name));
-  }
+  const ParameterSet wanted =
+      with_values(present, values, profile.index, client.identity().versions());
   // All checks, before the user is asked.
   const WriteReport plan =
       client.write_parameters(wanted, {.dry_run = true, .validate = !options.no_validate});

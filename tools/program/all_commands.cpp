@@ -26,7 +26,11 @@ const std::vector<Heading> headings{
      {add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module,
       add_reset}},
     {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
+#ifdef SBGC_HAS_GATEWAY
+    {"Share", {add_bridge, add_gateway}},
+#else
     {"Share", {add_bridge}},
+#endif
     {"Shell", {add_shell, add_help, add_completion, add_manual}},
 };
 

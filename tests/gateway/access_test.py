@@ -1,0 +1,214 @@
+"""Who may use the broker: passwords, certificates, and the sample of an ACL. And MQTT 5."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from brokers import Commander, Mosquitto, Subscriber, program
+from emulated_gimbal import emulated_gimbal
+from gateway import Gateway, eventually, running_gateway
+
+ACL = Path(__file__).parents[2] / "tools/gateway/deploy/mosquitto.acl"
+
+
+def fleet(broker: Mosquitto, gimbal: str, more: str) -> str:
+    return f"""[fleet]
+name = "studio"
+[broker]
+address = "127.0.0.1:{broker.port}"
+journal = "fleet.db"
+{more}
+[gimbal.front]
+port = "{gimbal}"
+allow = ["raw", "home"]
+"""
+
+
+@contextmanager
+def running(folder: Path, settings: str, more: str) -> Iterator[tuple[Mosquitto, Gateway]]:
+    broker = Mosquitto(folder / "broker", settings)
+    broker.start()
+    try:
+        with emulated_gimbal() as gimbal, running_gateway(
+            folder, fleet(broker, gimbal.address, more)
+        ) as gateway:
+            yield broker, gateway
+    finally:
+        broker.kill()
+
+
+def passwords(folder: Path, *users: str) -> Path:
+    file = folder / "passwords"
+    file.touch(mode=0o600)
+    for user in users:
+        subprocess.run(
+            [program("mosquitto_passwd"), "-b", str(file), user, f"{user}-secret"],
+            check=True,
+            capture_output=True,
+        )
+    return file
+
+
+def secret_file(folder: Path, text: str) -> None:
+    file = folder / "broker.password"
+    file.touch(mode=0o600)
+    file.write_text(text + "\n")
+
+
+def wait_until_online(seen: Subscriber) -> None:
+    eventually(
+        lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text]
+    )
+
+
+def test_the_sample_of_an_acl(tmp_path: Path) -> None:
+    users = passwords(tmp_path, "sbgc-gateway", "viewer", "operator")
+    secret_file(tmp_path, "sbgc-gateway-secret")
+    settings = f"allow_anonymous false\npassword_file {users}\nacl_file {ACL}\n"
+    login = 'user = "sbgc-gateway"\nbroker-password-file = "broker.password"'
+    with running(tmp_path, settings, login.replace("broker-password-file", "password-file")) as (
+        broker,
+        _,
+    ):
+        viewer = ("-u", "viewer", "-P", "viewer-secret")
+        operator = ("-u", "operator", "-P", "operator-secret")
+        seen = Subscriber(broker.port, "sbgc/#", *viewer)
+        mine = Subscriber(broker.port, "sbgc/#", *operator)
+        try:
+            wait_until_online(seen)
+            by_operator = Commander(broker.port, "studio", *operator)
+            by_viewer = Commander(broker.port, "studio", *viewer)
+            box = "sbgc/studio/reply/operator/1"
+
+            # The broker keeps these from the gateway: `raw`, and whatever the viewer says.
+            by_operator.command(
+                "front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box
+            )
+            by_viewer.command("front", "home", key="viewer", reply=box)
+            by_operator.command("front", "home", key="home", reply=box)
+            assert mine.result("home")["key"] == "home"
+            keys = {one["key"] for one in mine.results()}
+            assert keys == {"home"}
+            # Nobody else sees the results, and nobody the commands.
+            assert not seen.results()
+            assert not [one for one in seen.messages + mine.messages if "/cmd/" in one.topic]
+        finally:
+            seen.close()
+            mine.close()
+
+
+def test_a_wrong_password_is_reported(tmp_path: Path) -> None:
+    users = passwords(tmp_path, "sbgc-gateway")
+    secret_file(tmp_path, "wrong-secret")
+    settings = f"allow_anonymous false\npassword_file {users}\n"
+    login = 'user = "sbgc-gateway"\npassword-file = "broker.password"'
+    with running(tmp_path, settings, login) as (_, gateway):
+        eventually(lambda: "no connection to the broker" in gateway.log.read_text())
+        eventually(lambda: "not authorised" in gateway.log.read_text())
+        assert "wrong-secret" not in gateway.log.read_text()
+        assert gateway.end() == 0
+
+
+def certificates(folder: Path) -> None:
+    """Makes a CA, and a key and a certificate of the broker and of the gateway."""
+
+    def openssl(*arguments: str) -> None:
+        subprocess.run(["openssl", *arguments], cwd=folder, check=True, capture_output=True)
+
+    openssl("req", "-x509", "-newkey", "ed25519", "-nodes", "-keyout", "ca.key", "-out", "ca.crt",
+            "-days", "2", "-subj", "/CN=test")  # fmt: skip
+    for name in ("server", "sbgc-gateway"):
+        openssl("req", "-newkey", "ed25519", "-nodes", "-keyout", f"{name}.key", "-out", f"{name}.csr",
+                "-subj", f"/CN={name}")  # fmt: skip
+        (folder / "names").write_text("subjectAltName=IP:127.0.0.1\n")
+        openssl("x509", "-req", "-in", f"{name}.csr", "-CA", "ca.crt", "-CAkey", "ca.key",
+                "-CAcreateserial", "-days", "2", "-extfile", "names", "-out", f"{name}.crt")  # fmt: skip
+
+
+def tls(folder: Path) -> str:
+    return (
+        f"cafile {folder}/ca.crt\ncertfile {folder}/server.crt\nkeyfile {folder}/server.key\n"
+        f"require_certificate true\nuse_identity_as_username true\nacl_file {ACL}\n"
+    )
+
+
+def test_tls_with_certificates(tmp_path: Path) -> None:
+    certificates(tmp_path)
+    own = 'ca-file = "ca.crt"\ncertificate-file = "sbgc-gateway.crt"\nkey-file = "sbgc-gateway.key"'
+    with running(tmp_path, tls(tmp_path), own) as (broker, _):
+        words = ("--cafile", "ca.crt", "--cert", "sbgc-gateway.crt", "--key", "sbgc-gateway.key")
+        options = [str(tmp_path / one) if "." in one else one for one in words]
+        seen = Subscriber(broker.port, "sbgc/#", *options)
+        try:
+            wait_until_online(seen)
+            key = Commander(broker.port, "studio", *options).command("front", "home")
+            assert seen.result(key)["status"] in ("done", "failed")
+            # It connects again.
+            broker.kill()
+            seen.close()
+            broker.start()
+            seen = Subscriber(broker.port, "sbgc/#", *options)
+            wait_until_online(seen)
+        finally:
+            seen.close()
+
+
+def test_another_ca_is_refused(tmp_path: Path) -> None:
+    certificates(tmp_path)
+    other = tmp_path / "other"
+    other.mkdir()
+    certificates(other)
+    own = 'ca-file = "other/ca.crt"\ncertificate-file = "sbgc-gateway.crt"\nkey-file = "sbgc-gateway.key"'
+    with running(tmp_path, tls(tmp_path), own) as (broker, gateway):
+        eventually(lambda: "no connection to the broker" in gateway.log.read_text())
+        assert "New client connected" not in broker.log.read_text()
+
+
+def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
+    with running(tmp_path, "allow_anonymous true\n", 'mqtt = "5"') as (broker, gateway):
+        seen = Subscriber(broker.port)
+        box = "sbgc/studio/reply/five"
+        replies = subprocess.Popen(
+            ["mosquitto_sub", "-p", str(broker.port), "-V", "5", "-q", "1", "-t", box, "-C", "1",
+             "-F", "%C|%D|%p"],
+            stdout=subprocess.PIPE,
+            text=True,
+        )  # fmt: skip
+        try:
+            wait_until_online(seen)
+            eventually(lambda: f"{box} (QoS 1)" in broker.log.read_text())
+            properties = [
+                "-D",
+                "publish",
+                "response-topic",
+                box,
+                "-D",
+                "publish",
+                "correlation-data",
+                "c9",
+            ]
+            say = Commander(broker.port, "studio", "-V", "5")
+            payload = say.payload(reply=None)
+            say.publish("sbgc/studio/front/cmd/home", json.dumps(payload), *properties)
+            out, _ = replies.communicate(timeout=60)
+            kind, data, text = out.strip().split("|", 2)
+            assert kind == "application/json" and data == "c9"
+            result = json.loads(text)
+            assert result["key"] == payload["key"] and result["correlation"] == "c9"
+            # Also instead of the members: the key, and the deadline.
+            bare = say.payload(key=None, deadline=None)
+            said = "-D publish user-property key k5 -D publish message-expiry-interval 20".split()
+            say.publish("sbgc/studio/front/cmd/home", json.dumps(bare), *said)
+            assert seen.result("k5")["status"] in ("done", "failed")
+            # The session lasts over the end of the gateway.
+            assert gateway.end() == 0
+            key = say.command("front", "raw", {"message": "GetAnglesRequest"})
+            gateway.restart()
+            assert seen.result(key)["status"] in ("done", "failed")
+        finally:
+            replies.kill()
+            seen.close()

@@ -1,0 +1,341 @@
+"""`sbgc gateway` on an MQTT broker: what it reports, and what it carries out or refuses."""
+
+from __future__ import annotations
+
+import json
+import signal
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from brokers import Commander, Mosquitto, Subscriber, now, suspended
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from gateway import Gateway, eventually, running_gateway
+from sbgc_command import run
+
+FLEET = """[fleet]
+name = "studio"
+[broker]
+address = "127.0.0.1:{port}"
+journal = "fleet.db"
+{broker}
+[gimbal.front]
+port = "{front}"
+allow = ["stop", "move", "speed", "motors", "home", "menu", "get", "set", "raw"]
+raw-effects = ["sets"]
+telemetry = ["RealtimeData4 50"]
+[gimbal.rear]
+port = "{rear}"
+"""
+
+
+@dataclass
+class Studio:
+    """A broker, a gateway with two gimbals, and somebody who talks to them."""
+
+    broker: Mosquitto
+    gateway: Gateway
+    front: EmulatedGimbal
+    seen: Subscriber
+    say: Commander
+
+    def result(self, task: str, parameters: Any = None, **members: Any) -> Any:
+        return self.seen.result(self.say.command("front", task, parameters, **members))
+
+    def refusal(self, *arguments: Any, **members: Any) -> str:
+        result = self.result(*arguments, **members)
+        assert result["status"] == "refused", result
+        return str(result["error"]["code"])
+
+
+def speed_of(gimbal: EmulatedGimbal) -> float:
+    """The speed of the pitch axis, past the gateway."""
+    state = run("send", "GetAnglesRequest", "-p", gimbal.address, "--format", "jsonl").objects[-1]
+    return abs(float(state["fields"]["axes"]["pitch"]["rc_speed"]))
+
+
+def wait_for_gimbal(seen: Subscriber, gimbal: str = "front", state: str = "online") -> None:
+    topic = f"sbgc/studio/{gimbal}/state"
+    eventually(lambda: any(one.json["state"] == state for one in seen.on(topic)))
+
+
+@pytest.fixture(scope="module", name="studio")
+def studio_(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    folder = tmp_path_factory.mktemp("studio")
+    broker = Mosquitto(folder / "broker")
+    broker.start()
+    seen = Subscriber(broker.port)
+    with emulated_gimbal("--verbose") as front, emulated_gimbal() as rear:
+        text = FLEET.format(
+            port=broker.port,
+            front=front.address,
+            rear=rear.address,
+            broker="stop-after = 1\n",
+        )
+        with running_gateway(folder, text) as gateway:
+            wait_for_gimbal(seen)
+            wait_for_gimbal(seen, "rear")
+            studio = Studio(broker, gateway, front, seen, Commander(broker.port))
+            assert studio.result("motors", {"on": True})["status"] == "done"
+            yield studio
+            assert gateway.end() == 0, gateway.log.read_text()
+    topic = "sbgc/studio/gateway/state"
+    eventually(lambda: '"offline"' in seen.on(topic)[-1].text)
+    seen.close()
+    broker.kill()
+
+
+def test_what_is_published_fits_the_schema(studio: Studio) -> None:
+    schema = json.loads(run("gateway", "--schema").out)
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+    def check(kind: str, value: Any) -> None:
+        validator = jsonschema.Draft202012Validator(
+            {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
+        )
+        for error in validator.iter_errors(value):
+            raise error
+
+    assert studio.result("raw", {"message": "BoardInfoRequest"})["status"] == "done"
+    assert studio.result("move", {"angles": {"yaw": 1}, "speed": -1})["status"] == "refused"
+    eventually(lambda: studio.seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
+    kinds = {
+        "state": "state",
+        "event": "event",
+        "RealtimeData4": "telemetry.RealtimeData4",
+        "test": "result",
+    }
+    checked = set()
+    for one in list(studio.seen.messages)[-60:]:
+        levels = one.topic.split("/")
+        if levels[2] == "gateway":
+            if levels[3] in ("state", "heartbeat"):
+                check("gateway_state", one.json)
+        elif levels[-1] in kinds:
+            check(kinds[levels[-1]], one.json)
+            checked.add(levels[-1])
+    assert {"RealtimeData4", "test"} <= checked
+    for task, parameters in [
+        ("move", {"angles": {"pitch": 3}}),
+        ("speed", {"speeds": {"yaw": 1}}),
+        ("raw", {"message": "BoardInfoRequest", "fields": {}}),
+        ("set", {"values": {"pitch.p": 15}}),
+        ("home", None),
+    ]:
+        check(f"command.{task}", studio.say.payload(parameters))
+    for task, parameters in [
+        ("move", {"angles": {"pan": 3}}),
+        ("speed", None),
+        ("raw", {}),
+    ]:
+        with pytest.raises(jsonschema.ValidationError):
+            check(f"command.{task}", studio.say.payload(parameters))
+
+
+def test_states_are_retained(studio: Studio) -> None:
+    late = Subscriber(studio.broker.port, ["sbgc/studio/+/state"])
+    try:
+        eventually(lambda: len(late.messages) == 3)
+        states = {one.topic.split("/")[2]: one for one in late.messages}
+        assert all(one.is_retained for one in late.messages)
+        assert (
+            states["front"].json["state"] == "online" and states["front"].json["firmware"] == "2.59"
+        )
+        assert states["gateway"].json["state"] == "online"
+    finally:
+        late.close()
+
+
+def test_move(studio: Studio) -> None:
+    result = studio.result("move", {"angles": {"pitch": 8}, "speed": 30}, correlation="c7")
+    assert result["status"] == "done" and result["correlation"] == "c7", result
+    assert result["gimbal"] == "front" and result["task"] == "move"
+    assert result["result"]["angles"]["pitch"] == pytest.approx(8, abs=1)
+
+
+def test_parameters(studio: Studio) -> None:
+    before = studio.result("get", {"names": ["pitch.p"], "profile": 2})["result"]
+    assert before["profile"] == 2 and before["parameters"][0]["path"] == "axes.pitch.p"
+    wanted = before["parameters"][0]["value"] + 1
+    written = studio.result("set", {"values": {"pitch.p": wanted}, "profile": 2})
+    assert written["status"] == "done", written
+    assert written["result"]["changes"][0]["path"] == "axes.pitch.p"
+    after = studio.result("get", {"names": ["pitch.p"], "profile": 2})["result"]
+    assert after["parameters"][0]["value"] == wanted
+
+
+def test_commands_are_refused(studio: Studio) -> None:
+    angles = {"angles": {"pitch": 1}}
+    assert studio.refusal("calibrate", {"calibration": "gyro"}) == "not_allowed"
+    assert studio.refusal("fly") == "not_allowed"
+    assert studio.refusal("raw", {"message": "ResetRequest"}) == "not_allowed"
+    assert studio.refusal("raw", {"message": "MotorsOn"}) == "not_allowed"
+    assert studio.refusal("move", {"angles": {"pitch": 9000}}) == "invalid"
+    assert studio.refusal("move", {"angle": {"pitch": 1}}) == "invalid"
+    assert studio.refusal("menu", {"action": "dance"}) == "invalid"
+    assert studio.refusal("raw", {"message": "GetAngles"}) == "invalid"
+    assert studio.refusal("move", angles, deadline=None) == "invalid"
+    assert studio.refusal("move", angles, sent=None) == "invalid"
+    assert studio.refusal("move", angles, sent=now() - 600_000) == "queued"
+    assert studio.refusal("move", angles, sent=now() + 600_000) == "sent_in_future"
+    assert studio.refusal("move", angles, deadline=now() - 60_000) == "expired"
+    assert studio.refusal("move", angles, deadline=now() + 600_000) == "deadline_too_far"
+    assert studio.refusal("move", angles, version=2) == "version"
+    key = studio.say.command("rear", "stop")
+    assert studio.seen.result(key)["error"]["code"] == "not_allowed"
+    key = studio.say.command("roof", "stop")
+    assert studio.seen.result(key)["error"]["code"] == "unknown_gimbal"
+
+
+def codes(studio: Studio) -> list[str]:
+    """The reasons of all refusals so far."""
+    return [one["error"]["code"] for one in studio.seen.results() if "error" in one]
+
+
+def test_a_key_is_carried_out_once(studio: Studio) -> None:
+    fields = {"mode": "BEEPER_MODE_CLICK"}
+    first = studio.result("raw", {"message": "BeepSound", "fields": fields}, key="beep")
+    assert first["status"] == "done", first
+    seen = len(studio.seen.results())
+    studio.say.command("front", "raw", {"message": "BeepSound", "fields": fields}, key="beep")
+    eventually(lambda: len(studio.seen.results()) > seen)
+    again = studio.seen.results()[-1]
+    assert again["repeated"] is True and again["time"] == first["time"]
+    studio.say.command("front", "home", key="beep")
+    eventually(lambda: "key_reused" in codes(studio))
+
+
+def test_results_without_an_address_are_events(studio: Studio) -> None:
+    key = studio.say.command("front", "raw", {"message": "GetAnglesRequest"}, reply=None)
+    eventually(
+        lambda: [
+            one for one in studio.seen.events("front", "result") if one["result"].get("key") == key
+        ]
+    )
+    studio.say.publish("sbgc/studio/front/cmd/move", "no JSON")
+    eventually(
+        lambda: [
+            one
+            for one in studio.seen.events("front", "result")
+            if one["result"].get("error", {}).get("code") == "invalid"
+        ]
+    )
+
+
+def test_a_speed_has_a_dead_man(studio: Studio) -> None:
+    count = len(studio.seen.events("front", "speed_ended"))
+    assert studio.result("speed", {"speeds": {"pitch": 5}})["status"] == "done"
+    eventually(lambda: len(studio.seen.events("front", "speed_ended")) > count)
+    assert speed_of(studio.front) == 0
+
+
+def test_stop_goes_first(studio: Studio) -> None:
+    far = {"angles": {"pitch": -60}, "speed": 2, "timeout": 60}
+    moving = studio.say.command("front", "move", far)
+    waiting = studio.say.command("front", "move", {"angles": {"pitch": 0}})
+    eventually(lambda: speed_of(studio.front) > 0)
+    assert studio.result("stop")["status"] == "done"
+    assert studio.seen.result(moving)["error"]["code"] == "cancelled"
+    assert studio.seen.result(waiting)["error"]["code"] == "superseded"
+    assert speed_of(studio.front) == 0
+
+
+def test_without_the_broker_a_gimbal_stops_and_results_wait(studio: Studio) -> None:
+    far = {"angles": {"pitch": -80}, "speed": 2, "timeout": 60}
+    key = studio.say.command("front", "move", far)
+    eventually(lambda: speed_of(studio.front) > 0)
+    with suspended(studio.broker):
+        eventually(lambda: speed_of(studio.front) == 0)
+    result = studio.seen.result(key)
+    assert result["error"]["code"] == "cancelled", result
+    eventually(lambda: studio.seen.events("front", "stopped"))
+
+
+def test_telemetry_is_thinned_for_a_slow_broker(studio: Studio) -> None:
+    """The sockets take some seconds of telemetry, so the broker sleeps until samples give way."""
+
+    def thinned() -> int:
+        beats = studio.seen.on("sbgc/studio/gateway/heartbeat")
+        return int(beats[-1].json["thinned"]) if beats else 0
+
+    before = thinned()
+    with suspended(studio.broker):
+        time.sleep(10)
+    assert studio.result("raw", {"message": "GetAnglesRequest"})["status"] == "done"
+    eventually(lambda: thinned() > before)
+
+
+def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> None:
+    studio.gateway.end()
+    moves = studio.say.command("front", "move", {"angles": {"pitch": 20}})
+    reads = studio.say.command("front", "raw", {"message": "GetAnglesRequest"})
+    studio.say.publish(
+        "sbgc/studio/front/cmd/home",
+        json.dumps(studio.say.payload(key="retained")),
+        "-r",
+    )
+    studio.gateway.restart()
+    assert studio.seen.result(moves)["error"]["code"] == "queued"
+    assert studio.seen.result(reads)["status"] in (
+        "done",
+        "failed",
+    )  # the gimbal may not be there yet
+    # Once as a message that waited, and once as a retained one.
+    eventually(lambda: "retained" in codes(studio))
+    studio.say.remove_retained("sbgc/studio/front/cmd/home")
+    eventually(lambda: studio.result("home")["status"] == "done")
+
+
+def test_a_gimbal_that_hangs_does_not_delay_another(tmp_path: Path) -> None:
+    broker = Mosquitto(tmp_path / "broker")
+    broker.start()
+    seen = Subscriber(broker.port)
+    with emulated_gimbal() as front, emulated_gimbal() as rear:
+        text = FLEET.format(port=broker.port, front=front.address, rear=rear.address, broker="")
+        text += 'allow = ["raw"]\n'
+        with running_gateway(tmp_path, text):
+            wait_for_gimbal(seen)
+            wait_for_gimbal(seen, "rear")
+            rear.process.send_signal(signal.SIGSTOP)
+            say = Commander(broker.port)
+            asks = {"message": "GetAnglesRequest"}
+            slow = [say.command("rear", "raw", asks) for _ in range(5)]
+            quick = [say.command("front", "raw", asks) for _ in range(20)]
+            for key in quick:
+                assert seen.result(key)["status"] == "done"
+            assert all(one["gimbal"] == "front" for one in seen.results()[:20])
+            rear.process.send_signal(signal.SIGCONT)
+            for key in slow:
+                assert seen.result(key)["status"] in ("done", "failed", "refused")
+    seen.close()
+    broker.kill()
+
+
+def test_results_wait_while_the_broker_is_away(tmp_path: Path) -> None:
+    broker = Mosquitto(tmp_path / "broker")
+    broker.start()
+    seen = Subscriber(broker.port)
+    with emulated_gimbal() as front, emulated_gimbal() as rear:
+        text = FLEET.format(port=broker.port, front=front.address, rear=rear.address, broker="")
+        with running_gateway(tmp_path, text) as gateway:
+            wait_for_gimbal(seen)
+            say = Commander(broker.port)
+            seen.close()
+            # The result comes when the broker is gone: the camera needs seconds.
+            key = say.command("front", "move", {"angles": {"pitch": -30}, "speed": 3})
+            eventually(lambda: speed_of(front) > 0)
+            broker.kill()
+            eventually(lambda: speed_of(front) == 0)
+            # Also over the end of the gateway.
+            gateway.end()
+            broker.start()
+            seen = Subscriber(broker.port)
+            gateway.restart()
+            assert seen.result(key)["error"]["code"] == "cancelled"
+    seen.close()
+    broker.kill()

@@ -1,0 +1,249 @@
+"""Brokers, and programs that talk to them, for the tests of `sbgc gateway`."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Optional
+
+from gateway import eventually
+
+
+def program(name: str) -> str:
+    """mosquitto and nats-server are in a folder that only root has in its path."""
+    found = shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/usr/local/sbin")
+    assert found is not None, f"{name} is missing"
+    return found
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def accepts(port: int) -> bool:
+    with socket.socket() as probe:
+        probe.settimeout(1)
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+class Server:
+    """A process that listens on a port."""
+
+    def __init__(self, port: int, log: Path, *command: str) -> None:
+        self.port = port
+        self.log = log
+        self.command = command
+        self.process: Optional[subprocess.Popen[bytes]] = None
+
+    def start(self) -> None:
+        self.process = subprocess.Popen(
+            self.command, stdout=self.log.open("ab"), stderr=subprocess.STDOUT
+        )
+        eventually(lambda: accepts(self.port))
+
+    def signal(self, number: int) -> None:
+        assert self.process is not None
+        self.process.send_signal(number)
+
+    def kill(self) -> None:
+        if self.process is not None and self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+class Mosquitto(Server):
+    def __init__(self, folder: Path, settings: str = "allow_anonymous true\n") -> None:
+        folder.mkdir(exist_ok=True)
+        port = free_port()
+        file = folder / "mosquitto.conf"
+        # Without the line about the user, a broker that root starts gives up its rights to the folder.
+        file.write_text(
+            f"listener {port} 127.0.0.1\n{settings}user root\npersistence true\n"
+            f"persistence_location {folder}/\nlog_type all\n"
+        )
+        super().__init__(port, folder / "mosquitto.log", program("mosquitto"), "-c", str(file))
+
+
+class Nats(Server):
+    """One server of a cluster that speaks MQTT."""
+
+    def __init__(self, folder: Path, number: int, routes: list[int]) -> None:
+        folder.mkdir(exist_ok=True)
+        port = free_port()
+        file = folder / "nats.conf"
+        links = ", ".join(f'"nats://127.0.0.1:{one}"' for one in routes)
+        file.write_text(
+            f"server_name: n{number}\nlisten: 127.0.0.1:{free_port()}\n"
+            f'jetstream {{ store_dir: "{folder}" }}\nmqtt {{ listen: "127.0.0.1:{port}", ack_wait: "5s" }}\n'
+            f"cluster {{ name: fleet, listen: 127.0.0.1:{routes[number]}, routes: [{links}] }}\n"
+        )
+        super().__init__(port, folder / "nats.log", program("nats-server"), "-c", str(file))
+
+
+@dataclass(frozen=True)
+class Message:
+    topic: str
+    is_retained: bool
+    text: str
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.text)
+
+
+class Subscriber:
+    """Collects what is published. It returns from the constructor when the broker has subscribed it."""
+
+    def __init__(self, port: int, filters: str | list[str] = "sbgc/#", *options: str) -> None:
+        topics = [filters] if isinstance(filters, str) else filters
+        self.process = subprocess.Popen(
+            [
+                "stdbuf",
+                "-oL",
+                "mosquitto_sub",
+                "-h",
+                "127.0.0.1",
+                "-p",
+                str(port),
+                "-q",
+                "1",
+                "-d",
+                "-F",
+                "\x01%t\t%r\t%p",
+                *options,
+            ]
+            + [word for topic in topics for word in ("-t", topic)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+        )
+        self.messages: list[Message] = []
+        self.subscribed = threading.Event()
+        threading.Thread(target=self._read, daemon=True).start()
+        assert self.subscribed.wait(60), "not subscribed"
+
+    def _read(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            if line.startswith("\x01"):
+                topic, retained, text = line[1:].rstrip("\n").split("\t", 2)
+                self.messages.append(Message(topic, retained == "1", text))
+            elif "SUBACK" in line:
+                self.subscribed.set()
+
+    def on(self, topic: str) -> list[Message]:
+        return [one for one in list(self.messages) if one.topic == topic]
+
+    def results(self) -> list[Any]:
+        return [one.json for one in list(self.messages) if "/reply/" in one.topic]
+
+    def result(self, key: str, seconds: float = 60) -> Any:
+        """The first result of the command with this key."""
+        return eventually(
+            lambda: [one for one in self.results() if one.get("key") == key], seconds
+        )[0]
+
+    def events(self, gimbal: str, kind: str) -> list[Any]:
+        found = [one.json for one in list(self.messages) if one.topic.endswith(f"/{gimbal}/event")]
+        return [one for one in found if one["event"] == kind]
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.wait()
+
+
+def now() -> int:
+    return int(time.time() * 1000)
+
+
+class Commander:
+    """Publishes commands."""
+
+    def __init__(self, port: int, fleet: str = "studio", *options: str) -> None:
+        self.base = [
+            "mosquitto_pub",
+            "-h",
+            "127.0.0.1",
+            "-p",
+            str(port),
+            "-q",
+            "1",
+            *options,
+        ]
+        self.fleet = fleet
+        self.count = 0
+
+    def publish(self, topic: str, text: str, *options: str, check: bool = True) -> int:
+        done = subprocess.run(
+            [*self.base, *options, "-t", topic, "-s"],
+            input=text,
+            text=True,
+            timeout=60,
+            check=check,
+        )
+        return done.returncode
+
+    def remove_retained(self, topic: str) -> None:
+        subprocess.run([*self.base, "-t", topic, "-r", "-n"], timeout=60, check=True)
+
+    def publish_many(self, topic: str, payloads: list[dict[str, Any]]) -> subprocess.Popen[str]:
+        """Publishes them over one connection, in the background."""
+        process = subprocess.Popen(
+            [*self.base, "-t", topic, "-l"], stdin=subprocess.PIPE, text=True
+        )
+        assert process.stdin is not None
+        process.stdin.write("".join(json.dumps(one) + "\n" for one in payloads))
+        process.stdin.close()
+        return process
+
+    def payload(self, parameters: Any = None, **members: Any) -> dict[str, Any]:
+        self.count += 1
+        payload: dict[str, Any] = {
+            "version": 1,
+            "key": f"key-{self.count}",
+            "sent": now(),
+            "deadline": now() + 20_000,
+            "reply": f"sbgc/{self.fleet}/reply/test",
+        }
+        if parameters is not None:
+            payload["parameters"] = parameters
+        payload.update(members)
+        return {name: value for name, value in payload.items() if value is not None}
+
+    def command(
+        self,
+        gimbal: str,
+        task: str,
+        parameters: Any = None,
+        options: tuple[str, ...] = (),
+        **members: Any,
+    ) -> str:
+        """Publishes a command and returns its key."""
+        payload = self.payload(parameters, **members)
+        topic = "raw" if task == "raw" else f"cmd/{task}"
+        self.publish(f"sbgc/{self.fleet}/{gimbal}/{topic}", json.dumps(payload), *options)
+        return str(payload.get("key"))
+
+
+def suspended(server: Server) -> Any:
+    """A broker that neither answers nor closes its connections, within a `with`."""
+
+    class Suspension:
+        def __enter__(self) -> None:
+            server.signal(signal.SIGSTOP)
+
+        def __exit__(self, *_: Any) -> None:
+            server.signal(signal.SIGCONT)
+
+    return Suspension()

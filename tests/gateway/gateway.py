@@ -1,0 +1,91 @@
+"""A running `sbgc gateway` for tests."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import time
+import urllib.request
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TypeVar
+
+from sbgc_command import PROGRAM
+
+T = TypeVar("T")
+
+
+def eventually(look: Callable[[], T], seconds: float = 30) -> T:
+    """Returns what `look` returns as soon as that is true."""
+    end = time.monotonic() + seconds
+    while True:
+        found = look()
+        if found:
+            return found
+        assert time.monotonic() < end, "it did not come about in time"
+        time.sleep(0.05)
+
+
+class Gateway:
+    """A gateway of the fleet in a text, in a folder of its own. Its metrics are at a free port if the text
+    has LISTEN in their place."""
+
+    keeps_signals = False  # that Python ignores, such as SIGXFSZ
+
+    def __init__(self, folder: Path, text: str) -> None:
+        self.file = folder / "fleet.toml"
+        self.file.write_text(text.replace("LISTEN", "127.0.0.1:0"))
+        self.log = folder / "gateway.log"
+        self.restart()
+
+    def restart(self) -> None:
+        self.process = subprocess.Popen(
+            [PROGRAM, "gateway", "--config", str(self.file)],
+            stdout=subprocess.DEVNULL,
+            stderr=self.log.open("ab"),
+            restore_signals=not self.keeps_signals,
+        )
+
+    @property
+    def metrics_address(self) -> str:
+        pattern = re.compile(r"metrics at (http://\S+)")
+        found = eventually(lambda: pattern.search(self.log.read_text()))
+        return found.group(1)
+
+    def metrics_text(self) -> str:
+        with urllib.request.urlopen(self.metrics_address, timeout=20) as answer:
+            return answer.read().decode()
+
+    def metrics(self) -> dict[str, float]:
+        """The values by name and labels, such as sbgc_gimbal_up{gimbal="front"}."""
+        lines = [line for line in self.metrics_text().splitlines() if not line.startswith("#")]
+        return {name: float(value) for name, value in (line.rsplit(" ", 1) for line in lines)}
+
+    def metric(self, name: str) -> float | None:
+        return self.metrics().get(name)
+
+    def is_up(self, gimbal: str) -> bool:
+        return self.metric(f'sbgc_gimbal_up{{gimbal="{gimbal}"}}') == 1
+
+    def end(self) -> int:
+        """Ends it as a service manager does, and returns its status."""
+        self.process.terminate()
+        return self.process.wait(timeout=60)
+
+    def kill(self) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+@contextmanager
+def running_gateway(folder: Path, text: str) -> Iterator[Gateway]:
+    gateway = Gateway(folder, text)
+    try:
+        yield gateway
+    except AssertionError:
+        print(gateway.log.read_text())
+        raise
+    finally:
+        gateway.kill()

@@ -1,0 +1,102 @@
+"""`sbgc gateway` on a cluster of NATS servers that speak MQTT 3.1.1, of which one is killed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from brokers import Commander, Nats, Subscriber, free_port
+from emulated_gimbal import emulated_gimbal
+from gateway import eventually, running_gateway
+
+BEFORE = 20
+AFTER = 20
+
+
+def wait_for_sessions(server: Nats) -> None:
+    """Until the servers have found each other, they accept none."""
+    probe = Commander(server.port)
+    eventually(lambda: probe.publish("probe", "x", check=False) == 0, 120)
+
+
+@pytest.fixture(name="servers")
+def servers_(tmp_path: Path) -> Iterator[list[Nats]]:
+    routes = [free_port() for _ in range(3)]
+    servers = [Nats(tmp_path / f"n{number}", number, routes) for number in range(3)]
+    for server in servers:
+        server.start()
+    try:
+        for server in servers:
+            wait_for_sessions(server)
+        yield servers
+    finally:
+        for server in servers:
+            server.kill()
+
+
+def is_home(seen: Subscriber, say: Commander) -> bool:
+    return bool(seen.result(say.command("front", "home"), 60)["status"] == "done")
+
+
+def ask(say: Commander, key: str) -> None:
+    """Commands until a server has acknowledged it, as whoever commands must do."""
+
+    def is_published() -> bool:
+        text = json.dumps(say.payload({"message": "GetAnglesRequest"}, key=key))
+        return say.publish("sbgc/studio/front/raw", text, check=False) == 0
+
+    eventually(is_published, 60)
+
+
+def has_result(seen: Subscriber, say: Commander, key: str) -> bool:
+    """Commands again if there is no result: NATS 2.9 can keep what was on its way to the gateway."""
+    try:
+        return bool(seen.result(key, 10)["status"] == "done")
+    except AssertionError:
+        ask(say, key)
+        return False
+
+
+def wait_for_result(seen: Subscriber, say: Commander, key: str) -> None:
+    eventually(lambda: has_result(seen, say, key), 120)
+
+
+def test_one_of_three_servers_is_killed(servers: list[Nats], tmp_path: Path) -> None:
+    addresses = ", ".join(f'"127.0.0.1:{server.port}"' for server in servers)
+    seen = Subscriber(servers[1].port, "sbgc/#", "-c", "-i", "observer")
+    say = Commander(servers[2].port)
+    with emulated_gimbal() as gimbal:
+        text = f"""[fleet]
+name = "studio"
+[broker]
+address = [{addresses}]
+journal = "fleet.db"
+[gimbal.front]
+port = "{gimbal.address}"
+allow = ["raw", "stop", "home"]
+telemetry = ["RealtimeData4 10"]
+"""
+        with running_gateway(tmp_path, text) as gateway:
+            eventually(
+                lambda: [
+                    one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text
+                ]
+            )
+            eventually(lambda: seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
+            keys = [f"ask-{number}" for number in range(BEFORE + AFTER)]
+            for key in keys[:BEFORE]:
+                ask(say, key)
+            servers[0].kill()  # the gateway is connected to it
+            for key in keys[BEFORE:]:
+                ask(say, key)
+            for key in keys:
+                wait_for_result(seen, say, key)
+            eventually(lambda: "connected to the broker" in gateway.log.read_text())
+            # Motion works again, so nothing waits in front of it.
+            eventually(lambda: is_home(seen, say), 120)
+            assert gateway.end() == 0
+        eventually(lambda: '"offline"' in seen.on("sbgc/studio/gateway/state")[-1].text, 60)
+    seen.close()

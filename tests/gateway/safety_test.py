@@ -1,0 +1,296 @@
+"""`sbgc gateway`: what commands have set in motion is stopped, whatever fails, and what is old moves nothing."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from brokers import Commander, Mosquitto, Subscriber
+from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from gateway import Gateway, eventually, running_gateway
+from sbgc_command import run
+
+FLEET = """[fleet]
+name = "studio"
+[broker]
+address = "127.0.0.1:{port}"
+journal = "fleet.db"
+stop-after = 1
+{broker}
+[gimbal.front]
+port = "{front}"
+allow = ["stop", "move", "speed", "motors", "calibrate", "get", "raw"]
+raw-effects = ["sets", "moves", "restarts"]
+"""
+
+TURN = {
+    "message": "Control",
+    "fields": {
+        "control_mode": 1,  # by speed
+        "axes": {"pitch": {"speed": -16}},
+    },
+}
+FAR = {"angles": {"pitch": -80}, "speed": 2, "timeout": 100}
+
+
+class Line:
+    """A TCP line to a gimbal that can be cut."""
+
+    def __init__(self, address: str) -> None:
+        host, port = address.removeprefix("tcp:").rsplit(":", 1)
+        self.target = (host, int(port))
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.address = f"tcp:127.0.0.1:{self.listener.getsockname()[1]}"
+        self.is_up = True
+        self.ends: list[socket.socket] = []
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self) -> None:
+        while True:
+            near, _ = self.listener.accept()
+            if not self.is_up:
+                near.close()
+                continue
+            far = socket.create_connection(self.target)
+            self.ends += [near, far]
+            for source, sink in ((near, far), (far, near)):
+                threading.Thread(target=self._carry, args=(source, sink), daemon=True).start()
+
+    @staticmethod
+    def _carry(source: socket.socket, sink: socket.socket) -> None:
+        try:
+            while data := source.recv(4096):
+                sink.sendall(data)
+        except OSError:
+            pass
+        for end in (source, sink):
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+
+    def cut(self) -> None:
+        self.is_up = False
+        for end in self.ends:
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+        self.ends = []
+
+
+class Stage:
+    """A broker, a gateway with one gimbal, and somebody who talks to it."""
+
+    def __init__(self, folder: Path, broker: Mosquitto, front: EmulatedGimbal) -> None:
+        self.folder = folder
+        self.broker = broker
+        self.front = front
+        self.line = Line(front.address)
+        self.seen = Subscriber(broker.port)
+        self.say = Commander(broker.port)
+
+    def fleet(self, settings: str = "") -> str:
+        return FLEET.format(port=self.broker.port, front=self.line.address, broker=settings)
+
+    def online(self) -> int:
+        """How often the gimbal was reported to be online."""
+        states = self.seen.on("sbgc/studio/front/state")
+        return len([one for one in states if one.json["state"] == "online"])
+
+    def motors_on(self) -> None:
+        eventually(self.online)
+        # Motion waits until the fence is open.
+        eventually(lambda: self.result("motors", {"on": True})["status"] == "done")
+
+    def result(self, task: str, parameters: Any = None, **members: Any) -> Any:
+        return self.seen.result(self.say.command("front", task, parameters, **members))
+
+    def speed(self) -> float:
+        """The speed of the pitch axis, past the gateway."""
+        state = run("send", "GetAnglesRequest", "-p", self.front.address, "--format", "jsonl")
+        return abs(float(state.objects[-1]["fields"]["axes"]["pitch"]["rc_speed"]))
+
+    def turns(self) -> bool:
+        return self.speed() > 0
+
+    def stands(self) -> bool:
+        return self.speed() == 0
+
+
+@pytest.fixture(name="stage")
+def stage_(tmp_path: Path) -> Iterator[Stage]:
+    broker = Mosquitto(tmp_path / "broker")
+    broker.start()
+    with emulated_gimbal("--calibration-time", "100") as front:
+        stage = Stage(tmp_path, broker, front)
+        yield stage
+        stage.seen.close()
+    broker.kill()
+
+
+def start_turning(stage: Stage) -> None:
+    stage.motors_on()
+    assert stage.result("raw", TURN)["status"] == "done"
+    eventually(stage.turns)
+
+
+def test_a_stop_needs_no_room(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet("history = 3\n")):
+        start_turning(stage)
+        codes = [
+            stage.result("get", {"names": ["pitch.p"]}).get("error", {}).get("code")
+            for _ in range(8)
+        ]
+        assert "overload" in codes  # there is no room
+        stop = stage.result("stop")
+        assert stop["status"] == "done", stop
+        assert stage.stands()
+
+
+def test_a_stop_is_no_repetition(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        for _ in range(2):
+            start_turning(stage)
+            # Neither a key that is known nor a deadline matters.
+            stage.say.command("front", "stop", key="the same", deadline=9223372036854)
+            eventually(stage.stands)
+
+
+def test_garbage_does_not_delay_a_stop(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet("most-waiting = 20\n")):
+        start_turning(stage)
+        garbage = stage.say.publish_many("sbgc/studio/front/cmd/move", [{"version": 9}] * 3000)
+        assert stage.result("stop")["status"] == "done"
+        assert stage.stands()
+        garbage.wait(60)
+        # Not all of it is answered.
+        eventually(lambda: stage.result("motors", {"on": True})["status"] == "done")
+        assert len(stage.seen.events("front", "result")) < 3000
+
+
+@pytest.mark.parametrize("task, parameters", [("move", FAR), ("raw", TURN)])
+def test_a_line_that_comes_back_stops_the_motion(stage: Stage, task: str, parameters: Any) -> None:
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        stage.motors_on()
+        key = stage.say.command("front", task, parameters)
+        eventually(stage.turns)
+        before = stage.online()
+        stage.line.cut()
+        if task == "move":
+            assert stage.seen.result(key)["status"] == "failed"
+        assert stage.turns()
+        stage.line.is_up = True
+        eventually(lambda: stage.online() > before)
+        eventually(stage.stands)
+        assert (
+            "line was lost"
+            in eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
+        )
+        assert gateway.end() == 0
+
+
+def test_a_broker_that_is_gone_while_the_line_is_lost(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        start_turning(stage)
+        stage.line.cut()
+        stage.broker.kill()
+        time.sleep(2)  # longer than stop-after
+        stage.broker.start()
+        assert stage.turns()
+        stage.line.is_up = True
+        eventually(stage.stands)
+
+
+def test_a_gateway_that_was_killed_stops_the_motion(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        start_turning(stage)
+        gateway.kill()
+        assert stage.turns()
+        gateway.restart()
+        eventually(stage.stands)
+        message = eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
+        assert "the gateway ended" in message
+
+
+def test_a_motion_that_has_ended_is_not_stopped_later(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        stage.motors_on()
+        near = {"angles": {"pitch": 3}, "speed": 30}
+        assert stage.result("move", near)["status"] == "done"
+        assert stage.result("raw", TURN)["status"] == "done"
+        assert stage.result("stop")["status"] == "done"
+        time.sleep(0.5)  # what is at rest is recorded after the result
+        gateway.kill()
+        before = stage.online()
+        gateway.restart()
+        eventually(lambda: stage.online() > before)
+        assert stage.result("get", {"names": ["pitch.p"]})["status"] == "done"
+        assert not stage.seen.events("front", "stopped")
+
+
+def test_a_speed_that_waited_is_refused(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        stage.motors_on()
+        calibration = stage.say.command("front", "calibrate", {"calibration": "gyro"})
+        speed = stage.result("speed", {"speeds": {"pitch": 20}})
+        assert speed["error"]["code"] == "expired", speed
+        assert stage.seen.result(calibration)["status"] == "done"
+
+
+def test_motors_off_does_not_wait(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        stage.motors_on()
+        move = stage.say.command("front", "move", FAR)
+        waits = stage.say.command("front", "move", FAR)
+        eventually(stage.turns)
+        assert stage.result("motors", {"on": False})["status"] == "done"
+        assert stage.seen.result(move)["status"] == "failed"
+        assert stage.seen.result(waits)["error"]["code"] == "superseded"
+
+
+def test_a_restart_that_waited_at_the_broker_is_refused(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        stage.motors_on()
+        gateway.end()
+        key = stage.say.command("front", "raw", {"message": "ResetRequest"})
+        gateway.restart()
+        assert stage.seen.result(key)["error"]["code"] == "queued"
+
+
+def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        stage.motors_on()
+        for _ in range(3):
+            assert stage.result("speed", {"speeds": {"pitch": 3}})["status"] == "done"
+            assert stage.result("raw", TURN)["status"] == "done"
+            time.sleep(1)  # longer than the speed lasts
+            assert stage.turns()
+            assert stage.result("stop")["status"] == "done"
+
+
+def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
+    """MQTT 5 shows it. Without it, a broker would move the camera again after each connection."""
+    with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
+        stage.motors_on()
+        key = stage.say.command("front", "move", FAR, options=("-V", "5", "-r"))
+        assert stage.seen.result(key)["error"]["code"] == "retained"
+        stage.say.remove_retained("sbgc/studio/front/cmd/move")
+
+
+def test_a_second_gateway_of_a_fleet_ends(stage: Stage) -> None:
+    other = stage.folder / "other"
+    other.mkdir()
+    with running_gateway(stage.folder, stage.fleet()) as first:
+        stage.motors_on()
+        with running_gateway(other, stage.fleet()) as second:
+            assert second.process.wait(60) == 1
+            assert "another gateway serves this fleet" in second.log.read_text()
+        assert first.process.poll() is None
+        eventually(lambda: stage.result("motors", {"on": True})["status"] == "done")

@@ -1,0 +1,105 @@
+/// Reads the text of configuration files: the part of TOML that they need, with the place of
+/// everything. Sections, keys with one level or several, texts in quotes, numbers, true and false,
+/// and lists of these. A line may also begin with ';' to be a comment.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbgc::tools {
+
+/// Both count from 1; columns count bytes.
+struct ConfigurationPlace {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+struct ConfigurationValue {
+  enum class Kind : unsigned char { text, number, truth };
+
+  Kind kind{};
+  std::string text{};
+  ConfigurationPlace place{};
+};
+
+struct ConfigurationKey {
+  std::string name{};
+  ConfigurationPlace place{};
+  bool is_list{};
+  std::vector<ConfigurationValue> values{};
+};
+
+struct ConfigurationSection {
+  std::vector<std::string> path{};
+  ConfigurationPlace place{};
+  std::vector<ConfigurationKey> keys{};
+
+  /// For example "[gimbal.front]".
+  std::string name() const;
+};
+
+/// The sections of a file, in their order; the first one is without a name. Errors are
+/// CommandErrors that begin with "file:line:column: ".
+class ConfigurationText {
+ public:
+  /// Parses the text. Throws CommandError.
+  ConfigurationText(std::string_view text, std::string file);
+
+  const std::vector<ConfigurationSection>& sections() const { return sections_; }
+
+  [[noreturn]] void reject(ConfigurationPlace place, const std::string& reason) const;
+
+ private:
+  class Parser;
+
+  std::string file_;
+  std::vector<ConfigurationSection> sections_;
+};
+
+/// Reads the keys of a section. What it was asked for is what a section may have: finish() rejects
+/// everything else. All functions throw CommandError if a value is not of their kind.
+class SectionReader {
+ public:
+  SectionReader(const ConfigurationText& text, const ConfigurationSection& section)
+      : text_(text), section_(section) {}
+
+  std::optional<std::string> text(std::string_view key);
+  /// The same, but finish() rejects a section without it. `example` completes the hint, such as
+  /// "port = \"/dev/ttyS0\"".
+  std::string required_text(std::string_view key, std::string_view example);
+  std::optional<double> number(std::string_view key, double least, double most);
+  std::optional<std::chrono::milliseconds> duration(std::string_view key);
+  /// A list of texts, or one text. Null if there is none.
+  const std::vector<ConfigurationValue>* texts(std::string_view key);
+
+  /// The same, but finish() rejects a section without it.
+  const std::vector<ConfigurationValue>& required_texts(std::string_view key,
+                                                        std::string_view example);
+
+  /// Rejects a key, or without it the section, for this reason.
+  [[noreturn]] void reject(std::string_view key, const std::string& reason) const;
+  [[noreturn]] void reject(const ConfigurationValue& value, const std::string& reason) const;
+
+  /// Throws CommandError, with suggestions, if the section has keys that nobody has asked for, or
+  /// lacks one that must be there.
+  void finish() const;
+
+ private:
+  void lacks(std::string_view key, std::string_view example);
+  const ConfigurationKey* find(std::string_view key);
+  const ConfigurationValue* one(std::string_view key);
+  [[noreturn]] void reject_kind(const ConfigurationValue& value, std::string_view key,
+                                const std::string& wanted) const;
+
+  const ConfigurationText& text_;
+  const ConfigurationSection& section_;
+  std::vector<std::string> known_;
+  std::string missing_;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,58 @@
+/// Puts the gimbals of a fleet on an MQTT broker: what they report, and what they are told.
+///
+/// The thread of the connection to the broker owns the journal. A command goes from there to the
+/// strand of its gimbal, once it is on the disk; its result comes back the same way.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gateway/fleet.hpp"
+#include "gateway/gimbal.hpp"
+
+namespace sbgc::tools {
+
+class Broker {
+ public:
+  struct Statistics {
+    bool is_connected{};
+    bool has_failed{};             ///< see failure()
+    std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
+    std::uint64_t dropped{};       ///< events and refusals for which there was no room
+    std::uint64_t acknowledged{};  ///< messages with quality 1
+    std::size_t waiting{};         ///< results, events and refusals on the disk
+    std::size_t most_waiting{};
+    std::uint64_t done{};  ///< commands, by their results
+    std::uint64_t failed{};
+    std::uint64_t refused{};
+    std::uint64_t unknown{};
+  };
+
+  /// Registers its handlers: the gimbals have not started. Commands that an earlier gateway had
+  /// begun get the result `unknown`. Throws std::runtime_error.
+  Broker(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals);
+  Broker(const Broker&) = delete;
+  Broker& operator=(const Broker&) = delete;
+  ~Broker();
+
+  void start();
+  /// Stops what commands have set in motion, and reports that the gateway is offline. Takes a few
+  /// seconds at most.
+  void close();
+
+  Statistics statistics() const;
+  /// Why this half cannot go on, such as a full disk; without metrics, it has asked the process to
+  /// end. "" if it can.
+  std::string failure() const;
+
+ private:
+  class Fence;
+  class Impl;
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sbgc::tools

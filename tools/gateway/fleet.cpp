@@ -1,0 +1,305 @@
+#include "gateway/fleet.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/detail/suggestions.hpp>
+
+#include "command/command_error.hpp"
+#include "command/duration.hpp"
+#include "values/effect_text.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr std::size_t largest_fleet_file = std::size_t{1} << 22U;
+// Topics of the gateway itself have these in the place of a gimbal.
+constexpr std::array<std::string_view, 2> reserved_names{"gateway", "reply"};
+constexpr double slowest_telemetry = 0.02;
+constexpr double fastest_telemetry = 1000;
+constexpr double most_kept = 1e7;
+constexpr std::chrono::seconds longest_keep_alive{65'535};  // of MQTT
+constexpr std::chrono::seconds longest_clock_skew{60};
+constexpr std::chrono::seconds longest_stop_after{60};
+constexpr std::chrono::hours farthest_deadline{24};
+constexpr std::uint16_t mqtt_port = 1883;
+constexpr std::uint16_t mqtt_tls_port = 8883;
+
+bool is_fleet_name(std::string_view name) {
+  return !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+std::string path_in(const std::filesystem::path& folder, const std::optional<std::string>& path) {
+  return path && !path->empty() ? (folder / *path).string() : "";
+}
+
+template <class Words>
+std::vector<std::string> as_strings(const Words& words) {
+  return {std::begin(words), std::end(words)};
+}
+
+std::vector<std::string> read_allowed(SectionReader& section) {
+  std::vector<std::string> result;
+  const std::vector<std::string> tasks = as_strings(gateway_tasks);
+  if (const auto* const words = section.texts("allow")) {
+    for (const ConfigurationValue& word : *words) {
+      if (std::ranges::find(tasks, word.text) == tasks.end()) {
+        section.reject(word,
+                       fmt::format("no task '{}'{}", word.text,
+                                   detail::did_you_mean(
+                                       detail::nearest(word.text, tasks),
+                                       "tasks are " + detail::alternatives(tasks, false, "and"))));
+      }
+      result.push_back(word.text);
+    }
+  }
+  return result;
+}
+
+Effects read_effects(SectionReader& section, Effects by_default) {
+  const auto* const words = section.texts("raw-effects");
+  if (words == nullptr) return by_default;
+  Effects result;
+  for (const ConfigurationValue& word : *words) {
+    const std::optional<Effect> effect = effect_of_word(word.text);
+    if (!effect) {
+      const std::vector<std::string> known = known_effect_words();
+      section.reject(word,
+                     fmt::format("no effect '{}'{}", word.text,
+                                 detail::did_you_mean(
+                                     detail::nearest(word.text, known),
+                                     "effects are " + detail::alternatives(known, false, "and"))));
+    }
+    result = result | *effect;
+  }
+  return result;
+}
+
+/// Reads "MESSAGE RATE [CONTENTS]".
+Telemetry read_telemetry(const SectionReader& section, const ConfigurationValue& value) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < value.text.size();) {
+    const std::size_t space = std::min(value.text.find(' ', at), value.text.size());
+    if (space != at) words.push_back(value.text.substr(at, space - at));
+    at = space + 1;
+  }
+  constexpr std::size_t most_words = 3;
+  double rate{};
+  const bool is_complete =
+      (words.size() == 2 || words.size() == most_words) &&
+      std::from_chars(words[1].data(), words[1].data() + words[1].size(), rate).ptr ==
+          words[1].data() + words[1].size();
+  if (!is_complete || !(rate >= slowest_telemetry && rate <= fastest_telemetry)) {
+    section.reject(value,
+                   fmt::format("'{}' is not a message and its rate, from {} to {} per second, such "
+                               "as \"RealtimeData4 10\"",
+                               value.text, slowest_telemetry, fastest_telemetry));
+  }
+  try {
+    return {TelemetrySource::find(words[0], words.size() == most_words ? words[2] : ""), rate};
+  } catch (const CommandError& error) {
+    section.reject(value, error.what());
+  }
+}
+
+std::vector<Telemetry> read_all_telemetry(SectionReader& section) {
+  std::vector<Telemetry> result;
+  if (const auto* const texts = section.texts("telemetry")) {
+    for (const ConfigurationValue& text : *texts) {
+      Telemetry one = read_telemetry(section, text);
+      const auto is_same = [&](const Telemetry& other) {
+        return &other.source.info() == &one.source.info();
+      };
+      if (std::ranges::any_of(result, is_same)) {
+        section.reject(text, fmt::format("{} is there twice", one.source.info().name));
+      }
+      result.push_back(std::move(one));
+    }
+  }
+  return result;
+}
+
+MetricsSettings read_metrics(SectionReader& section) {
+  MetricsSettings metrics;
+  if (auto listen = section.text("listen")) metrics.listen = *std::move(listen);
+  const std::size_t colon = metrics.listen.rfind(':');
+  if (colon == std::string::npos || colon == 0) {
+    section.reject("listen", "'listen' is an address and a port, such as \"127.0.0.1:9110\"");
+  }
+  if (const auto interval = section.duration("interval")) metrics.interval = *interval;
+  if (auto fields = section.text("fields")) metrics.fields = *std::move(fields);
+  return metrics;
+}
+
+/// Reads "HOST" or "HOST:PORT"; a numeric address of version 6 stands in brackets.
+BrokerAddress read_broker_address(const SectionReader& section, const ConfigurationValue& value,
+                                  std::uint16_t usual_port) {
+  const std::string& text = value.text;
+  const std::size_t colon = text.rfind(':');
+  const bool has_port = colon != std::string::npos && text.find(']', colon) == std::string::npos;
+  BrokerAddress address{text.substr(0, has_port ? colon : text.size()), usual_port};
+  bool is_port = true;
+  if (has_port) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + colon + 1, end, address.port);
+    is_port = read.ec == std::errc{} && read.ptr == end && address.port != 0;
+  }
+  if (address.host.starts_with('[') && address.host.ends_with(']')) {
+    address.host = address.host.substr(1, address.host.size() - 2);
+  }
+  if (!is_port || address.host.empty()) {
+    section.reject(value, fmt::format("'{}' is not an address, such as \"127.0.0.1:1883\" or "
+                                      "\"broker.example:8883\"",
+                                      text));
+  }
+  return address;
+}
+
+BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& folder) {
+  BrokerSettings broker;
+  broker.ca_file = path_in(folder, section.text("ca-file"));
+  const std::uint16_t usual_port = broker.ca_file.empty() ? mqtt_port : mqtt_tls_port;
+  for (const ConfigurationValue& value :
+       section.required_texts("address", "address = \"127.0.0.1:1883\"")) {
+    broker.addresses.push_back(read_broker_address(section, value, usual_port));
+  }
+  if (const auto version = section.text("mqtt")) {
+    broker.is_mqtt_5 = *version == "5";
+    if (!broker.is_mqtt_5 && *version != "3.1.1") {
+      section.reject("mqtt",
+                     fmt::format("'mqtt' is '{}'; it must be \"3.1.1\" or \"5\"", *version));
+    }
+  }
+  broker.client_id = section.text("client-id").value_or("");
+  broker.user = section.text("user").value_or("");
+  broker.password_file = path_in(folder, section.text("password-file"));
+  broker.certificate_file = path_in(folder, section.text("certificate-file"));
+  broker.key_file = path_in(folder, section.text("key-file"));
+  if (broker.certificate_file.empty() != broker.key_file.empty()) {
+    section.reject(broker.key_file.empty() ? "certificate-file" : "key-file",
+                   "'certificate-file' and 'key-file' belong together");
+  }
+  if (broker.ca_file.empty() && !broker.key_file.empty()) {
+    section.reject("key-file",
+                   "a certificate needs TLS: add ca-file, the certificates of those "
+                   "who may sign that of the broker");
+  }
+  if (!broker.password_file.empty() && broker.user.empty()) {
+    section.reject("password-file", "a password needs a user: add user = \"…\"");
+  }
+  const auto read_time = [&](const char* key, std::chrono::seconds longest,
+                             std::chrono::milliseconds& into) {
+    const auto time = section.duration(key);
+    if (!time) return;
+    if (*time > longest) {
+      section.reject(key, fmt::format("'{}' is {}; it can be at most {}", key, duration_text(*time),
+                                      duration_text(longest)));
+    }
+    into = *time;
+  };
+  read_time("keep-alive", longest_keep_alive, broker.keep_alive);
+  read_time("clock-skew", longest_clock_skew, broker.clock_skew);
+  read_time("stop-after", longest_stop_after, broker.stop_after);
+  read_time("longest-deadline", farthest_deadline, broker.longest_deadline);
+  const auto read_count = [&](const char* key, std::size_t& into) {
+    if (const auto count = section.number(key, 1, most_kept)) {
+      into = static_cast<std::size_t>(*count);
+    }
+  };
+  read_count("most-waiting", broker.most_waiting);
+  read_count("history", broker.history);
+  broker.journal = path_in(
+      folder, section.required_text("journal",
+                                    "journal = \"/var/lib/sbgc-gateway/studio.db\", a file of the "
+                                    "gateway for what must not be lost"));
+  return broker;
+}
+
+FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection& where,
+                              const std::filesystem::path& folder) {
+  const std::string& name = where.path.back();
+  if (!is_fleet_name(name)) {
+    section.reject("", fmt::format("'{}' cannot be a part of a topic: names of gimbals consist of "
+                                   "a-z, 0-9, _ and -",
+                                   name));
+  }
+  if (std::ranges::find(reserved_names, name) != reserved_names.end()) {
+    section.reject("", fmt::format("'{}' has another meaning in topics; take another name", name));
+  }
+  FleetGimbal gimbal;
+  gimbal.line = read_gimbal(section, name, folder);
+  gimbal.allow = read_allowed(section);
+  gimbal.raw_effects = read_effects(section, gimbal.raw_effects);
+  gimbal.telemetry = read_all_telemetry(section);
+  if (gimbal.line.password_file == "-") {
+    section.reject("password-file", "a gateway has nobody to ask: name a file");
+  }
+  return gimbal;
+}
+
+/// Reads one section into the fleet.
+void read_section(const ConfigurationText& text, const ConfigurationSection& section, Fleet& fleet,
+                  const std::filesystem::path& folder) {
+  SectionReader reader(text, section);
+  const std::vector<std::string>& path = section.path;
+  if (path.size() == 2 && path.front() == "gimbal") {
+    fleet.gimbals.push_back(read_fleet_gimbal(reader, section, folder));
+  } else if (path == std::vector<std::string>{"fleet"}) {
+    fleet.name = reader.required_text("name", "name = \"studio\"");
+  } else if (path == std::vector<std::string>{"metrics"}) {
+    fleet.metrics = read_metrics(reader);
+  } else if (path == std::vector<std::string>{"broker"}) {
+    fleet.broker = read_broker(reader, folder);
+  } else if (path.empty() && section.keys.empty()) {
+    return;
+  } else {
+    const std::vector<std::string> known{"fleet", "gimbal", "metrics", "broker"};
+    const auto& at = path.empty() ? section.keys.front().place : section.place;
+    text.reject(at, fmt::format("{} is not a section of a fleet{}", section.name(),
+                                detail::did_you_mean(
+                                    path.empty() ? std::vector<std::string>{}
+                                                 : detail::nearest(path.front(), known),
+                                    "there are [fleet], [gimbal.NAME], [metrics] and [broker]")));
+  }
+  reader.finish();
+  if (!fleet.name.empty() && !is_fleet_name(fleet.name)) {
+    reader.reject("name", fmt::format("'{}' cannot be a part of a topic: the name of a fleet "
+                                      "consists of a-z, 0-9, _ and -",
+                                      fleet.name));
+  }
+}
+
+}  // namespace
+
+bool FleetGimbal::allows(std::string_view task) const {
+  return std::ranges::find(allow, task) != allow.end();
+}
+
+Fleet fleet_in(const std::string& text, const std::filesystem::path& file) {
+  const ConfigurationText configuration(text, file.string());
+  Fleet fleet;
+  for (const ConfigurationSection& section : configuration.sections()) {
+    read_section(configuration, section, fleet, file.parent_path());
+  }
+  const auto lack = [&](const char* what) {
+    configuration.reject({}, fmt::format("{} is missing", what));
+  };
+  if (fleet.name.empty()) lack("[fleet] with its name, such as name = \"studio\",");
+  if (fleet.gimbals.empty()) lack("a section [gimbal.NAME] with a port");
+  if (!fleet.metrics && !fleet.broker) lack("[metrics] or [broker], the reason for a gateway,");
+  return fleet;
+}
+
+Fleet read_fleet(const std::filesystem::path& file) {
+  const Result<std::string> text = detail::read_whole_file(file, largest_fleet_file);
+  if (!text) throw CommandError(text.error().message);
+  return fleet_in(*text, file);
+}
+
+}  // namespace sbgc::tools

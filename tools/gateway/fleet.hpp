@@ -1,0 +1,103 @@
+/// The configuration of a gateway, in the TOML of the configuration file of the command:
+///
+///     [fleet]
+///     name = "studio"
+///
+///     [gimbal.front]
+///     port = "/dev/ttyUSB0"              # and the other keys of config.toml
+///     allow = ["move", "stop", "raw"]    # tasks that the broker may command; none by default
+///     raw-effects = ["reads", "moves"]   # what messages of `raw` may do; "reads" by default
+///     telemetry = ["RealtimeData4 10", "RealtimeDataCustom 5 IMU_ANGLES|RC_DATA"]
+///
+///     [metrics]
+///     listen = "127.0.0.1:9110"
+///
+///     [broker]
+///     address = "127.0.0.1:1883"         # or a list, of a cluster
+///     journal = "/var/lib/sbgc-gateway/studio.db"
+///
+/// Names consist of a-z, 0-9, _ and -.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/meta.hpp>
+
+#include "board/configuration.hpp"
+#include "gateway/telemetry_source.hpp"
+
+namespace sbgc::tools {
+
+/// What a broker can command, as in `…/cmd/<task>`; `raw` is `…/raw`.
+inline constexpr std::array<std::string_view, 10> gateway_tasks{
+    "stop", "move", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
+
+/// Messages of one type that a gimbal sends at a rate.
+struct Telemetry {
+  TelemetrySource source;
+  double rate{};  ///< per second
+};
+
+struct FleetGimbal {
+  NamedGimbal line{};                ///< name, port and how to connect
+  std::vector<std::string> allow{};  ///< of gateway_tasks
+  Effects raw_effects = Effect::reads;
+  std::vector<Telemetry> telemetry{};
+
+  bool allows(std::string_view task) const;
+};
+
+struct MetricsSettings {
+  std::string listen{"127.0.0.1:9110"};
+  std::chrono::milliseconds interval{5'000};  ///< between two requests for live data
+  /// Fields of live data, as for `sbgc stream --fields`.
+  std::string fields{
+      "bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,"
+      "i2c_error_count,serial_error_cnt,system_error,angle"};
+};
+
+struct BrokerAddress {
+  std::string host{};
+  std::uint16_t port{};
+};
+
+struct BrokerSettings {
+  std::vector<BrokerAddress> addresses{};  ///< of one broker, or of the servers of a cluster
+  bool is_mqtt_5 = false;                  ///< otherwise 3.1.1
+  std::string client_id{};                 ///< by default "sbgc-<fleet>"
+  std::string user{};
+  std::string password_file{};
+  std::string ca_file{};           ///< with one, TLS
+  std::string certificate_file{};  ///< of the client
+  std::string key_file{};
+  std::chrono::milliseconds keep_alive{30'000};
+  std::filesystem::path journal{};   ///< the SQLite file
+  std::size_t most_waiting{10'000};  ///< events and results on disk
+  std::size_t history{10'000};       ///< results by which a repeated command is known
+  std::chrono::milliseconds longest_deadline{60'000};  ///< of a command
+  std::chrono::milliseconds clock_skew{1'000};         ///< how far the clocks of senders may differ
+  std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
+};
+
+struct Fleet {
+  std::string name{};
+  std::vector<FleetGimbal> gimbals{};
+  std::optional<MetricsSettings> metrics{};
+  std::optional<BrokerSettings> broker{};
+};
+
+/// Returns the fleet in the text of a file. Throws CommandError, with "file:line:column: ", if it
+/// is invalid. Relative paths count from the folder of the file.
+Fleet fleet_in(const std::string& text, const std::filesystem::path& file);
+
+/// Reads the file. Throws CommandError.
+Fleet read_fleet(const std::filesystem::path& file);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,122 @@
+// sbgc gateway: many gimbals, on a message broker and for Prometheus.
+
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include "command/background_output.hpp"
+#include "command/interruption.hpp"
+#include "command/remark.hpp"
+#include "command/subcommand.hpp"
+#include "command/wording.hpp"
+#include "gateway/broker.hpp"
+#include "gateway/fleet.hpp"
+#include "gateway/gimbal.hpp"
+#include "gateway/metrics.hpp"
+#include "gateway/schema.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr unsigned most_io_threads = 8;
+
+struct GatewayOptions {
+  std::string config{};
+  bool only_checks = false;
+  bool shows_schema = false;
+};
+
+void report_on(Gimbal& gimbal) {
+  gimbal.on_status([&gimbal](const GimbalStatus& status) {
+    const std::string details =
+        status.link == GimbalLink::online
+            ? fmt::format("board {}, firmware {}", status.board, status.firmware)
+            : status.reason;
+    remark("sbgc: {} is {}: {}\n", gimbal.name(), name(status.link), details);
+  });
+  gimbal.on_event([&gimbal](const GimbalEvent& event, Gimbal::Time) {
+    remark("sbgc: {}: {}: {}\n", gimbal.name(), event.kind, event.message);
+  });
+}
+
+void wait_for_signal() {
+  pollfd signal{.fd = interruption_descriptor(), .events = POLLIN, .revents = 0};
+  while (!was_interrupted()) ::poll(&signal, 1, -1);
+}
+
+/// Serves the fleet until a signal comes, or neither half can go on.
+int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
+  remark_in_background();
+  std::signal(SIGPIPE, SIG_IGN);
+  const Interruption interruption;
+  // Both halves have their handlers before the gimbals start.
+  std::optional<Broker> broker;
+  if (fleet.broker) broker.emplace(fleet, gimbals);
+  std::optional<Metrics> metrics;
+  if (fleet.metrics) metrics.emplace(*fleet.metrics, gimbals, broker ? &*broker : nullptr);
+  if (metrics) {
+    metrics->start();
+    remark("sbgc: metrics at {}\n", metrics->address());
+    if (metrics->is_open()) remark("sbgc: warning: metrics are open to any other machine\n");
+  }
+  for (const auto& gimbal : gimbals) gimbal->start();
+  if (broker) broker->start();
+  wait_for_signal();
+  metrics.reset();
+  if (broker) broker->close();
+  for (const auto& gimbal : gimbals) gimbal->close();
+  io.finish();  // what still completes uses the broker and the gimbals
+  return broker && !broker->failure().empty() ? failure : success;
+}
+
+int run_gateway(const GatewayOptions& options) {
+  if (options.shows_schema) {
+    fmt::print("{}\n", detail::json_text(gateway_schema(), 1));
+    return success;
+  }
+  if (options.config.empty()) throw CommandError("--config is missing", wrong_usage);
+  const Fleet fleet = read_fleet(options.config);
+  Io io(std::clamp(std::thread::hardware_concurrency(), 2U, most_io_threads));
+  std::vector<std::unique_ptr<Gimbal>> gimbals;
+  for (const FleetGimbal& one : fleet.gimbals) {
+    gimbals.push_back(std::make_unique<Gimbal>(io, one));
+    report_on(*gimbals.back());
+  }
+  if (options.only_checks) {
+    remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
+    return success;
+  }
+  return serve_fleet(io, fleet, gimbals);
+}
+
+}  // namespace
+
+void add_gateway(CLI::App& app, CommandContext& context) {
+  const Subcommand<GatewayOptions> command(
+      app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
+  auto& options = command.options();
+  command->add_option("--config", options.config, "The fleet, in TOML")->type_name("FILE");
+  command->add_flag("--check", options.only_checks, "Only read the file, and say what is wrong");
+  command->add_flag("--schema", options.shows_schema,
+                    "Print the JSON Schema of what the broker carries");
+  command->footer(
+      "Connects to the gimbals that the file names, and connects again as long as it runs. "
+      "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
+      "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
+      "\n"
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or "
+      "the "
+      "broker's half has failed, 2 for wrong usage.");
+  command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
+  command.runs(run_gateway);
+}
+
+}  // namespace sbgc::tools

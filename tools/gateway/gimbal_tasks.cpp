@@ -1,0 +1,370 @@
+#include "gateway/gimbal_tasks.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <asio/bind_cancellation_slot.hpp>
+#include <asio/bind_executor.hpp>
+#include <asio/post.hpp>
+
+#include <sbgc/client/calibration.hpp>
+
+#include "gateway/parameter_tasks.hpp"
+#include "motion/axis_values.hpp"
+#include "values/message_json.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+/// How often a moving gimbal looks for the broker.
+constexpr std::chrono::milliseconds look_interval{100};
+
+TaskOutcome failed_outcome(const ClientError& error) {
+  return {"failed", name(error.code), error.message, {}};
+}
+
+Json angles_json(const MoveProgress& progress) {
+  Json angles;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    angles[axis_names[i]] = progress.angles[i].degrees();
+  }
+  return {{"angles", std::move(angles)}};
+}
+
+Json response_json(const std::optional<AnyMessage>& response) {
+  if (!response) return {};
+  return {{"message", response->type().info->name}, {"fields", Json::parse(response->to_json())}};
+}
+
+const char* calibration_text(CalibrationEnd end) {
+  switch (end) {
+    case CalibrationEnd::finished: return "finished";
+    case CalibrationEnd::accepted: return "accepted";
+    case CalibrationEnd::unconfirmed: return "unconfirmed";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+GimbalTasks::GimbalTasks(Gimbal& gimbal, Hooks hooks, std::optional<std::int64_t> moved_by)
+    : gimbal_(gimbal), hooks_(std::move(hooks)), timer_(gimbal.executor()) {
+  if (!moved_by) return;
+  last_motion_ = *moved_by;
+  moves_until_ = Clock::time_point::max();
+  must_halt("the gateway ended while the camera could move");
+}
+
+void GimbalTasks::run(Job job) {
+  asio::post(gimbal_.executor(), [self = shared_from_this(), job = std::move(job)]() mutable {
+    self->add(std::move(job));
+  });
+}
+
+void GimbalTasks::link_changed(bool is_online) {
+  asio::post(gimbal_.executor(), [self = shared_from_this(), is_online] {
+    self->is_online_ = is_online;
+    if (!is_online) {
+      // Nothing that waits moves the camera when the line is back.
+      self->end_waiting_motions("link_lost", "the line to the gimbal was lost");
+      if (self->is_moving()) self->must_halt("the line was lost while the camera could move");
+      self->report_rest();
+    } else if (!self->halt_reason_.empty()) {
+      self->halt();
+    }
+  });
+}
+
+void GimbalTasks::shut_down(std::function<void()> done) {
+  asio::post(gimbal_.executor(), [self = shared_from_this(), done = std::move(done)] {
+    self->is_shut_down_ = true;
+    self->timer_.cancel();
+    while (!self->waiting_.empty()) {
+      const Job job = std::exchange(self->waiting_.front(), {});
+      self->waiting_.pop_front();
+      self->end(job, {"refused", "closing", "the gateway ends", {}});
+    }
+    const bool was_moving = self->is_moving();
+    // Parameters are not left half written.
+    const bool writes =
+        self->current_ && std::holds_alternative<SetOrder>(self->current_->order.what);
+    if (self->current_ && self->cancel_ && !writes) {
+      self->cancel_->emit(asio::cancellation_type::terminal);
+    }
+    const auto end = [self, done](const TaskOutcome&) {
+      self->speed_.reset();
+      done();
+    };
+    was_moving ? self->stop(end) : end({});
+  });
+}
+
+void GimbalTasks::add(Job job) {
+  if (is_shut_down_) return end(job, {"refused", "closing", "the gateway ends", {}});
+  if (std::holds_alternative<StopOrder>(job.order.what)) {
+    end_waiting_motions("superseded", "a later command stops the camera");
+    return stop(std::move(job.done));
+  }
+  if (job.order.is_urgent) return turn_motors_off(std::move(job));
+  constexpr std::size_t most_waiting = 16;
+  if (waiting_.size() >= most_waiting) {
+    return end(job, {"refused", "overload", "too many commands wait for this gimbal", {}});
+  }
+  waiting_.push_back(std::move(job));
+  begin_next();
+}
+
+void GimbalTasks::begin_next() {
+  while (!current_ && stopping_ == 0 && !waiting_.empty()) {
+    Job job = std::move(waiting_.front());
+    waiting_.pop_front();
+    const Order& order = job.order;
+    const bool is_speed = std::holds_alternative<SpeedOrder>(order.what);
+    const bool ends_speed = is_turning_ && order.must_not_wait && !is_speed;
+    if (job.deadline && std::chrono::system_clock::now() > *job.deadline) {
+      end(job, {"refused", "expired", "its deadline passed before it could begin", {}});
+    } else if (is_speed && Clock::now() > job.arrived + longest_silence) {
+      end(job, {"refused", "expired", "a speed that could not begin at once is not wanted", {}});
+    } else if (order.must_not_wait && !hooks_.is_broker_there()) {
+      end(job, {"refused", "no_broker", "the broker is gone, so nothing would stop it", {}});
+    } else if (order.sets_in_motion() && !is_online_) {
+      end(job, {"failed", name(ErrorCode::not_connected), "the gimbal is not online", {}});
+    } else {
+      current_.emplace(std::move(job));
+      ends_speed ? begin_after_speed() : begin(current_->order);
+    }
+  }
+}
+
+/// The stop of the speed must not overtake the next motion.
+void GimbalTasks::begin_after_speed() {
+  is_preparing_ = true;
+  end_motion();
+  confirm_stop([self = shared_from_this()](const Result<void>& stopped) {
+    // Another stop has ended the wait.
+    const bool is_cancelled = !std::exchange(self->is_preparing_, false) || self->is_shut_down_;
+    if (is_cancelled) {
+      self->finish({"failed", name(ErrorCode::cancelled), "a later command stops the camera", {}});
+    } else if (!stopped) {
+      self->finish(failed_outcome(stopped.error()));
+    } else {
+      self->begin(self->current_->order);
+    }
+  });
+}
+
+template <class R>
+auto GimbalTasks::handler(std::function<TaskOutcome(const Result<R>&)> read) {
+  cancel_ = std::make_unique<asio::cancellation_signal>();
+  return asio::bind_cancellation_slot(
+      cancel_->slot(),
+      asio::bind_executor(gimbal_.executor(),
+                          [self = shared_from_this(), read = std::move(read)](
+                              const Result<R>& result) { self->finish(read(result)); }));
+}
+
+template <class R>
+void GimbalTasks::start(Task<Result<R>> task, std::function<TaskOutcome(const R&)> read) {
+  gimbal_.client().async_run(std::move(task), handler<R>([read](const Result<R>& result) {
+                               return result ? read(*result) : failed_outcome(result.error());
+                             }));
+}
+
+void GimbalTasks::begin(const Order& order) {
+  moved_before_ = may_go_on();
+  if (order.sets_in_motion()) {
+    last_motion_ = std::max(last_motion_, current_->command);
+    const bool is_bounded = order.goes_on.count() != 0 && order.goes_on != Order::forever;
+    const auto until = is_bounded ? Clock::now() + order.goes_on : Clock::time_point::max();
+    // The dead man's switch watches a speed.
+    if (!std::holds_alternative<SpeedOrder>(order.what)) {
+      moves_until_ = std::max(moves_until_.value_or(until), until);
+    }
+    watch();
+  }
+  AsyncReconnectingClient& client = gimbal_.client();
+  const auto visit = [&](const auto& what) {
+    using What = std::decay_t<decltype(what)>;
+    if constexpr (std::is_same_v<What, MoveOrder>) {
+      start<MoveProgress>(tasks::move_to(what.target, what.options), [](const MoveProgress& end) {
+        return TaskOutcome{.result = angles_json(end)};
+      });
+    } else if constexpr (std::is_same_v<What, SpeedOrder>) {
+      finish(set_speed(what));
+    } else if constexpr (std::is_same_v<What, CallOrder>) {
+      CallOptions options;
+      options.expect_confirmation = true;
+      client.async_call(
+          what.request, options,
+          handler<std::optional<AnyMessage>>([](const Result<std::optional<AnyMessage>>& response) {
+            if (!response) return failed_outcome(response.error());
+            return TaskOutcome{.result = response_json(*response)};
+          }));
+    } else if constexpr (std::is_same_v<What, CalibrateOrder>) {
+      start<CalibrationEnd>(tasks::run_calibration(what.request), [](const CalibrationEnd& end) {
+        return TaskOutcome{.result = {{"end", calibration_text(end)}}};
+      });
+    } else if constexpr (std::is_same_v<What, GetOrder>) {
+      start<Json>(get_parameters(what),
+                  [](const Json& json) { return TaskOutcome{.result = json}; });
+    } else if constexpr (std::is_same_v<What, SetOrder>) {
+      start<Json>(set_parameters(what),
+                  [](const Json& json) { return TaskOutcome{.result = json}; });
+    } else {
+      static_assert(std::is_same_v<What, StopOrder>);  // add() does not queue it
+    }
+  };
+  std::visit(visit, order.what);
+}
+
+void GimbalTasks::finish(TaskOutcome outcome) {
+  const Job ended = std::move(*current_);
+  current_.reset();
+  if (std::holds_alternative<MoveOrder>(ended.order.what) && outcome.status == "done" &&
+      !moved_before_) {
+    moves_until_.reset();
+  }
+  end(ended, std::move(outcome));
+  // Not at once: the stack does not grow with what waits.
+  asio::post(gimbal_.executor(), [self = shared_from_this()] { self->begin_next(); });
+}
+
+void GimbalTasks::end(const Job& job, TaskOutcome outcome) {
+  if (job.order.sets_in_motion()) last_motion_ = std::max(last_motion_, job.command);
+  job.done(std::move(outcome));
+  report_rest();
+}
+
+TaskOutcome GimbalTasks::set_speed(const SpeedOrder& order) {
+  if (speed_ && speed_->state() == SpeedControl::State::failed) speed_.reset();
+  if (!speed_) {
+    speed_ = std::make_unique<SpeedControl>(gimbal_.client(),
+                                            SpeedControlOptions{.silence = longest_silence});
+  }
+  if (Result<void> set = speed_->set(order.speed); !set) return failed_outcome(set.error());
+  is_turning_ = true;
+  return {.result = {{"lasts", longest_silence.count()}}};
+}
+
+void GimbalTasks::stop(Done done) {
+  end_motion();
+  is_preparing_ = false;
+  confirm_stop([done = std::move(done)](const Result<void>& stopped) {
+    done(stopped ? TaskOutcome() : failed_outcome(stopped.error()));
+  });
+}
+
+void GimbalTasks::turn_motors_off(Job job) {
+  end_waiting_motions("superseded", "a later command turns the motors off");
+  end_motion();
+  is_preparing_ = false;
+  CallOptions options;
+  options.expect_confirmation = true;
+  const AnyMessage& request = std::get<CallOrder>(job.order.what).request;
+  gimbal_.client().async_call(
+      request, options,
+      asio::bind_executor(
+          gimbal_.executor(),
+          [self = shared_from_this(), job](const Result<std::optional<AnyMessage>>& response) {
+            self->end(job, response ? TaskOutcome{.result = response_json(*response)}
+                                    : failed_outcome(response.error()));
+          }));
+}
+
+/// Begins to end what runs. Whether the camera stops, only confirm_stop() finds out.
+void GimbalTasks::end_motion() {
+  if (std::exchange(is_turning_, false)) moves_until_ = Clock::time_point::max();
+  if (speed_) static_cast<void>(speed_->stop());
+  if (current_ && !is_preparing_ && std::holds_alternative<MoveOrder>(current_->order.what)) {
+    cancel_->emit(asio::cancellation_type::terminal);
+  }
+}
+
+void GimbalTasks::confirm_stop(std::function<void(const Result<void>&)> then) {
+  ++stopping_;
+  gimbal_.client().async_run(
+      tasks::stop(),
+      asio::bind_executor(gimbal_.executor(), [self = shared_from_this(), then = std::move(then)](
+                                                  const Result<void>& stopped) {
+        --self->stopping_;
+        if (stopped) {
+          self->moves_until_.reset();
+          self->halt_reason_.clear();
+        }
+        then(stopped);
+        self->report_rest();
+        self->begin_next();
+      }));
+}
+
+/// The first reason counts.
+void GimbalTasks::must_halt(const char* reason) {
+  if (halt_reason_.empty()) halt_reason_ = reason;
+}
+
+void GimbalTasks::halt() {
+  if (is_halting_) return;
+  is_halting_ = true;
+  end_waiting_motions("stopped", "the camera was stopped");
+  stop([self = shared_from_this(), reason = halt_reason_](const TaskOutcome& outcome) {
+    self->is_halting_ = false;
+    self->hooks_.notify("stopped",
+                        outcome.code.empty()
+                            ? reason + "; the camera has stopped"
+                            : reason + "; the camera may still turn: " + outcome.message);
+    if (!self->halt_reason_.empty()) self->watch();  // to try again
+  });
+}
+
+void GimbalTasks::end_waiting_motions(const char* code, const char* message) {
+  std::deque<Job> kept;
+  std::deque<Job> ended;
+  for (Job& job : waiting_) (job.order.must_not_wait ? ended : kept).push_back(std::move(job));
+  waiting_ = std::move(kept);
+  for (const Job& job : ended) end(job, {"refused", code, message, {}});
+}
+
+bool GimbalTasks::may_go_on() const { return moves_until_ && Clock::now() < *moves_until_; }
+
+bool GimbalTasks::is_moving() const {
+  return is_turning_ || may_go_on() || !halt_reason_.empty() ||
+         (current_ && current_->order.sets_in_motion());
+}
+
+void GimbalTasks::report_rest() {
+  if (is_moving() || reported_ == last_motion_) return;
+  reported_ = last_motion_;
+  hooks_.at_rest(last_motion_);
+}
+
+void GimbalTasks::watch() {
+  if (is_watching_ || is_shut_down_) return;
+  is_watching_ = true;
+  timer_.expires_after(look_interval);
+  timer_.async_wait([self = shared_from_this()](const std::error_code& error) {
+    self->is_watching_ = false;
+    if (!error) self->look();
+  });
+}
+
+void GimbalTasks::look() {
+  if (is_turning_ && speed_->state() != SpeedControl::State::turning) {
+    is_turning_ = false;
+    const bool was_stopped = speed_->state() == SpeedControl::State::silenced;
+    if (!was_stopped) moves_until_ = Clock::time_point::max();
+    hooks_.notify("speed_ended",
+                  was_stopped ? "the camera was stopped, because no further speed was commanded"
+                              : "the speed could not be held");
+  }
+  if (!is_moving()) return report_rest();
+  // Offline, link_changed() does it later.
+  if (!is_online_) return;
+  if (!hooks_.is_broker_there()) must_halt("the broker is gone");
+  if (!halt_reason_.empty()) halt();
+  watch();
+}
+
+}  // namespace sbgc::tools

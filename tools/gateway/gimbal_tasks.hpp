@@ -1,0 +1,124 @@
+/// Carries out the commands of one gimbal.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <asio/cancellation_signal.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <sbgc/client/speed_control.hpp>
+#include <sbgc/json_dom.hpp>
+
+#include "gateway/gimbal.hpp"
+#include "gateway/orders.hpp"
+
+namespace sbgc::tools {
+
+/// How a command has ended.
+struct TaskOutcome {
+  std::string status{"done"};  ///< done, failed, refused or unknown
+  std::string code{};          ///< of an error, for programs
+  std::string message{};       ///< the same, for people
+  Json result{};               ///< null if there is none
+};
+
+/// Runs one command after the other, on the strand of the gimbal. `stop` goes first: it ends the
+/// motion, and the motions that wait.
+///
+/// Motors are turned off before what waits, too.
+///
+/// A speed ends after `longest_silence` without the next one. A camera that commands may have set
+/// in motion is stopped when the broker is gone, when its line is back after a loss, and at the end
+/// of the gateway; or else by the next gateway. It counts as in motion until the board has
+/// confirmed a stop, or until its last motion has ended well.
+class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Time = std::chrono::system_clock::time_point;
+  using Done = std::function<void(TaskOutcome)>;
+
+  /// How long a speed lasts.
+  static constexpr std::chrono::milliseconds longest_silence{500};
+
+  struct Hooks {
+    std::function<bool()> is_broker_there{};
+    /// Reports what no command has asked for: the kind, and a sentence.
+    std::function<void(const std::string& kind, const std::string& message)> notify{};
+    /// No command up to this one has left the camera in motion.
+    std::function<void(std::int64_t command)> at_rest{};
+  };
+
+  struct Job {
+    std::int64_t command{};  ///< of the journal: ids grow
+    Order order{};
+    std::optional<Time> deadline{};  ///< it must begin before
+    Clock::time_point arrived{};
+    Done done{};
+  };
+
+  /// `gimbal` must not be destroyed before shut_down() has completed. An earlier gateway may have
+  /// set it in motion with the command `moved_by`.
+  GimbalTasks(Gimbal& gimbal, Hooks hooks, std::optional<std::int64_t> moved_by);
+
+  // Any thread; what they do happens on the strand.
+
+  /// Calls `done` exactly once, on the strand.
+  void run(Job job);
+  void link_changed(bool is_online);
+  /// Stops the camera if a command has moved it, and ends what runs or waits. `done` is called when
+  /// nothing is left to do.
+  void shut_down(std::function<void()> done);
+
+ private:
+  void add(Job job);
+  void begin_next();
+  void begin(const Order& order);
+  void begin_after_speed();
+  void finish(TaskOutcome outcome);
+  void end(const Job& job, TaskOutcome outcome);
+  void stop(Done done);
+  void turn_motors_off(Job job);
+  void end_motion();
+  void confirm_stop(std::function<void(const Result<void>&)> then);
+  void must_halt(const char* reason);
+  void halt();
+  void end_waiting_motions(const char* code, const char* message);
+  void watch();
+  void look();
+  bool may_go_on() const;
+  bool is_moving() const;
+  void report_rest();
+  TaskOutcome set_speed(const SpeedOrder& order);
+
+  template <class R>
+  auto handler(std::function<TaskOutcome(const Result<R>&)> read);
+  template <class R>
+  void start(Task<Result<R>> task, std::function<TaskOutcome(const R&)> read);
+
+  Gimbal& gimbal_;
+  const Hooks hooks_;
+  asio::steady_timer timer_;
+  std::deque<Job> waiting_{};
+  std::optional<Job> current_{};
+  std::unique_ptr<asio::cancellation_signal> cancel_{};
+  std::unique_ptr<SpeedControl> speed_{};
+  bool is_turning_ = false;                         // speed_ holds a speed
+  std::optional<Clock::time_point> moves_until_{};  // if no stop is confirmed before
+  bool moved_before_ = false;                       // the current command
+  std::string halt_reason_{};                       // of a stop as soon as the gimbal is online
+  bool is_halting_ = false;
+  std::size_t stopping_ = 0;      // stops that run; nothing begins meanwhile
+  bool is_preparing_ = false;     // the current command waits until the speed has ended
+  std::int64_t last_motion_ = 0;  // the last command that may have moved the camera
+  std::int64_t reported_ = 0;     // of these, at rest
+  bool is_online_ = false;
+  bool is_watching_ = false;
+  bool is_shut_down_ = false;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,147 @@
+/// What a gateway must not forget when it is killed, in a file of SQLite.
+///
+/// A command is on the disk before its first byte is sent. Results and events are on the disk until
+/// the broker has acknowledged them. A commit is synced (WAL, synchronous=FULL), so it also
+/// survives a power failure.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+
+namespace sbgc::tools {
+
+/// Where the result of a command goes.
+struct ReplyAddress {
+  std::string topic{};
+  std::string correlation{};  ///< any bytes
+
+  bool operator==(const ReplyAddress&) const = default;
+};
+
+/// A command that a gimbal may carry out.
+struct JournalCommand {
+  std::string gimbal{};
+  std::string key{};      ///< of idempotence; "" if it may be repeated
+  std::string request{};  ///< the task and its parameters
+  ReplyAddress reply{};
+};
+
+/// A command that a gateway has begun and not finished.
+struct UnfinishedCommand {
+  std::int64_t id{};
+  std::string gimbal{};
+  std::string key{};
+  std::string request{};
+};
+
+enum class WaitingKind : std::uint8_t {
+  result,  ///< of a command that was carried out; never lost
+  notice,  ///< an event or a refusal, which gives way if too much waits
+};
+
+/// A message that the broker has not acknowledged.
+struct WaitingMessage {
+  std::int64_t id{};
+  WaitingKind kind{};
+  std::string topic{};
+  std::string payload{};
+  std::string correlation{};
+};
+
+enum class Recognition : std::uint8_t {
+  unknown,   ///< no command has this key
+  running,   ///< the same command has begun; its result goes to this address, too
+  finished,  ///< the same command has ended with `result`
+  reused,    ///< the key belongs to another command
+  full,      ///< the same command has begun, but too much waits for another address
+};
+
+struct RecognizedCommand {
+  Recognition recognition{};
+  std::string result{};
+};
+
+struct JournalLimits {
+  std::size_t most_waiting = 10'000;  ///< messages for the broker
+  std::size_t history = 10'000;       ///< finished commands whose results are kept
+  /// No finished command is forgotten before, so that a copy of it is recognized until it expires;
+  /// nor this long before it, as the clock sees it after it was set back.
+  std::chrono::milliseconds keep{60'000};
+};
+
+/// Not thread-safe. Every function throws std::runtime_error if the file cannot be read or written.
+class Journal {
+ public:
+  using Time = std::chrono::system_clock::time_point;
+
+  /// Opens or creates the file. Fails if another process has it open, or if it is no journal.
+  Journal(const std::filesystem::path& file, const JournalLimits& limits);
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal();
+
+  /// The changes between the two are on the disk when commit() returns, all or none.
+  void begin();
+  void commit();
+
+  // Within a transaction.
+
+  /// Looks for an earlier command with the same key for the same gimbal.
+  RecognizedCommand recognize(const JournalCommand& command);
+  /// Records a command that is not known. Returns its id; nothing if too much waits.
+  std::optional<std::int64_t> admit(const JournalCommand& command, Time now);
+  /// Returns where the result of a running command goes, and keeps it for copies of the command.
+  std::vector<ReplyAddress> finish(std::int64_t id, std::string_view result);
+  /// Adds a message for the broker. Without room, the oldest notice gives way. There is always room
+  /// for results: admit() refuses commands before they can be too many.
+  void put(const WaitingMessage& message);
+  void remove(std::int64_t message);
+  /// Remembers that a command may set its gimbal in motion.
+  void set_moving(std::string_view gimbal, std::int64_t command);
+  /// No command up to this one has left the gimbal in motion.
+  void set_at_rest(std::string_view gimbal, std::int64_t command);
+
+  // At any time.
+
+  /// The gimbals that commands may have set in motion, and the last of these.
+  std::map<std::string, std::int64_t> moving() const;
+
+  /// Commands that were running when the last gateway ended.
+  std::vector<UnfinishedCommand> unfinished() const;
+  /// Up to `most` waiting messages after the one with id `after`, the oldest first.
+  std::vector<WaitingMessage> waiting_after(std::int64_t after, std::size_t most) const;
+
+  std::size_t waiting() const noexcept { return waiting_; }
+  /// Notices that gave way, since the file was opened.
+  std::uint64_t dropped() const noexcept { return dropped_; }
+
+ private:
+  class Statement;
+
+  void run(const char* sql);
+  /// Notices do not count: they give way to results.
+  bool is_full() const noexcept { return results_ + expected_ >= limits_.most_waiting; }
+  void add_reply(std::int64_t id, const ReplyAddress& reply);
+  void forget(Time now);
+  std::int64_t count(const char* sql) const;
+
+  JournalLimits limits_;
+  std::shared_ptr<sqlite3> database_;
+  std::size_t waiting_ = 0;
+  std::size_t results_ = 0;   // of these
+  std::size_t expected_ = 0;  // results of running commands
+  std::size_t finished_ = 0;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,123 @@
+#include "gateway/live_metrics.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "values/leaf_value.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using Labels = std::vector<prometheus::ClientMetric::Label>;
+
+/// A unit of the specification in base units.
+struct BaseUnit {
+  std::string_view unit;
+  const char* name;
+  double factor;
+};
+constexpr std::array base_units{
+    BaseUnit{"V", "volts", 1},
+    BaseUnit{"mV", "volts", 1e-3},
+    BaseUnit{"A", "amperes", 1},
+    BaseUnit{"mA", "amperes", 1e-3},
+    BaseUnit{"s", "seconds", 1},
+    BaseUnit{"ms", "seconds", 1e-3},
+    BaseUnit{"us", "seconds", 1e-6},
+    BaseUnit{"degC", "celsius", 1},
+    BaseUnit{"%", "ratio", 1e-2},
+    BaseUnit{"deg", "degrees", 1},
+    BaseUnit{"deg/s", "degrees_per_second", 1},
+    BaseUnit{"Hz", "hertz", 1},
+};
+
+/// What becomes of the unit of a field: the end of the name of its metric, and a factor.
+std::pair<std::string, double> base_unit_of(const UnitInfo* unit) {
+  if (unit == nullptr || *unit->name == '\0') return {"", 1};
+  for (const BaseUnit& base : base_units) {
+    if (base.unit == unit->name) return {base.name, base.factor};
+  }
+  std::string name = unit->name;
+  for (char& c : name) {
+    const bool is_allowed =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!is_allowed) c = '_';
+  }
+  return {name, 1};
+}
+
+/// Splits a path into the name of a metric and labels: "angle.roll" is "angle" of the axis roll.
+std::string name_of_path(const std::string& path, Labels& labels) {
+  std::string name;
+  for (std::size_t at = 0; at < path.size();) {
+    const std::size_t dot = std::min(path.find('.', at), path.size());
+    std::string step = path.substr(at, dot - at);
+    at = dot + 1;
+    if (const std::size_t bracket = step.find('['); bracket != std::string::npos) {
+      labels.push_back({"index", step.substr(bracket + 1, step.size() - bracket - 2)});
+      step.resize(bracket);
+    }
+    if (step == "roll" || step == "pitch" || step == "yaw") {
+      labels.push_back({"axis", step});
+    } else {
+      name += '_' + step;
+    }
+  }
+  // Prometheus keeps the end _count for histograms.
+  for (const std::string_view end : {"_count", "_cnt"}) {
+    if (name.ends_with(end)) name.replace(name.size() - end.size(), end.size(), "s");
+  }
+  return "sbgc" + name;
+}
+
+void add_gauge(MetricFamilies& families, const std::string& name, const std::string& help,
+               Labels labels, double value) {
+  prometheus::MetricFamily& family = families[name];
+  family.name = name;
+  family.help = help;
+  family.type = prometheus::MetricType::Gauge;
+  prometheus::ClientMetric metric;
+  metric.label = std::move(labels);
+  metric.gauge.value = value;
+  family.metric.push_back(std::move(metric));
+}
+
+void add_leaf(MetricFamilies& families, const Leaf& leaf, const std::string& path, Labels labels) {
+  const std::string name = name_of_path(path, labels);
+  const std::string summary = leaf.field.summary;
+  if (leaf.names != nullptr) {
+    for (const ValueInfo& value : leaf.names->values) {
+      Labels one = labels;
+      one.push_back({leaf.names->is_flags ? "flag" : "value", value.name});
+      const bool is_set = leaf.names->is_flags
+                              ? value.value != 0 && (leaf.integer & value.value) == value.value
+                              : leaf.integer == value.value;
+      add_gauge(families, name, summary + " 1 if it is so.", std::move(one), is_set ? 1 : 0);
+    }
+    return;
+  }
+  const std::optional<double> real = real_value(leaf);
+  if (!real) return;
+  const auto [unit, factor] = base_unit_of(leaf.unit);
+  if (unit.empty()) return add_gauge(families, name, summary, std::move(labels), *real);
+  add_gauge(families, name + '_' + unit, fmt::format("{} Unit: {}.", summary, unit),
+            std::move(labels), *real * factor);
+}
+
+}  // namespace
+
+void add_live_metrics(MetricFamilies& families, const AnyMessage& message,
+                      const std::set<std::string>& paths,
+                      const prometheus::ClientMetric::Label& label) {
+  message.for_each_leaf([&](const Leaf& leaf) {
+    const std::string path = to_string(leaf.path);
+    if (paths.contains(path)) add_leaf(families, leaf, path, {label});
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,72 @@
+/// What a command of the broker asks for, with parameters that are checked before anything is sent.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <sbgc/any.hpp>
+#include <sbgc/client/motion.hpp>
+#include <sbgc/json_dom.hpp>
+#include <sbgc/meta.hpp>
+
+#include "parameters/parameter_values.hpp"
+
+namespace sbgc::tools {
+
+/// Turns to angles.
+struct MoveOrder {
+  MoveTarget target{};
+  MoveOptions options{};
+};
+struct StopOrder {};
+/// Turns at a speed until a dead man's switch opens.
+struct SpeedOrder {
+  Axes<msg::ControlSpeed> speed{};
+};
+/// One request and its response.
+struct CallOrder {
+  AnyMessage request;
+};
+struct CalibrateOrder {
+  AnyMessage request;
+};
+/// The profile counts from 0; without one, the active profile.
+struct GetOrder {
+  std::vector<FoundParameters> parameters{};
+  std::optional<std::uint8_t> profile{};
+};
+struct SetOrder {
+  std::vector<MessageValues> values{};
+  std::optional<std::uint8_t> profile{};
+};
+
+struct Order {
+  std::variant<StopOrder, MoveOrder, SpeedOrder, CallOrder, CalibrateOrder, GetOrder, SetOrder>
+      what{};
+  /// It happens soon or never: the camera can move, the motors gain or lose power, the board
+  /// restarts, or nobody knows.
+  bool must_not_wait = false;
+  /// It turns the motors off, so it goes before all others but `stop`.
+  bool is_urgent = false;
+  /// How long what it sets in motion may go on after the response.
+  std::chrono::milliseconds goes_on{0};
+
+  static constexpr auto forever = std::chrono::milliseconds::max();
+
+  /// True if the camera must be stopped when nobody is there any more.
+  bool sets_in_motion() const {
+    return std::holds_alternative<MoveOrder>(what) || std::holds_alternative<SpeedOrder>(what) ||
+           goes_on.count() != 0;
+  }
+};
+
+/// Returns what the parameters of a task mean. Throws Refusal. Messages of `raw` may read and have
+/// `raw_effects`.
+Order read_order(std::string_view task, const Json& parameters, Effects raw_effects);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,84 @@
+/// The topics of a gateway, and what the payloads of commands say. They come from anywhere.
+///
+///     sbgc/<fleet>/<gimbal>/state                 retained
+///     sbgc/<fleet>/<gimbal>/telemetry/<message>
+///     sbgc/<fleet>/<gimbal>/event
+///     sbgc/<fleet>/<gimbal>/cmd/<task>            to the gateway
+///     sbgc/<fleet>/<gimbal>/raw                   to the gateway
+///     sbgc/<fleet>/reply/…                        results, where the commands want them
+///     sbgc/<fleet>/gateway/…                      of the gateway itself
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <sbgc/json_dom.hpp>
+
+namespace sbgc::tools {
+
+/// The version of all payloads.
+inline constexpr int payload_version = 1;
+
+inline constexpr std::size_t longest_payload = 65'536;
+inline constexpr std::size_t longest_key = 128;    ///< of idempotence
+inline constexpr std::size_t longest_reply = 256;  ///< topic
+inline constexpr std::size_t most_reply_levels = 32;
+inline constexpr std::size_t longest_correlation = 128;
+
+/// Why a command is refused: a word for programs and a sentence for people.
+class Refusal : public std::runtime_error {
+ public:
+  Refusal(const char* code, const std::string& message)
+      : std::runtime_error(message), code_(code) {}
+
+  const char* code() const noexcept { return code_; }
+
+ private:
+  const char* code_;
+};
+
+/// Where a command is published.
+struct CommandTopic {
+  std::string gimbal{};
+  std::string task{};  ///< `raw` for the topic of that name
+};
+
+class Topics {
+ public:
+  explicit Topics(const std::string& fleet) : root_("sbgc/" + fleet + '/') {}
+
+  std::string of(std::string_view gimbal, std::string_view rest) const {
+    return root_ + std::string(gimbal) + '/' + std::string(rest);
+  }
+  /// Returns what a topic commands; nothing if it is not one of commands.
+  std::optional<CommandTopic> command(std::string_view topic) const;
+  /// True if results may go there: what every broker takes as a topic.
+  bool is_reply(std::string_view topic) const;
+
+ private:
+  std::string root_;
+};
+
+/// What a payload says besides the task.
+struct CommandPayload {
+  using Time = std::chrono::system_clock::time_point;
+
+  std::string key{};
+  std::string reply{};
+  std::string correlation{};
+  std::optional<Time> sent{};
+  std::optional<Time> deadline{};
+  Json parameters = Json::object();
+};
+
+/// True if it can be a key of idempotence.
+bool is_key(std::string_view text);
+
+/// Reads into `payload`, so that what comes before a problem is known. Throws Refusal.
+void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload);
+
+}  // namespace sbgc::tools
