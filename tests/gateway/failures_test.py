@@ -94,7 +94,9 @@ def test_without_metrics_it_ends_when_the_disk_is_full(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("gateway.Gateway.keeps_signals", True)
-    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker, emulated_gimbal() as front:
+    with broker_with_acl(
+        tmp_path, "topic readwrite sbgc/#\n"
+    ) as broker, emulated_gimbal() as front:
         seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
         with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
             wait_until_online(seen)
@@ -165,7 +167,9 @@ def most_memory(gateway: Gateway) -> int:
 
 def test_payloads_without_an_end(tmp_path: Path) -> None:
     """Of messages that are too long, the gateway has one in memory."""
-    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker, emulated_gimbal() as front:
+    with broker_with_acl(
+        tmp_path, "topic readwrite sbgc/#\n"
+    ) as broker, emulated_gimbal() as front:
         seen = Subscriber(broker.port, "sbgc/studio/front/#", "-u", "tester")
         say = Commander(broker.port, "studio", "-u", "tester")
         with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
@@ -186,7 +190,9 @@ def test_payloads_without_an_end(tmp_path: Path) -> None:
 def test_calls_that_hang_at_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """They end after the broker's half has, and use nothing that is gone: the library of C fills it."""
     monkeypatch.setenv("MALLOC_PERTURB_", "85")
-    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker, emulated_gimbal() as front:
+    with broker_with_acl(
+        tmp_path, "topic readwrite sbgc/#\n"
+    ) as broker, emulated_gimbal() as front:
         seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
         say = Commander(broker.port, "studio", "-u", "tester")
         names = [f"g{number}" for number in range(8)]

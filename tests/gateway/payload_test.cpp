@@ -93,6 +93,7 @@ TEST(Payload, what_is_refused) {
            {R"({"version": 1, "deadline": -1})", "'deadline' must be Unix time"},
            {R"({"version": 1, "deadline": 1.5})", "'deadline' must be Unix time"},
            {R"({"version": 1, "deadline": 18446744073709551615})", "'deadline' must be Unix time"},
+           {R"({"version": 1, "sent": -1})", "'sent' must be Unix time"},
            {R"({"version": 1, "parameters": []})", "'parameters' must be an object"},
            {R"({"version": 1, "version": 1})", "occurs twice"},
            {R"({"version": 1, "dead_line": 1})", "unknown key 'dead_line'"},

@@ -17,8 +17,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <sbgc/parse_json.hpp>
-
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "gateway/allowance.hpp"
@@ -172,7 +170,6 @@ class Broker::Impl {
   void take(std::vector<MqttMessage> messages);
   const Station* stop_at_once(const MqttMessage& message);
   std::optional<Admitted> take_one(const MqttMessage& message, const IsOvertaken& is_overtaken);
-  void check_rival(const std::string& heartbeat) const;
   CommandPayload addressed_payload(const MqttMessage& message) const;
   Station& station_for(const CommandTopic& topic, bool is_retained);
   std::optional<Admitted> admit(const CommandTopic& topic, const CommandPayload& payload,
@@ -210,9 +207,6 @@ class Broker::Impl {
   const bool has_metrics_;
   const milliseconds longest_deadline_;
   const Topics topics_;
-  const std::string heartbeat_topic_;
-  /// When this gateway began, in microseconds of Unix time; it tells gateways apart.
-  const std::int64_t instance_;
   Journal journal_;
   std::map<std::string, Station> stations_{};
   std::array<Fence, 2> fences_;
@@ -254,10 +248,6 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
       has_metrics_(fleet.metrics.has_value()),
       longest_deadline_(settings_.longest_deadline),
       topics_(fleet.name),
-      heartbeat_topic_(topics_.of(gateway_level, "heartbeat")),
-      instance_(std::chrono::duration_cast<std::chrono::microseconds>(
-                    std::chrono::system_clock::now().time_since_epoch())
-                    .count()),
       journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
                                    .history = settings_.history,
                                    .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
@@ -429,7 +419,6 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(const MqttMessage& 
   for (Fence& fence : fences_) {
     if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
   }
-  if (message.topic == heartbeat_topic_) return check_rival(message.payload), std::nullopt;
   const std::optional<CommandTopic> topic = topics_.command(message.topic);
   if (!topic) return {};
   CommandPayload payload = addressed_payload(message);
@@ -441,26 +430,6 @@ std::optional<Broker::Impl::Admitted> Broker::Impl::take_one(const MqttMessage& 
     refuse(*topic, payload, refusal.code(), refusal.what());
     return {};
   }
-}
-
-/// Two gateways of one fleet would carry out commands twice. The younger one ends. Heartbeats from
-/// before it began may be of its predecessor.
-void Broker::Impl::check_rival(const std::string& heartbeat) const {
-  const ParsedJson parsed = parse_json(heartbeat, {.size = longest_payload, .depth = 4});
-  if (!parsed || !parsed.value.is_object()) return;
-  const auto number = [&](const char* name) {
-    const auto found = parsed.value.find(name);
-    const bool is_number = found != parsed.value.end() && found->is_number_integer();
-    return is_number ? found->get<std::int64_t>() : 0;
-  };
-  const std::int64_t theirs = number("instance");
-  const std::int64_t time = number("time");
-  const std::int64_t skew = settings_.clock_skew.count();
-  const bool is_older = theirs > 0 && theirs < instance_;
-  const bool is_alive = time > instance_ / 1'000 + skew &&
-                        time <= unix_milliseconds(std::chrono::system_clock::now()) + skew;
-  if (!is_older || !is_alive) return;
-  throw std::runtime_error("another gateway serves this fleet; two would move its gimbals");
 }
 
 /// With what the properties of the message say.
@@ -614,7 +583,7 @@ void Broker::Impl::connected() {
     const std::scoped_lock lock(mutex_);
     new_states_ = states_;
   }
-  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw"), heartbeat_topic_});
+  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")});
   mqtt_.publish({.topic = topics_.of(gateway_level, "state"),
                  .payload = gateway_state("online"),
                  .is_retained = true});
@@ -762,7 +731,8 @@ void Broker::Impl::beat() {
   const auto now = MqttConnection::Clock::now();
   if (heartbeat_ || now < last_beat_ + settings_.stop_after / 4) return;
   last_beat_ = now;
-  heartbeat_ = mqtt_.publish({.topic = heartbeat_topic_, .payload = gateway_state("online")});
+  heartbeat_ = mqtt_.publish(
+      {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});
 }
 
 /// Who may command, but not read the topic of a fence, would wonder why nothing moves.
@@ -826,7 +796,6 @@ std::string Broker::Impl::gateway_state(const char* state) const {
   const Statistics figures = statistics();
   Json json = stamped();
   json["state"] = state;
-  json["instance"] = instance_;
   json["waiting"] = figures.waiting;
   json["most_waiting"] = figures.most_waiting;
   json["dropped"] = figures.dropped;

@@ -259,7 +259,6 @@ Json gateway_state_schema() {
   for (const char* const name : {"waiting", "most_waiting", "dropped", "thinned"}) {
     properties[name] = {{"type", "integer"}, {"minimum", 0}};
   }
-  properties["instance"] = time_schema("Unix time in microseconds, at which the gateway began");
   return object_schema(std::move(properties), {"version", "state"});
 }
 
