@@ -13,6 +13,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import pytest
+from brokers import Mosquitto
 from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
 
@@ -83,6 +85,14 @@ def running_prometheus(folder: Path, target: str) -> Iterator[Prometheus]:
         prometheus.process.wait()
 
 
+@pytest.fixture
+def broker(tmp_path: Path) -> Iterator[Mosquitto]:
+    made = Mosquitto(tmp_path / "broker")
+    made.start()
+    yield made
+    made.kill()
+
+
 def dashboard_queries() -> dict[str, str]:
     dashboard = json.loads((SAMPLES / "dashboard.json").read_text())
     return {
@@ -92,12 +102,13 @@ def dashboard_queries() -> dict[str, str]:
     }
 
 
-def test_every_query_has_an_answer(tmp_path: Path) -> None:
+def test_every_query_has_an_answer(tmp_path: Path, broker: Mosquitto) -> None:
     """With a gimbal that reports an error, and one that is not there, no panel is empty."""
     fault = ("--fault", "imu,low-battery=10V")
     with emulated_gimbal(*fault) as front:
         text = (
             '[fleet]\nname = "test"\n[metrics]\nlisten = "LISTEN"\ninterval = "500ms"\n'
+            f'[broker]\naddress = "127.0.0.1:{broker.port}"\njournal = "journal.db"\n'
             f'[gimbal.front]\nport = "{front.address}"\ntelemetry = "RealtimeData4 20"\n'
             '[gimbal.gone]\nport = "tcp:127.0.0.1:1"\n'
         )
