@@ -48,7 +48,7 @@ constexpr std::chrono::seconds fence_patience{10};
 constexpr std::size_t most_notices = 1'000;
 /// Refusals that are answered: garbage must not keep the disk busy.
 constexpr double refusals_per_second = 50;
-constexpr double most_refusals_at_once = 500;
+constexpr int most_refusals_at_once = 500;
 
 std::int64_t unix_milliseconds(WallTime time) {
   return std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count();
