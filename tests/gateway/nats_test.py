@@ -64,6 +64,7 @@ def wait_for_result(seen: Subscriber, say: Commander, key: str) -> None:
     eventually(lambda: has_result(seen, say, key), 120)
 
 
+@pytest.mark.long  # on a busy machine, a cluster takes minutes to find its leader
 def test_one_of_three_servers_is_killed(servers: list[Nats], tmp_path: Path) -> None:
     addresses = ", ".join(f'"127.0.0.1:{server.port}"' for server in servers)
     seen = Subscriber(servers[1].port, "sbgc/#", "-c", "-i", "observer")
