@@ -101,8 +101,10 @@ TEST(Bode, HasEverySampleWhetherTheStartIsConfirmedOrNot) {
 /// Checks each point of which the coherence is high against the plant; returns their number.
 std::size_t check_against_plant(const BodeRecording& recorded, double from, double to) {
   std::size_t certain = 0;
-  for (const auto& point :
-       analysis::frequency_response(recorded.input, recorded.output, 1250, from, to).points) {
+  const auto response =
+      analysis::frequency_response(recorded.input, recorded.output, 1250, from, to);
+  EXPECT_GE(response.segments, 8U);
+  for (const auto& point : response.points) {
     if (*point.coherence <= 0.99) continue;
     ++certain;
     const std::complex<double> truth = plant(point.frequency);
@@ -115,7 +117,7 @@ std::size_t check_against_plant(const BodeRecording& recorded, double from, doub
 
 TEST(Bode, WithoutNoiseGainAndPhaseAreThoseOfThePlant) {
   VirtualClient client(board());
-  const auto recorded = record(client);
+  const auto recorded = record(client, 10'000);
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_GT(check_against_plant(*recorded, 6, 200), 150U);  // of 159
 }

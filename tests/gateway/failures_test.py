@@ -189,7 +189,7 @@ def test_payloads_without_an_end(tmp_path: Path) -> None:
 
 
 def test_calls_that_hang_at_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """They end after the broker's half has, and use nothing that is gone: the library of C fills it."""
+    """They end after the broker's half has. Only a sanitizer would see all that uses what is gone."""
     monkeypatch.setenv("MALLOC_PERTURB_", "85")
     with broker_with_acl(
         tmp_path, "topic readwrite sbgc/#\n"

@@ -1,38 +1,19 @@
 #include <algorithm>
 #include <string>
-#include <type_traits>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/typed.hpp>
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 
 #include "board_text.hpp"
-#include "entry_of_each.hpp"
 
 namespace sbgc::detail {
 
-template <class M>
-Status decode_in_context(const Reply& reply, M& out) noexcept {
-  if (reply.contexts == nullptr) return decode(reply.body, out, Contexts{}.of(out));
-  return decode(reply.body, out, reply.contexts->of(out));
+Status decode_in_context(const Reply& reply, const MessageType& type, void* out) noexcept {
+  const Contexts none;
+  return type.operations->decode(reply.body, out, reply.contexts ? *reply.contexts : none);
 }
-
-namespace {
-
-template <class M>
-struct Decoder {};
-
-template <class M>
-  requires requires { typename M::Context; }
-struct Decoder<M> {
-  decltype(&decode_in_context<M>) function = &decode_in_context<M>;
-};
-
-/// Makes the compiler emit decode_in_context() for every message that needs it.
-SBGC_USED const auto decoders = entries_for<Decoder>(AllMessages{});
-
-}  // namespace
 
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
   constexpr std::int64_t unit = roles::stream_interval_us;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/message_type.hpp>
 #include <sbgc/frame.hpp>
 
 namespace sbgc {
@@ -32,14 +33,13 @@ struct Reply {
 
 namespace detail {
 
-/// Decodes a message that requires context. The library defines it for each such message.
-template <class M>
-Status decode_in_context(const Reply& reply, M& out) noexcept;
+/// Decodes a message of this type, which requires context.
+Status decode_in_context(const Reply& reply, const MessageType& type, void* out) noexcept;
 
 template <class M>
 Status read(const Reply& reply, M& out) noexcept {
   if constexpr (requires { typename M::Context; }) {
-    return decode_in_context(reply, out);
+    return decode_in_context(reply, message_type<M>(), &out);
   } else {
     return decode(reply.body, out);
   }
