@@ -149,6 +149,35 @@ TEST_F(AsyncReconnecting, ALineThatIsLostComesBack) {
               ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
 }
 
+/// A handler that is copied where others are moved, so that each place that has kept it keeps
+/// `owned`.
+struct CopiedHandler {
+  CopiedHandler(std::shared_ptr<int> what, std::promise<void>& done)
+      : owned(std::move(what)), is_done(&done) {}
+  CopiedHandler(const CopiedHandler&) = default;
+  CopiedHandler& operator=(const CopiedHandler&) = delete;
+  ~CopiedHandler() = default;
+
+  template <class Result>
+  void operator()(const Result& result) const {
+    EXPECT_TRUE(result);
+    is_done->set_value();
+  }
+
+  std::shared_ptr<int> owned;
+  std::promise<void>* is_done;
+};
+
+TEST_F(AsyncReconnecting, NothingOfACallOutlivesIt) {
+  connect();
+  const auto owned = std::make_shared<int>();
+  std::promise<void> is_done;
+  client->async_call(msg::GetAnglesRequest{}, CopiedHandler(owned, is_done));
+  is_done.get_future().wait();
+  on_executor([] {});  // until the handler has returned
+  EXPECT_EQ(owned.use_count(), 1);
+}
+
 TEST_F(AsyncReconnecting, OperationsCanWaitForTheConnection) {
   connect(quick_again(OutagePolicy::wait));
   pull();
