@@ -7,6 +7,7 @@ each part costs.
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import re
 import signal
@@ -19,6 +20,9 @@ from collections import Counter
 from pathlib import Path
 
 MESSAGE = "RealtimeDataCustom"
+# So many gimbals get a command every second. Nobody wants the results, so that they become events.
+COMMANDED = 20
+RESULT = b'"status":"done"'
 TIME = re.compile(rb'"time":(\d+)')
 
 
@@ -95,20 +99,58 @@ def quantile(delays: Counter[int], share: float) -> int:
     return 0
 
 
-def receive(lines: int, seconds: float) -> Counter[int]:
-    """Reads what mosquitto_sub writes, and returns how late the samples were."""
-    delays: Counter[int] = Counter()
-    end = time.monotonic() + seconds
-    rest = b""
-    while time.monotonic() < end:
-        rest += os.read(lines, 1 << 20)
-        *whole, rest = rest.split(b"\n")
-        for line in whole:
-            # "<unix time of arrival> <payload>"
-            found = TIME.search(line)
-            if found:
-                delays[round(float(line.split(b" ", 1)[0]) * 1000) - int(found[1])] += 1
-    return delays
+class Reader:
+    """Reads what mosquitto_sub writes: "<unix time of arrival> <payload>"."""
+
+    def __init__(self, lines: int) -> None:
+        self.lines = lines
+        self.rest = b""
+        self.delays: Counter[int] = Counter()
+        self.events = 0
+
+    def read(self, seconds: float) -> None:
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.rest += os.read(self.lines, 1 << 20)
+            *whole, self.rest = self.rest.split(b"\n")
+            for line in whole:
+                found = TIME.search(line)
+                if found:
+                    self.delays[round(float(line.split(b" ", 1)[0]) * 1000) - int(found[1])] += 1
+                self.events += RESULT in line
+
+
+class Commands:
+    """Asks gimbals for a parameter."""
+
+    def __init__(self, port: int) -> None:
+        self.sent = 0
+        self.senders = [
+            subprocess.Popen(
+                ["mosquitto_pub", "-p", str(port), "-q", "1", "-l", "-t", f"sbgc/bench/g{number}/cmd/get"],
+                stdin=subprocess.PIPE,
+            )
+            for number in range(COMMANDED)
+        ]  # fmt: skip
+
+    def send(self) -> None:
+        for sender in self.senders:
+            self.sent += 1
+            now = int(time.time() * 1000)
+            command = {
+                "version": 1,
+                "key": str(self.sent),
+                "deadline": now + 30_000,
+                "parameters": {"names": ["pitch.p"]},
+            }
+            assert sender.stdin is not None
+            sender.stdin.write(json.dumps(command).encode() + b"\n")
+            sender.stdin.flush()
+
+    def end(self) -> None:
+        for sender in self.senders:
+            sender.terminate()
+            sender.wait()
 
 
 def measure(program: str, count: int, rate: float, seconds: float, folder: Path) -> None:
@@ -123,7 +165,7 @@ def measure(program: str, count: int, rate: float, seconds: float, folder: Path)
     fleet += f'[broker]\naddress = "127.0.0.1:{port}"\njournal = "journal.db"\n'
     for number, address in enumerate(addresses):
         fleet += f'[gimbal.g{number}]\nport = "{address}"\n'
-        fleet += f'telemetry = "{MESSAGE} {rate:g} IMU_ANGLES|TARGET_ANGLES"\n'
+        fleet += f'telemetry = "{MESSAGE} {rate:g} IMU_ANGLES|TARGET_ANGLES"\nallow = ["get"]\n'
     (folder / "fleet.toml").write_text(fleet)
     gateway = Part(
         "gateway",
@@ -133,36 +175,45 @@ def measure(program: str, count: int, rate: float, seconds: float, folder: Path)
         f"{folder}/fleet.toml",
         log=folder / "gateway.log",
     )
-    reader = Part(
-        "reader", "mosquitto_sub", "-p", str(port), "-F", "%U %p", "-t", "sbgc/bench/+/telemetry/+",
+    reader_part = Part(
+        "reader", "mosquitto_sub", "-p", str(port), "-F", "%U %p", "-q", "1",
+        "-t", "sbgc/bench/+/telemetry/+", "-t", "sbgc/bench/+/event",
         output=subprocess.PIPE, log=folder / "reader.log",
     )  # fmt: skip
-    assert reader.process.stdout is not None
-    parts = [gimbals, broker, gateway, reader]
+    assert reader_part.process.stdout is not None
+    reader = Reader(reader_part.process.stdout.fileno())
+    parts = [gimbals, broker, gateway, reader_part]
+    commands = Commands(port)
     try:
-        lines = reader.process.stdout.fileno()
-        receive(lines, 3)
+        reader.read(3)
         while total(metrics(metrics_address), "sbgc_gimbal_up") < count:
-            receive(lines, 2)
-        receive(lines, 10)  # until everything runs evenly
+            reader.read(2)
+        reader.read(10)  # until everything runs evenly
+        reader.delays.clear()
         before = metrics(metrics_address)
-        memory = gateway.memory()
+        memory = [gateway.memory()]
         start = time.monotonic()
         used = {part.name: part.processor_seconds() for part in parts}
-        delays = receive(lines, seconds)
+        while time.monotonic() < start + seconds:
+            commands.send()
+            reader.read(1)
+            memory.append(gateway.memory())
         span = time.monotonic() - start
         after = metrics(metrics_address)
         shares = {part.name: part.processor_seconds() - used[part.name] for part in parts}
+        delays = reader.delays.copy()
+        reader.read(5)  # what is on the way
         report(count, rate, span, delays, before, after)
+        print(f"{commands.sent} commands, {reader.events} of their results at the reader")
         for part in parts:
             print(
                 f"{part.name:10}  {100 * shares[part.name] / span:6.1f} % of a processor, {part.memory():6.1f} MiB"
             )
-        change = 100 * (gateway.memory() / memory - 1)
-        print(
-            f"memory of the gateway changed by {change:+.1f} %; it has {gateway.threads()} threads"
-        )
+        tenths = [f"{memory[i * (len(memory) - 1) // 10]:.1f}" for i in range(11)]
+        print(f"memory of the gateway, in MiB, in ten equal times: {' '.join(tenths)}")
+        print(f"it has {gateway.threads()} threads")
     finally:
+        commands.end()
         for part in reversed(parts):
             part.end()
 
