@@ -117,7 +117,7 @@ class _FixedTable(Table):
         )
         data = numpy.frombuffer(bodies.bytes, numpy.uint8)
         self._array: Array = data.view(dtype) if len(data) else numpy.zeros(0, dtype)
-        self._converters: dict[str, Callable[[Array], Array]] = {
+        self._converters: dict[str, Callable[..., Array]] = {
             path: partial(_column, kind=kind, scale=scale)
             for path, kind, _, _, scale, is_reserved in layout
             if not is_reserved
@@ -135,39 +135,45 @@ class _FixedTable(Table):
         for start in range(0, rows, _ROWS):
             block = self._array[start : start + _ROWS]
             for path in missing:
-                part = self._converters[path](block[path])
                 if start == 0:
-                    self._made[path] = numpy.empty(rows, part.dtype)
-                self._made[path][start : start + len(part)] = part
+                    first = self._converters[path](block[path])
+                    self._made[path] = numpy.empty(rows, first.dtype)
+                self._converters[path](block[path], self._made[path][start : start + _ROWS])
         return dict(self)
 
     def _column(self, path: str) -> Array:
         return self._converters[path](self._array[path])
 
 
-def _column(raw: Array, kind: str, scale: Optional[_core.Scale]) -> Array:
+def _column(
+    raw: Array, out: Optional[Array] = None, *, kind: str, scale: Optional[_core.Scale]
+) -> Array:
+    """The values of the raw numbers in their unit, in `out` if there is one."""
     if kind == "text":
         texts = [one.split(b"\0")[0].decode("utf-8", "surrogateescape") for one in raw.tolist()]
-        return numpy.array(texts, object)
-    if kind == "bytes":
-        return numpy.array([bytes(one) for one in raw], object)
-    if kind in ("i24", "u24"):
+        raw = numpy.array(texts, object)
+    elif kind == "bytes":
+        raw = numpy.array([bytes(one) for one in raw], object)
+    elif kind in ("i24", "u24"):
         raw = raw.astype(numpy.int32) @ numpy.array([1, 1 << 8, 1 << 16], numpy.int32)
         if kind == "i24":
             raw = numpy.where(raw >= 1 << 23, raw - (1 << 24), raw)
+    if out is None:
+        out = numpy.empty(len(raw), raw.dtype if scale is None else numpy.float64)
     if scale is None:
-        return numpy.array(raw)
+        out[:] = raw
+        return out
     numerator, denominator, offset, growth = scale
     # The order of the operations is that of C++, so that the numbers are the same.
     with numpy.errstate(invalid="ignore"):  # of a number that is none on the wire
-        steps: Array = numpy.power(growth, raw) if growth else raw.astype(numpy.float64)
+        out[:] = numpy.power(growth, raw) if growth else raw
         if numerator != 1:
-            steps *= numerator
+            out *= numerator
         if denominator != 1:
-            steps /= denominator
+            out /= denominator
         if offset != 0:
-            steps += offset
-    return steps
+            out += offset
+    return out
 
 
 def _varying_table(message: type[Message], content: _core.Columns) -> Table:

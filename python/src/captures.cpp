@@ -214,16 +214,8 @@ py::object layout_of(std::string_view name) {
 }  // namespace
 
 void bind_captures(py::module_& module) {
-  py::class_<Bodies, std::shared_ptr<Bodies>>(module, "Bodies", py::buffer_protocol())
-      .def_buffer([](Bodies& bodies) {
-        return py::buffer_info(bodies.bytes().data(),
-                               static_cast<py::ssize_t>(bodies.bytes().size()));
-      })
-      .def_property_readonly(
-          "bytes",
-          [](const py::object& bodies) {
-            return py::reinterpret_steal<py::object>(PyMemoryView_FromObject(bodies.ptr()));
-          })
+  py::class_<Bodies, std::shared_ptr<Bodies>>(module, "Bodies")
+      .def_property_readonly("bytes", &Bodies::bytes)
       .def_property_readonly("stride", &Bodies::stride);
   py::class_<CaptureReader>(module, "CaptureReader")
       .def(py::init<>())

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sbgc/any.hpp>
@@ -25,29 +26,39 @@ class Bodies {
 
   void add(double time, Bytes body) {
     if (head_size + body.size() > stride_) widen(head_size + body.size());
-    const std::size_t begin = bytes_.size();
-    bytes_.resize(begin + stride_);
-    std::uint8_t* const row = bytes_.data() + begin;
+    std::uint8_t* const row = resize(rows_ + 1) + rows_ * stride_;
+    ++rows_;
     std::memcpy(row, &time, sizeof time);
     row[sizeof time] = static_cast<std::uint8_t>(body.size());
-    if (!body.empty()) std::memcpy(row + head_size, body.data(), body.size());
+    std::uint8_t* const end = std::ranges::copy(body, row + head_size).out;
+    std::fill(end, row + stride_, std::uint8_t{0});
   }
 
   std::size_t stride() const noexcept { return stride_; }
-  std::vector<std::uint8_t>& bytes() noexcept { return bytes_; }
+  const py::bytearray& bytes() const noexcept { return bytes_; }
 
  private:
-  void widen(std::size_t stride) {
-    std::vector<std::uint8_t> wider(bytes_.size() / stride_ * stride);
-    for (std::size_t row = 0; row * stride_ < bytes_.size(); ++row) {
-      std::copy_n(bytes_.data() + row * stride_, stride_, wider.data() + row * stride);
+  /// Python's array grows in place where the system can; a vector would copy all that it has.
+  std::uint8_t* resize(std::size_t rows) {
+    if (PyByteArray_Resize(bytes_.ptr(), static_cast<py::ssize_t>(rows * stride_)) != 0) {
+      throw py::error_already_set();
     }
-    bytes_ = std::move(wider);
-    stride_ = stride;
+    // NOLINTNEXTLINE(*-reinterpret-cast): from bytes to bytes
+    return reinterpret_cast<std::uint8_t*>(PyByteArray_AS_STRING(bytes_.ptr()));
+  }
+  void widen(std::size_t stride) {
+    const std::size_t from = std::exchange(stride_, stride);
+    std::uint8_t* const begin = resize(rows_);
+    for (std::size_t row = rows_; row-- > 0;) {
+      std::uint8_t* const to = begin + row * stride;
+      std::memmove(to, begin + row * from, from);
+      std::fill(to + from, to + stride, std::uint8_t{0});
+    }
   }
 
   std::size_t stride_;
-  std::vector<std::uint8_t> bytes_{};
+  std::size_t rows_ = 0;
+  py::bytearray bytes_{};
 };
 
 /// The values of messages whose layout varies, by their paths.
