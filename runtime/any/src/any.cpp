@@ -1,5 +1,6 @@
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include <sbgc/any.hpp>
 #include <sbgc/frame.hpp>
@@ -43,6 +44,16 @@ std::string AnyMessage::to_json(Secrets secrets) const {
   StringOutput out(result);
   write_json(out, secrets);
   out.finish();
+  return result;
+}
+
+JsonResult AnyMessage::from_json(std::string_view text) {
+  AnyMessage read(*type_);
+  JsonResult result =
+      detail::json_result(text, [&](detail::JsonReader<detail::JsonTextSource>& reader) {
+        return type_->operations->read_json(reader, read.memory_.get());
+      });
+  if (result) *this = std::move(read);
   return result;
 }
 

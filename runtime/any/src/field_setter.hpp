@@ -36,12 +36,7 @@ class FieldSetter {
 
   template <class T>
   SBGC_NOINLINE void members(T& value) {
-    if (is_found()) return;
-    if (rest_.starts_with('.')) rest_.remove_prefix(1);
-    const std::string_view name =
-        rest_.substr(0, std::min(rest_.find_first_of(".["), rest_.size()));
-    rest_.remove_prefix(name.size());
-    Meta<T>::visit(value, Member{*this, name});
+    if (!is_found()) Meta<T>::visit(value, Member{*this, take_name()});
   }
 
   // The handlers of the walk.
@@ -138,6 +133,14 @@ class FieldSetter {
     if (!rest_.empty() || end_ == End::remove) return nullptr;
     is_done_ = value_ == nullptr || std::holds_alternative<V>(*value_);
     return value_ != nullptr && is_done_ ? &std::get<V>(*value_) : nullptr;
+  }
+
+  std::string_view take_name() {
+    if (rest_.starts_with('.')) rest_.remove_prefix(1);
+    const std::string_view name =
+        rest_.substr(0, std::min(rest_.find_first_of(".["), rest_.size()));
+    rest_.remove_prefix(name.size());
+    return name;
   }
 
   /// Returns the index at the beginning of the rest; a huge one if there is none.

@@ -38,14 +38,10 @@ class FieldTypes {
     using Raw = RawOf<T>;
     using Limits = std::numeric_limits<Raw>;
     const ScalarInfo info = scalar_info<T>();
-    FieldType type{
-        .size = wire_size<T>, .unit = info.unit, .names = info.names, .packed = info.packed};
     if constexpr (std::is_floating_point_v<Raw>) {
-      type.shape = FieldShape::real;
-      type.type = type_name('f', type.size);
+      return number_type('f', wire_size<T>, info);
     } else {
-      type.shape = FieldShape::integer;
-      type.type = type_name(std::is_signed_v<Raw> ? 'i' : 'u', type.size);
+      FieldType type = number_type(std::is_signed_v<Raw> ? 'i' : 'u', wire_size<T>, info);
       type.lowest = static_cast<std::int64_t>(Limits::min());
       type.highest = static_cast<std::int64_t>(Limits::max());
       if constexpr (is_integer24<T>) {
@@ -54,8 +50,8 @@ class FieldTypes {
       }
       type.initial = static_cast<std::int64_t>(raw_of(value));
       type.is_wide = std::is_same_v<Raw, std::uint64_t>;
+      return type;
     }
-    return type;
   }
   FieldType counter(const Counter&, const Place& place) {
     FieldType type = scalar(std::uint8_t{0}, place);
@@ -65,22 +61,22 @@ class FieldTypes {
   FieldType number(const Number&, const Place&) { return {.shape = FieldShape::announced}; }
   template <class T>
   FieldType bytes(const T& bytes, const Place&) {
-    return sized<T>(FieldShape::bytes, capacity_of(bytes));
+    return sized(FieldShape::bytes, wire_size<T>, capacity_of(bytes), !is_bounded<T>);
   }
   template <class T>
   FieldType text(const T&, const Place&) {
-    return sized<T>(FieldShape::text, T::capacity());
+    return sized(FieldShape::text, wire_size<T>, T::capacity(), !is_bounded<T>);
   }
   template <class T>
   FieldType list(const T&, const Place& place) {
-    FieldType type = sized<T>(FieldShape::list, T::capacity());
+    FieldType type = sized(FieldShape::list, wire_size<T>, T::capacity(), !is_bounded<T>);
     const typename T::value_type element{};
     type.members.push_back(walk(element, place, *this));
     return type;
   }
   template <class T>
   FieldType array(const T& array, const Place& place) {
-    FieldType type = sized<T>(FieldShape::list, array.size());
+    FieldType type = sized(FieldShape::list, wire_size<T>, array.size(), !is_bounded<T>);
     type.members.push_back(walk(array[0], place, *this));
     return type;
   }
@@ -111,7 +107,11 @@ class FieldTypes {
 
     template <class T>
     void operator()(const FieldInfo& field, const T& member) const {
-      FieldType type = walk(member, Place(field, {}), types);
+      add(field, walk(member, Place(field, {}), types));
+    }
+
+   private:
+    void add(const FieldInfo& field, FieldType type) const {
       type.name = field.name;
       const bool is_limited = !type.has_count && field.max_count != 0;
       if (is_limited) type.count = std::min<std::size_t>(type.count, field.max_count);
@@ -133,9 +133,16 @@ class FieldTypes {
     const std::string name = kind + std::to_string(8 * size);
     return *std::find(names.begin(), names.end(), name);
   }
-  template <class T>
-  static FieldType sized(FieldShape shape, std::size_t count) {
-    return {.shape = shape, .size = wire_size<T>, .count = count, .has_count = !is_bounded<T>};
+  static FieldType number_type(char kind, std::size_t size, const ScalarInfo& info) {
+    return {.shape = kind == 'f' ? FieldShape::real : FieldShape::integer,
+            .size = size,
+            .unit = info.unit,
+            .names = info.names,
+            .packed = info.packed,
+            .type = type_name(kind, size)};
+  }
+  static FieldType sized(FieldShape shape, std::size_t size, std::size_t count, bool has_count) {
+    return {.shape = shape, .size = size, .count = count, .has_count = has_count};
   }
   template <class T>
   static std::size_t capacity_of(const T& bytes) {

@@ -26,62 +26,76 @@ struct Report {
   void operator()(const Violation& violation) const { use(user, violation); }
 };
 
+/// Not lambdas: compilers make two functions of each that becomes a pointer.
+template <class M, class T>
+struct Operations {
+  static const T& of(const void* message) { return *static_cast<const T*>(message); }
+  static T& of(void* message) { return *static_cast<T*>(message); }
+
+  static void construct(void* message) { new (message) T{}; }
+  static void copy(const void* from, void* message) {
+    new (message) T{*static_cast<const M*>(from)};
+  }
+  static bool equal(const void* message, const void* other) { return of(message) == of(other); }
+  static Status decode(std::span<const std::uint8_t> body, void* message,
+                       const Contexts& contexts) {
+    T& out = of(message);
+    if constexpr (requires { typename T::Context; }) {
+      return sbgc::decode(body, out, contexts.of(out));
+    } else {
+      return sbgc::decode(body, out);
+    }
+  }
+  static WriteResult encode(const void* message, std::span<std::uint8_t> out) {
+    return sbgc::encode(of(message), out);
+  }
+  static void teach(const void* message, Contexts& contexts) {
+    contexts.learn(without_surplus(of(message)));
+  }
+  static void leaves(const void* message, detail::LeafWalk& walk) {
+    walk.members(of(message), nullptr);
+  }
+  static bool validate(const void* message, const Availability& versions,
+                       detail::AnyOperations::UseViolation use, void* user) {
+    // Not validate(), whose fast path is inlined: it takes as long to compile as all of this.
+    const Report report{use, user};
+    detail::Check<const Report> check(versions, report);
+    check.members(of(message), nullptr);
+    return check.passed();
+  }
+  static void write_json(const void* message, TextOutput& out, Secrets secrets) {
+    sbgc::write_json(of(message), out, secrets);
+  }
+  static bool read_json(detail::JsonReader<detail::JsonTextSource>& reader, void* message) {
+    return reader.message(of(message));
+  }
+  static void set(void* message, detail::FieldSetter& setter) { setter.members(of(message)); }
+};
+
 template <class M, class T>
 constexpr auto teacher_of() -> decltype(detail::AnyOperations::teach) {
-  if constexpr (!Contexts::learns_from<M>) {
-    return nullptr;
+  if constexpr (Contexts::learns_from<M>) {
+    return Operations<M, T>::teach;
   } else {
-    return [](const void* message, Contexts& contexts) {
-      contexts.learn(without_surplus(*static_cast<const T*>(message)));
-    };
+    return nullptr;
   }
 }
 
 template <class M, class T = Received<M>>
 constexpr detail::AnyOperations operations_of = {
-    .construct = [](void* message) { new (message) T{}; },
-    .copy = [](const void* from, void* message) { new (message) T{*static_cast<const M*>(from)}; },
-    .equal =
-        [](const void* message, const void* other) {
-          return *static_cast<const T*>(message) == *static_cast<const T*>(other);
-        },
-    .decode =
-        [](std::span<const std::uint8_t> body, void* message, const Contexts& contexts) {
-          T& out = *static_cast<T*>(message);
-          if constexpr (requires { typename T::Context; }) {
-            return sbgc::decode(body, out, contexts.of(out));
-          } else {
-            return sbgc::decode(body, out);
-          }
-        },
-    .encode =
-        [](const void* message, std::span<std::uint8_t> out) {
-          return sbgc::encode(*static_cast<const T*>(message), out);
-        },
+    .construct = Operations<M, T>::construct,
+    .copy = Operations<M, T>::copy,
+    .equal = Operations<M, T>::equal,
+    .decode = Operations<M, T>::decode,
+    .encode = Operations<M, T>::encode,
     .teach = teacher_of<M, T>(),
-    .leaves =
-        [](const void* message, detail::LeafWalk& walk) {
-          walk.members(*static_cast<const T*>(message), nullptr);
-        },
-    .validate =
-        [](const void* message, const Availability& versions,
-           detail::AnyOperations::UseViolation use, void* user) {
-          // Not validate(), whose fast path is inlined: it takes as long to compile as all of this.
-          const Report report{use, user};
-          detail::Check<const Report> check(versions, report);
-          check.members(*static_cast<const T*>(message), nullptr);
-          return check.passed();
-        },
+    .leaves = Operations<M, T>::leaves,
+    .validate = Operations<M, T>::validate,
 #ifndef SBGC_ANY_WITHOUT_JSON  // the frame builder of the reference site, which readers download
-    .write_json =
-        [](const void* message, TextOutput& out, Secrets secrets) {
-          sbgc::write_json(*static_cast<const T*>(message), out, secrets);
-        },
-    .read_json = [](std::string_view text,
-                    void* message) { return sbgc::from_json(text, *static_cast<T*>(message)); },
+    .write_json = Operations<M, T>::write_json,
+    .read_json = Operations<M, T>::read_json,
 #endif
-    .set = [](void* message,
-              detail::FieldSetter& setter) { setter.members(*static_cast<T*>(message)); },
+    .set = Operations<M, T>::set,
 };
 
 template <class T>

@@ -53,7 +53,7 @@ struct AnyOperations {
   void (*leaves)(const void* message, LeafWalk& walk);
   bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
   void (*write_json)(const void* message, TextOutput& out, Secrets secrets);
-  JsonResult (*read_json)(std::string_view text, void* message);
+  bool (*read_json)(JsonReader<JsonTextSource>& reader, void* message);
   void (*set)(void* message, FieldSetter& setter);
 };
 
@@ -176,9 +176,7 @@ class AnyMessage {
   }
   std::string to_json(Secrets secrets = Secrets::hidden) const;
   /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
-  JsonResult from_json(std::string_view text) {
-    return type_->operations->read_json(text, memory_.get());
-  }
+  JsonResult from_json(std::string_view text);
 
   /// Returns the message if its type is M, or WithSurplus<M> for one that takes surplus; otherwise
   /// null.

@@ -25,6 +25,40 @@ struct NeededSize {
   const char* without = "";  ///< the only flag without which the body has the right size, or ""
 };
 
+/// Tries which size a message has without each of its flags. One type for all messages: each would
+/// be compiled for each of them.
+struct FlagTrial {
+  NeededSize& needed;
+  std::size_t body_size;
+  std::size_t (*size)(const void* message);
+  const void* message;
+  std::size_t candidates = 0;
+
+  template <class Member>
+  void operator()(const FieldInfo&, Member&& member) {
+    (*this)(member);
+  }
+  template <class Member>
+  void operator()(Member& member) {
+    if constexpr (requires { typename Member::flag_type; }) {
+      using Flag = typename Member::flag_type;
+      const Member all = member;
+      for (const ValueInfo& value : EnumMeta<Flag>::info.values) {
+        const auto flag = static_cast<Flag>(value.value);
+        if (!all.has(flag)) continue;
+        member.set(flag, false);
+        add(size(message), value.name);
+        member = all;
+      }
+    }
+  }
+
+  void add(std::size_t rest, const char* without) {
+    if (rest != needed.size) needed.depends_on_flags = true;
+    if (rest == body_size) needed.without = ++candidates == 1 ? without : "";
+  }
+};
+
 template <class M, class... Context>
 NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
   NeededSize needed{.size = fixed_size<M>};
@@ -40,24 +74,10 @@ NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
       return reader.size();
     };
     needed.size = size();
-    std::size_t candidates = 0;
-    const auto try_without_each = [&]<class Set>(Set& flags) {
-      if constexpr (requires { typename Set::flag_type; }) {
-        using Flag = typename Set::flag_type;
-        const Set all = flags;
-        for (const ValueInfo& value : EnumMeta<Flag>::info.values) {
-          const auto flag = static_cast<Flag>(value.value);
-          if (!all.has(flag)) continue;
-          flags.set(flag, false);
-          const std::size_t rest = size();
-          flags = all;
-          if (rest != needed.size) needed.depends_on_flags = true;
-          if (rest == body.size()) needed.without = ++candidates == 1 ? value.name : "";
-        }
-      }
-    };
-    (Context::visit(context, try_without_each), ...);
-    Meta<M>::visit(message, [&](const FieldInfo&, auto&& member) { try_without_each(member); });
+    FlagTrial trial{needed, body.size(),
+                    [](const void* of) { return (*static_cast<decltype(size)*>(of))(); }, &size};
+    (Context::visit(context, trial), ...);
+    Meta<M>::visit(message, trial);
   }
   return needed;
 }

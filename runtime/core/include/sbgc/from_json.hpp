@@ -18,6 +18,23 @@ struct [[nodiscard]] JsonResult {
   explicit operator bool() const noexcept { return !problem; }
 };
 
+namespace detail {
+
+/// Returns what `read`, a function for a reader of `text`, makes of it.
+template <class Read>
+JsonResult json_result(std::string_view text, const Read& read) {
+  JsonTextSource source(text);
+  JsonReader<JsonTextSource> reader(source);
+  if (read(reader) && source.finish()) return {};
+  // Text that is not JSON at all is the first problem.
+  const char* const no_json = source.problem();
+  return {JsonProblem{source.line(source.at()), source.column(source.at()),
+                      no_json != nullptr ? no_json : reader.reason(),
+                      no_json != nullptr ? "" : reader.field()}};
+}
+
+}  // namespace detail
+
 /// Reads `message` from `text`, which must be all of its JSON; it may come from anywhere. A problem
 /// leaves the message unchanged. Uses no heap unless there is one, and throws nothing.
 ///
@@ -25,18 +42,10 @@ struct [[nodiscard]] JsonResult {
 /// present must match its list.
 template <class M>
 JsonResult from_json(std::string_view text, M& message) {
-  detail::JsonTextSource source(text);
-  detail::JsonReader<detail::JsonTextSource> reader(source);
-  M result{};
-  if (reader.message(result) && source.finish()) {
-    message = result;
-    return {};
-  }
-  // Text that is not JSON at all is the first problem.
-  const char* const no_json = source.problem();
-  return {JsonProblem{source.line(source.at()), source.column(source.at()),
-                      no_json != nullptr ? no_json : reader.reason(),
-                      no_json != nullptr ? "" : reader.field()}};
+  M read{};
+  JsonResult result = detail::json_result(text, [&](auto& reader) { return reader.message(read); });
+  if (result) message = read;
+  return result;
 }
 
 }  // namespace sbgc
