@@ -158,22 +158,22 @@ def _column(
         raw = raw.astype(numpy.int32) @ numpy.array([1, 1 << 8, 1 << 16], numpy.int32)
         if kind == "i24":
             raw = numpy.where(raw >= 1 << 23, raw - (1 << 24), raw)
-    if out is None:
-        out = numpy.empty(len(raw), raw.dtype if scale is None else numpy.float64)
+    dtype = raw.dtype if scale is None else numpy.float64
+    values: Array = numpy.empty(len(raw), dtype) if out is None else out
     if scale is None:
-        out[:] = raw
-        return out
+        values[:] = raw
+        return values
     numerator, denominator, offset, growth = scale
     # The order of the operations is that of C++, so that the numbers are the same.
     with numpy.errstate(invalid="ignore"):  # of a number that is none on the wire
-        out[:] = numpy.power(growth, raw) if growth else raw
+        values[:] = numpy.power(growth, raw) if growth else raw
         if numerator != 1:
-            out *= numerator
+            values *= numerator
         if denominator != 1:
-            out /= denominator
+            values /= denominator
         if offset != 0:
-            out += offset
-    return out
+            values += offset
+    return values
 
 
 def _varying_table(message: type[Message], content: _core.Columns) -> Table:

@@ -42,7 +42,6 @@ class JsonReader {
   template <class M>
   bool message(M& out) {
     members(out, nullptr);
-    if (counters_ != 0) Meta<M>::visit(std::as_const(out), CounterCheck{*this});
     return ok();
   }
 
@@ -155,9 +154,10 @@ class JsonReader {
     const FieldPath* parent = nullptr;
     Scope scope{};
     JsonString key{};
-    bool has_key = false;     // of a member that is not read yet
-    bool has_read = false;    // a member in this pass
-    bool has_unread = false;  // a member without a value, passed while there was a key
+    bool has_key = false;      // of a member that is not read yet
+    bool has_read = false;     // a member in this pass
+    bool has_unread = false;   // a member without a value, passed while there was a key
+    bool is_checking = false;  // only the counters
     std::size_t index = 0;
     std::array<std::uint64_t, 4> read{};  // a bit for each member
 
@@ -171,6 +171,10 @@ class JsonReader {
     template <class Member>
     SBGC_NOINLINE void operator()(const FieldInfo& field, Member&& member) {
       constexpr Kind kind = kind_of<std::remove_cvref_t<Member>>;
+      if constexpr (kind == Kind::counter) {
+        if (is_checking) reader.check(field, member);
+      }
+      if (is_checking) return;
       const Place place(field, parent);
       // Counters are implied by their lists, and tails are rare. Everything else is required: a
       // parameter omitted by mistake would be overwritten with 0.
@@ -227,6 +231,9 @@ class JsonReader {
         return fail(FieldPath{path, key.empty() ? "''" : key.c_str()}, "unknown");
       }
     } while (members.has_key || members.has_unread);
+    if (path != nullptr || counters_ == 0) return;
+    members.is_checking = true;
+    visit(out, members);
   }
 
   /// Reads elements to where `put(index)` says, and checks those for which there is no place.
@@ -354,22 +361,15 @@ class JsonReader {
   void announce(const char* name) {
     if (counters_ < counted_.size()) counted_[counters_++] = {name, announced_};
   }
-
-  /// Compares the announced counters with the sizes of their lists.
-  struct CounterCheck {
-    JsonReader& reader;
-
-    template <class Member>
-    void operator()(const FieldInfo&, const Member&) const {}
-    void operator()(const FieldInfo& field, const Counter& counter) const {
-      for (const Announced& announced : reader.counted_) {
-        if (announced.name != field.name) continue;
-        if (announced.count == static_cast<std::int64_t>(counter.count)) continue;
-        const FieldPath path{nullptr, field.name};
-        reader.fail(path, announced.count, " is announced, but there are ", counter.count);
-      }
+  /// Compares an announced counter with the size of its list.
+  void check(const FieldInfo& field, const Counter& counter) {
+    for (const Announced& announced : counted_) {
+      if (announced.name != field.name) continue;
+      if (announced.count == static_cast<std::int64_t>(counter.count)) continue;
+      const FieldPath path{nullptr, field.name};
+      fail(path, announced.count, " is announced, but there are ", counter.count);
     }
-  };
+  }
 
   bool ok() const { return !has_failed_ && source_.problem() == nullptr; }
 
