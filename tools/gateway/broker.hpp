@@ -4,31 +4,21 @@
 /// strand of its gimbal, once it is on the disk; its result comes back the same way.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
+#include "gateway/outbox.hpp"
 
 namespace sbgc::tools {
 
 class Broker {
  public:
-  struct Statistics {
+  struct Statistics : OutboxStatistics {
     bool is_connected{};
-    bool has_failed{};             ///< see failure()
-    std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
-    std::uint64_t dropped{};       ///< events and refusals for which there was no room
-    std::uint64_t acknowledged{};  ///< messages with quality 1
-    std::size_t waiting{};         ///< results, events and refusals on the disk
-    std::size_t most_waiting{};
-    std::uint64_t done{};  ///< commands, by their results
-    std::uint64_t failed{};
-    std::uint64_t refused{};
-    std::uint64_t unknown{};
+    bool has_failed{};  ///< see failure()
   };
 
   /// Registers its handlers: the gimbals have not started. Commands that an earlier gateway had
@@ -49,7 +39,6 @@ class Broker {
   std::string failure() const;
 
  private:
-  class Fence;
   class Impl;
 
   std::unique_ptr<Impl> impl_;

@@ -23,6 +23,9 @@ namespace sbgc::tools {
 /// The version of all payloads.
 inline constexpr int payload_version = 1;
 
+/// The level of the gateway's own topics.
+inline constexpr const char* gateway_level = "gateway";
+
 inline constexpr std::size_t longest_payload = 65'536;
 inline constexpr std::size_t longest_key = 128;    ///< of idempotence
 inline constexpr std::size_t longest_reply = 256;  ///< topic

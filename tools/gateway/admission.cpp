@@ -1,0 +1,244 @@
+#include "gateway/admission.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "command/remark.hpp"
+#include "command/wording.hpp"
+#include "gateway/reports.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using WallTime = std::chrono::system_clock::time_point;
+
+constexpr const char* stop_task = "stop";
+
+/// How long our own message of a fence may take.
+constexpr std::chrono::seconds fence_patience{10};
+/// Refusals that are answered: garbage must not keep the disk busy.
+constexpr double refusals_per_second = 50;
+constexpr int most_refusals_at_once = 500;
+
+}  // namespace
+
+Admission::Admission(const BrokerSettings& settings, const Topics& topics, const Stations& stations,
+                     Journal& journal, Outbox& outbox, MqttConnection& mqtt)
+    : settings_(settings),
+      topics_(topics),
+      stations_(stations),
+      journal_(journal),
+      outbox_(outbox),
+      mqtt_(mqtt),
+      fences_{Fence(topics_.of(gateway_level, "cmd/fence")),
+              Fence(topics_.of(gateway_level, "raw"))},
+      refusals_(refusals_per_second, most_refusals_at_once) {}
+
+void Admission::take(const std::vector<MqttMessage>& messages) {
+  const auto arrived = GimbalTasks::Clock::now();
+  // Before the disk is asked, and before all that has come with them.
+  std::map<const Station*, std::size_t> stops;  // the last one of each gimbal
+  std::vector<const Station*> stopped(messages.size());
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    stopped[i] = stop_at_once(messages[i]);
+    if (stopped[i] != nullptr) stops[stopped[i]] = i;
+  }
+  std::vector<Admitted> admitted;
+  journal_.begin();
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (stopped[i] != nullptr) continue;
+    const auto is_overtaken = [&](const Station& station) {
+      const auto found = stops.find(&station);
+      return found != stops.end() && i < found->second;
+    };
+    if (auto one = take_one(messages[i], is_overtaken)) admitted.push_back(std::move(*one));
+  }
+  journal_.commit();
+  for (Admitted& one : admitted) {
+    one.job.arrived = arrived;
+    one.station->tasks->run(std::move(one.job));
+  }
+}
+
+/// Stops a gimbal, whatever waits or was commanded before. Returns null if the message is no `stop`
+/// or is refused, which take_one() does.
+const Station* Admission::stop_at_once(const MqttMessage& message) {
+  const std::optional<CommandTopic> topic = topics_.command(message.topic);
+  if (!topic || topic->task != stop_task) return nullptr;
+  CommandPayload payload = addressed_payload(message);
+  try {
+    read_payload(message.payload, topics_, payload);
+    const Station& station = station_for(*topic, message.is_retained);
+    Order order = read_order(stop_task, payload.parameters, {});
+    const auto done =
+        [this, gimbal = topic->gimbal, key = payload.key,
+         reply = ReplyAddress{payload.reply, payload.correlation}](const TaskOutcome& outcome) {
+          outbox_.notify(
+              answer_to(topics_, gimbal, reply, result_json(gimbal, stop_task, key, outcome)));
+          outbox_.count(outcome.status);
+        };
+    station.tasks->run({.order = std::move(order), .done = done});
+    return &station;
+  } catch (const Refusal&) {
+    return nullptr;
+  }
+}
+
+std::optional<Admission::Admitted> Admission::take_one(const MqttMessage& message,
+                                                       const IsOvertaken& is_overtaken) {
+  for (Fence& fence : fences_) {
+    if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
+  }
+  const std::optional<CommandTopic> topic = topics_.command(message.topic);
+  if (!topic) return {};
+  CommandPayload payload = addressed_payload(message);
+  try {
+    read_payload(message.payload, topics_, payload);
+    const Station& station = station_for(*topic, message.is_retained);
+    return admit(*topic, payload, station, is_overtaken(station));
+  } catch (const Refusal& refusal) {
+    refuse(*topic, payload, refusal.code(), refusal.what());
+    return {};
+  }
+}
+
+/// With what the properties of the message say.
+CommandPayload Admission::addressed_payload(const MqttMessage& message) const {
+  CommandPayload payload;
+  payload.correlation = message.correlation.substr(0, longest_correlation);
+  if (topics_.is_reply(message.reply)) payload.reply = message.reply;
+  if (is_key(message.key)) payload.key = message.key;
+  if (message.expiry) payload.deadline = std::chrono::system_clock::now() + *message.expiry;
+  return payload;
+}
+
+/// Returns the one that may carry out the command. Throws Refusal.
+const Station& Admission::station_for(const CommandTopic& topic, bool is_retained) const {
+  const auto found = stations_.find(topic.gimbal);
+  if (found == stations_.end()) {
+    throw Refusal("unknown_gimbal", fmt::format("the fleet has no gimbal '{}'", topic.gimbal));
+  }
+  const FleetGimbal& settings = found->second.gimbal->settings();
+  // Whoever may command a gimbal may stop it.
+  if (topic.task == stop_task ? settings.allow.empty() : !settings.allows(topic.task)) {
+    throw Refusal("not_allowed", fmt::format("the configuration does not allow '{}' for '{}'",
+                                             clipped(topic.task), topic.gimbal));
+  }
+  if (is_retained) throw Refusal("retained", "commands must not be retained");
+  return found->second;
+}
+
+/// Throws Refusal.
+std::optional<Admission::Admitted> Admission::admit(const CommandTopic& topic,
+                                                    const CommandPayload& payload,
+                                                    const Station& station, bool is_overtaken) {
+  const JournalCommand command{topic.gimbal,
+                               payload.key,
+                               topic.task + ' ' + payload_text(payload.parameters),
+                               {payload.reply, payload.correlation}};
+  // Before the times: a broker repeats commands whose acknowledgments it has missed.
+  const RecognizedCommand recognized = journal_.recognize(command);
+  switch (recognized.recognition) {
+    case Recognition::unknown: break;
+    case Recognition::running: return {};
+    case Recognition::finished: {
+      Json result = Json::parse(recognized.result);
+      result["repeated"] = true;
+      outbox_.answer(WaitingKind::notice, topic.gimbal, command.reply, std::move(result));
+      return {};
+    }
+    case Recognition::reused: throw Refusal("key_reused", "another command has the same key");
+    case Recognition::full: throw Refusal("overload", "too much waits for the broker");
+  }
+  if (is_closing_) throw Refusal("closing", "the gateway ends");
+  check_times(payload);
+  Order order = read_order(topic.task, payload.parameters, station.gimbal->settings().raw_effects);
+  if (order.must_not_wait && is_overtaken && !order.is_urgent) {
+    throw Refusal("superseded", "a later command stops the camera");
+  }
+  if (order.must_not_wait) check_freshness(topic, payload);
+  const auto id = journal_.admit(command, std::chrono::system_clock::now());
+  if (!id) throw Refusal("overload", "too much waits for the broker");
+  if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
+  outbox_.has_begun();
+  const auto done = [this, id = *id, topic, key = payload.key](const TaskOutcome& outcome) {
+    outbox_.finish(id, topic, key, outcome);
+  };
+  std::optional<WallTime> deadline = payload.deadline;
+  if (deadline) *deadline += settings_.clock_skew;
+  return Admitted{&station,
+                  {.command = *id, .order = std::move(order), .deadline = deadline, .done = done}};
+}
+
+/// The clocks of senders may differ from ours by `clock_skew`. Throws Refusal.
+void Admission::check_times(const CommandPayload& payload) const {
+  if (payload.key.empty()) throw Refusal("invalid", "'key' is missing");
+  if (!payload.deadline) throw Refusal("invalid", "'deadline' is missing");
+  const auto left = *payload.deadline - std::chrono::system_clock::now();
+  if (left < -settings_.clock_skew) throw Refusal("expired", "its deadline has passed");
+  if (left > settings_.longest_deadline + settings_.clock_skew) {
+    throw Refusal("deadline_too_far",
+                  fmt::format("its deadline is more than {} s ahead",
+                              std::chrono::duration<double>(settings_.longest_deadline).count()));
+  }
+}
+
+/// Brokers keep commands while the gateway is away, and some deliver them again long afterwards.
+/// Throws Refusal.
+void Admission::check_freshness(const CommandTopic& topic, const CommandPayload& payload) const {
+  if (!payload.sent) throw Refusal("invalid", "'sent' is missing");
+  if (*payload.sent > std::chrono::system_clock::now() + settings_.clock_skew) {
+    throw Refusal("sent_in_future", "the clock of its sender is ahead");
+  }
+  if (*payload.sent < connected_at_ - settings_.clock_skew ||
+      !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
+    throw Refusal("queued", "it was published while the gateway was not connected");
+  }
+}
+
+void Admission::refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
+                       const std::string& message) {
+  outbox_.count("refused");
+  // Only the fleet's gimbals have topics for events.
+  if (payload.reply.empty() && !stations_.contains(topic.gimbal)) return;
+  if (!refusals_.take(GimbalTasks::Clock::now())) {
+    outbox_.count_dropped();
+    return;
+  }
+  outbox_.answer(WaitingKind::notice, topic.gimbal, {payload.reply, payload.correlation},
+                 result_json(clipped(topic.gimbal), clipped(topic.task), payload.key,
+                             {"refused", code, message, {}}));
+}
+
+void Admission::connected() {
+  connected_at_ = std::chrono::system_clock::now();
+  const auto now = unix_milliseconds(connected_at_);
+  for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
+  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")});
+}
+
+void Admission::subscribed() {
+  for (const Fence& fence : fences_)
+    mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
+  fenced_ = MqttConnection::Clock::now();
+}
+
+void Admission::lost() {
+  for (Fence& fence : fences_) fence.close("");
+  fenced_.reset();
+}
+
+void Admission::watch_fences() {
+  if (!fenced_ || MqttConnection::Clock::now() < *fenced_ + fence_patience) return;
+  fenced_.reset();
+  for (const Fence& fence : fences_) {
+    if (fence.is_open()) continue;
+    remark(
+        "sbgc: warning: motion is refused, because the broker has not returned a message to {}: "
+        "the gateway must be allowed to write and to read it\n",
+        fence.topic());
+  }
+}
+
+}  // namespace sbgc::tools

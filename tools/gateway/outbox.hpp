@@ -1,0 +1,137 @@
+/// What goes to the broker: results and events wait on the disk until it has acknowledged them,
+/// states and samples in memory until newer ones replace them.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include <sbgc/json_dom.hpp>
+
+#include "gateway/fleet.hpp"
+#include "gateway/gimbal_tasks.hpp"
+#include "gateway/journal.hpp"
+#include "gateway/mqtt.hpp"
+#include "gateway/newest.hpp"
+#include "gateway/payload.hpp"
+
+namespace sbgc::tools {
+
+struct OutboxStatistics {
+  std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
+  std::uint64_t dropped{};       ///< events and refusals for which there was no room
+  std::uint64_t acknowledged{};  ///< messages with quality 1
+  std::size_t waiting{};         ///< results, events and refusals on the disk
+  std::size_t most_waiting{};
+  std::uint64_t done{};  ///< commands, by their results
+  std::uint64_t failed{};
+  std::uint64_t refused{};
+  std::uint64_t unknown{};
+};
+
+class Outbox {
+ public:
+  /// `mqtt` can be constructed later.
+  Outbox(const BrokerSettings& settings, const Topics& topics, Journal& journal,
+         MqttConnection& mqtt);
+  Outbox(const Outbox&) = delete;
+  Outbox& operator=(const Outbox&) = delete;
+
+  // Any thread.
+
+  /// An event, or the result of a command that is not in the journal.
+  void notify(WaitingMessage notice);
+  /// A command of the journal has ended.
+  void finish(std::int64_t command, const CommandTopic& topic, const std::string& key,
+              const TaskOutcome& outcome);
+  /// No command up to this one has left the gimbal in motion.
+  void set_at_rest(const std::string& gimbal, std::int64_t command);
+  void put_sample(std::string topic, std::string payload);
+  /// Is retained, and published again with each connection.
+  void set_state(const std::string& topic, std::string payload);
+  /// The payload of the gateway's own topics.
+  std::string gateway_state(const char* state) const;
+  void count(const std::string& status);
+  void count_dropped() noexcept { ++overflowed_; }
+  OutboxStatistics statistics() const;
+  /// Commands of the journal that have not ended.
+  std::size_t running() const noexcept { return running_; }
+
+  // On the thread of the connection.
+
+  void has_begun() noexcept { ++running_; }
+  /// Puts a result on the disk.
+  void answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
+              Json result);
+  void connected();
+  void acknowledged(int id, const std::string& refused);
+  /// One commit for all that has ended, happened or was acknowledged.
+  void record();
+  /// Returns true if some is left that can be published.
+  bool publish();
+
+ private:
+  /// The end of a command, or of what it has set in motion, on its way to the disk.
+  struct Ended {
+    std::int64_t command{};
+    std::string gimbal{};
+    std::string result{};
+  };
+  struct AtRest {
+    std::int64_t command{};
+    std::string gimbal{};
+  };
+  using Happening = std::variant<WaitingMessage, Ended, AtRest>;
+  /// A message of the journal that the broker has not taken.
+  struct RefusedMessage {
+    MqttConnection::Clock::time_point again{};
+    std::int64_t id{};
+  };
+
+  void settle_unfinished();
+  void happen(Happening happening);
+  void publish_waiting();
+  bool publish_one(const WaitingMessage& message);
+  void shorten(const WaitingMessage& message);
+  void publish_states();
+  bool publish_telemetry();
+  void beat();
+
+  const BrokerSettings& settings_;
+  const Topics& topics_;
+  Journal& journal_;
+  MqttConnection& mqtt_;
+
+  // Shared:
+  Newest telemetry_{};
+  mutable std::mutex mutex_{};
+  std::deque<Happening> happenings_{};
+  std::map<std::string, std::string> states_{};      // by topic
+  std::map<std::string, std::string> new_states_{};  // that are not published
+  std::map<std::string, std::uint64_t> ended_{};     // commands by status
+  std::atomic<std::uint64_t> acknowledged_{0};
+  std::atomic<std::size_t> waiting_{0};
+  std::atomic<std::uint64_t> gave_way_{0};    // notices on the disk
+  std::atomic<std::uint64_t> overflowed_{0};  // notices that never came there
+  std::atomic<std::size_t> running_{0};
+
+  // Of the thread of the connection:
+  std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
+  std::vector<std::int64_t> delivered_{};               // of these, acknowledged
+  std::deque<RefusedMessage> refused_{};                // of these, the others
+  std::string last_refusal_{};
+  std::int64_t last_published_ = 0;
+  std::optional<int> heartbeat_{};
+  MqttConnection::Clock::time_point last_beat_{};
+};
+
+}  // namespace sbgc::tools

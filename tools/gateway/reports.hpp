@@ -1,0 +1,40 @@
+/// The payloads that a gateway publishes.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include <sbgc/any.hpp>
+#include <sbgc/json_dom.hpp>
+
+#include "gateway/gimbal.hpp"
+#include "gateway/gimbal_tasks.hpp"
+#include "gateway/journal.hpp"
+#include "gateway/payload.hpp"
+
+namespace sbgc::tools {
+
+std::int64_t unix_milliseconds(std::chrono::system_clock::time_point time);
+
+/// The beginning of every payload.
+Json stamped(std::chrono::system_clock::time_point time = std::chrono::system_clock::now());
+
+std::string payload_text(const Json& json);
+
+std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time);
+
+std::string event_text(const GimbalEvent& event, std::chrono::system_clock::time_point time);
+
+/// What all results have; those of a command with a key are kept without the address.
+Json result_json(const std::string& gimbal, const std::string& task, const std::string& key,
+                 const TaskOutcome& outcome);
+
+/// A result: to the address or, without one, among the events of the gimbal.
+WaitingMessage answer_to(const Topics& topics, const std::string& gimbal,
+                         const ReplyAddress& address, Json result);
+
+/// Leaves out what a result or an event reports at length; nothing if there is no such thing.
+std::optional<std::string> shortened(const std::string& payload);
+
+}  // namespace sbgc::tools
