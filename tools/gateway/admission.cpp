@@ -215,7 +215,7 @@ void Admission::connected() {
   connected_at_ = std::chrono::system_clock::now();
   const auto now = unix_milliseconds(connected_at_);
   for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
-  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")});
+  mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")}, 1);
 }
 
 void Admission::subscribed() {

@@ -17,6 +17,7 @@
 #include "gateway/outbox.hpp"
 #include "gateway/payload.hpp"
 #include "gateway/reports.hpp"
+#include "gateway/rivals.hpp"
 
 namespace sbgc::tools {
 
@@ -45,6 +46,7 @@ class Broker::Impl {
   void add_station(Gimbal& gimbal, std::optional<std::int64_t> moved_by);
 
   // On the thread of the connection.
+  void take(const std::vector<MqttMessage>& messages);
   void connected();
   void lost(const std::string& reason);
   bool idle();
@@ -56,6 +58,8 @@ class Broker::Impl {
   const BrokerSettings settings_;
   const bool has_metrics_;
   const Topics topics_;
+  const std::string state_topic_;
+  Rivals rivals_{};
   Journal journal_;
   Stations stations_{};
   Outbox outbox_;
@@ -72,10 +76,11 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
     : settings_(with_client_id(fleet)),
       has_metrics_(fleet.metrics.has_value()),
       topics_(fleet.name),
+      state_topic_(topics_.of(gateway_level, "state")),
       journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
                                    .history = settings_.history,
                                    .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
-      outbox_(settings_, topics_, journal_, mqtt_),
+      outbox_(settings_, topics_, rivals_, journal_, mqtt_),
       admission_(settings_, topics_, stations_, journal_, outbox_, mqtt_),
       mqtt_(settings_, will(), mqtt_handlers()) {
   const std::map<std::string, std::int64_t> moved_by = journal_.moving();
@@ -86,8 +91,7 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
 }
 
 MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
-  return {.on_messages =
-              [this](const std::vector<MqttMessage>& messages) { admission_.take(messages); },
+  return {.on_messages = [this](const std::vector<MqttMessage>& messages) { take(messages); },
           .on_connected = [this] { connected(); },
           .on_lost = [this](const std::string& reason) { lost(reason); },
           .on_subscribed = [this] { admission_.subscribed(); },
@@ -99,9 +103,9 @@ MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
 
 MqttPublication Broker::Impl::will() const {
   // Without a time: the broker keeps it until it is needed.
-  return {.topic = topics_.of(gateway_level, "state"),
-          .payload = payload_text({{"version", payload_version}, {"state", "offline"}}),
-          .is_retained = true};
+  Json json{{"version", payload_version}, {"state", "offline"}};
+  rivals_.sign(json);
+  return {.topic = state_topic_, .payload = payload_text(json), .is_retained = true};
 }
 
 void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved_by) {
@@ -138,10 +142,18 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
   stations_[name] = {&gimbal, std::move(tasks)};
 }
 
+void Broker::Impl::take(const std::vector<MqttMessage>& messages) {
+  for (const MqttMessage& one : messages) {
+    if (one.topic == state_topic_) rivals_.read(one.payload, Rivals::Clock::now());
+  }
+  admission_.take(messages);
+}
+
 void Broker::Impl::connected() {
   is_connected_ = true;
   if (!last_problem_.empty()) remark("sbgc: connected to the broker\n");
   last_problem_.clear();
+  mqtt_.subscribe({state_topic_}, 0);
   admission_.connected();
   outbox_.connected();
 }
@@ -192,7 +204,7 @@ void Broker::Impl::close() {
   const bool has_failed = !failure().empty();  // then nobody counts what ends
   wait_until([&] { return *at_rest == stations_.size() && (has_failed || outbox_.running() == 0); },
              stopping.timeout + std::chrono::seconds(1));
-  outbox_.set_state(topics_.of(gateway_level, "state"), outbox_.gateway_state("offline"));
+  outbox_.set_state(state_topic_, outbox_.gateway_state("offline"));
   wait_until([&] { return !is_connected_ || outbox_.statistics().waiting == 0; },
              std::chrono::seconds(2));
   mqtt_.close();

@@ -164,9 +164,10 @@ struct MqttConnection::Callbacks {
     constexpr int first_failure = 0x80;
     self.handlers_.on_acknowledged(id, code < first_failure ? "" : mosquitto_reason_string(code));
   }
-  static void subscribed(mosquitto* /*connection*/, void* user, int /*id*/, int count,
+  static void subscribed(mosquitto* /*connection*/, void* user, int id, int count,
                          const int* granted) {
     MqttConnection& self = of(user);
+    if (id != self.subscription_) return;
     constexpr int first_failure = 0x80;
     if (std::any_of(granted, granted + count, [](int one) { return one >= first_failure; })) {
       self.refusal_ = "the broker refuses the subscription to the commands";
@@ -251,14 +252,15 @@ void MqttConnection::wake() noexcept {
   [[maybe_unused]] const auto written = ::write(wake_.get(), &one, sizeof one);
 }
 
-void MqttConnection::subscribe(const std::vector<std::string>& filters) {
+void MqttConnection::subscribe(const std::vector<std::string>& filters, int quality) {
   std::vector<char*> texts;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library only reads them
   for (const std::string& one : filters) texts.push_back(const_cast<char*>(one.c_str()));
   // With MQTT 3.1.1, a retained message has its mark only for those who subscribe later.
   const int options = settings_.is_mqtt_5 ? MQTT_SUB_OPT_RETAIN_AS_PUBLISHED : 0;
   mosquitto_subscribe_multiple(connection_.get(), &last_id_, static_cast<int>(texts.size()),
-                               texts.data(), 1, options, nullptr);
+                               texts.data(), quality, options, nullptr);
+  subscription_ = last_id_;
 }
 
 bool MqttConnection::can_publish() const noexcept {

@@ -53,7 +53,7 @@ class MqttConnection {
     std::function<void()> on_connected{};
     /// With a reason for people; also if an attempt to connect has failed.
     std::function<void(const std::string& reason)> on_lost{};
-    /// The broker has answered a subscribe().
+    /// The broker has answered the last subscribe().
     std::function<void()> on_subscribed{};
     /// A message with quality 1 is acknowledged. `refused` says why the broker did not take it, or
     /// is "". The library does not send it again.
@@ -89,7 +89,8 @@ class MqttConnection {
   // On the thread of the connection.
 
   bool is_connected() const noexcept { return is_connected_; }
-  void subscribe(const std::vector<std::string>& filters);
+  /// The broker may refuse all but the last subscription of a connection.
+  void subscribe(const std::vector<std::string>& filters, int quality);
   /// Returns the id of the message; 0 if it is too large for the broker, or its topic cannot be
   /// one; nothing if it cannot be sent now. A message with quality 1 that has an id is sent again
   /// after the connection was lost, until it is acknowledged.
@@ -133,6 +134,7 @@ class MqttConnection {
   std::vector<MqttMessage> arrived_{};
   std::size_t arrived_bytes_ = 0;
   int last_id_ = 0;
+  int subscription_ = 0;                      // the id of the last one
   std::unordered_set<int> unsent_{};          // ids of messages with quality 0
   std::unordered_set<int> unacknowledged_{};  // the same with quality 1
   Clock::time_point begun_{};                 // of the attempt

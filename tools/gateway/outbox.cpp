@@ -19,9 +19,9 @@ constexpr std::size_t most_notices = 1'000;
 
 }  // namespace
 
-Outbox::Outbox(const BrokerSettings& settings, const Topics& topics, Journal& journal,
-               MqttConnection& mqtt)
-    : settings_(settings), topics_(topics), journal_(journal), mqtt_(mqtt) {
+Outbox::Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
+               Journal& journal, MqttConnection& mqtt)
+    : settings_(settings), topics_(topics), rivals_(rivals), journal_(journal), mqtt_(mqtt) {
   settle_unfinished();
 }
 
@@ -87,6 +87,7 @@ std::string Outbox::gateway_state(const char* state) const {
   const OutboxStatistics figures = statistics();
   Json json = stamped();
   json["state"] = state;
+  rivals_.sign(json);
   json["waiting"] = figures.waiting;
   json["most_waiting"] = figures.most_waiting;
   json["dropped"] = figures.dropped;

@@ -23,6 +23,7 @@
 #include "gateway/mqtt.hpp"
 #include "gateway/newest.hpp"
 #include "gateway/payload.hpp"
+#include "gateway/rivals.hpp"
 
 namespace sbgc::tools {
 
@@ -41,8 +42,8 @@ struct OutboxStatistics {
 class Outbox {
  public:
   /// `mqtt` can be constructed later.
-  Outbox(const BrokerSettings& settings, const Topics& topics, Journal& journal,
-         MqttConnection& mqtt);
+  Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
+         Journal& journal, MqttConnection& mqtt);
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
@@ -108,6 +109,7 @@ class Outbox {
 
   const BrokerSettings& settings_;
   const Topics& topics_;
+  const Rivals& rivals_;
   Journal& journal_;
   MqttConnection& mqtt_;
 

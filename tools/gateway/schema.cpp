@@ -252,14 +252,16 @@ Json state_schema() {
   return object_schema(std::move(properties), {"version", "time", "state"});
 }
 
-/// Of the last will, only `version` and `state` are known.
+/// The last will has no time and no figures.
 Json gateway_state_schema() {
   Json properties = stamp_schema();
   properties["state"] = one_of_texts({"offline", "online"});
+  properties["since"] = time_schema("Unix time in milliseconds, at which the gateway has started");
+  properties["process"] = text_schema();
   for (const char* const name : {"waiting", "most_waiting", "dropped", "thinned"}) {
     properties[name] = {{"type", "integer"}, {"minimum", 0}};
   }
-  return object_schema(std::move(properties), {"version", "state"});
+  return object_schema(std::move(properties), {"version", "state", "since", "process"});
 }
 
 Json event_schema() {

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include <sbgc/client/motion.hpp>
-#include <sbgc/messages/realtime.hpp>
+#include <sbgc/messages/control.hpp>
 
 namespace sbgc::tools {
 

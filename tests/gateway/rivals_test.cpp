@@ -1,0 +1,74 @@
+// Two gateways of one fleet, as each reads the states of both.
+
+#include "gateway/rivals.hpp"
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/json_dom.hpp>
+
+namespace sbgc::tools {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::string state_of(const Rivals& gateway) {
+  Json state{{"version", 1}, {"state", "online"}};
+  gateway.sign(state);
+  return detail::json_text(state);
+}
+
+Rivals later_one() {
+  std::this_thread::sleep_for(5ms);
+  return {};
+}
+
+class TwoGateways : public testing::Test {
+ protected:
+  /// What a gateway reads when the other has taken its connection and it has taken it back.
+  void duel(Rivals& reader, const Rivals& other, std::chrono::seconds time) {
+    reader.read(state_of(reader), start_ + time);
+    reader.read(state_of(other), start_ + time);
+  }
+
+  const Rivals::Clock::time_point start_{};
+  Rivals first_{};
+  Rivals second_ = later_one();
+};
+
+TEST_F(TwoGateways, the_later_one_gives_way) {
+  duel(second_, first_, 1s);
+  EXPECT_THROW(duel(second_, first_, 2s), std::runtime_error);
+}
+
+TEST_F(TwoGateways, the_first_one_stays) {
+  for (int i = 0; i < 5; ++i) EXPECT_NO_THROW(duel(first_, second_, 1s));
+}
+
+TEST_F(TwoGateways, what_an_earlier_process_has_left_is_no_rival) {
+  for (int i = 0; i < 5; ++i) EXPECT_NO_THROW(second_.read(state_of(first_), start_));
+  EXPECT_NO_THROW(duel(second_, second_, 1s));
+}
+
+TEST_F(TwoGateways, an_old_state_that_a_broker_brings_back_is_no_rival) {
+  for (const auto time : {0s, 60s, 120s}) EXPECT_NO_THROW(duel(second_, first_, time));
+}
+
+TEST_F(TwoGateways, what_is_no_state) {
+  for (const char* const text :
+       {"", "{", "[]", "1", "null", R"({"state": "online"})", R"({"since": 1})",
+        R"({"since": "1", "process": "a"})", R"({"since": 1, "process": 2})",
+        R"({"since": {}, "process": []})", "\xFF"}) {
+    for (int i = 0; i < 3; ++i) {
+      second_.read(state_of(second_), start_);
+      EXPECT_NO_THROW(second_.read(text, start_)) << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::tools

@@ -1,0 +1,54 @@
+#include "gateway/rivals.hpp"
+
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sbgc::tools {
+
+namespace {
+
+/// A broker that was killed may bring back an old state: only the second time counts, if it is
+/// soon.
+constexpr std::chrono::minutes soon{1};
+
+std::string random_name() {
+  std::random_device source;
+  return fmt::format("{:08x}{:08x}", source(), source());
+}
+
+}  // namespace
+
+Rivals::Rivals()
+    : name_{std::chrono::duration_cast<std::chrono::milliseconds>(
+                std::chrono::system_clock::now().time_since_epoch())
+                .count(),
+            random_name()} {}
+
+void Rivals::sign(Json& state) const {
+  state["since"] = name_.since;
+  state["process"] = name_.process;
+}
+
+void Rivals::read(const std::string& state, Clock::time_point now) {
+  const Json json = Json::parse(state, nullptr, false);
+  const auto since = json.find("since");
+  const auto process = json.find("process");
+  const bool is_signed = since != json.end() && since->is_number_integer() &&
+                         process != json.end() && process->is_string();
+  if (!is_signed) return;
+  const Name name{since->get<std::int64_t>(), process->get<std::string>()};
+  if (name.process == name_.process) {
+    has_read_own_ = true;
+    return;
+  }
+  if (!std::exchange(has_read_own_, false) || name > name_) return;
+  const auto earlier = std::exchange(noticed_, now);
+  if (earlier && now < *earlier + soon) {
+    throw std::runtime_error("another gateway of this fleet is at the broker, and was there first");
+  }
+}
+
+}  // namespace sbgc::tools

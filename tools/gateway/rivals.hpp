@@ -1,0 +1,40 @@
+/// Notices another gateway of the same fleet.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <sbgc/json_dom.hpp>
+
+namespace sbgc::tools {
+
+/// Two gateways with one client id take the connection to the broker from each other. Each puts its
+/// name into the retained state of the gateway. Who has read its own name there, and then the
+/// other's, knows that the other is alive: it is not what an earlier process has left behind.
+class Rivals {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Rivals();
+
+  /// Puts the name of this gateway into its state.
+  void sign(Json& state) const;
+  /// Takes the payload of a state. Throws std::runtime_error if this gateway gives way: the one
+  /// that has started later does.
+  void read(const std::string& state, Clock::time_point now);
+
+ private:
+  struct Name {
+    std::int64_t since{};  // when it has started, as Unix time in milliseconds
+    std::string process{};
+    auto operator<=>(const Name&) const = default;
+  };
+
+  const Name name_;
+  bool has_read_own_ = false;
+  std::optional<Clock::time_point> noticed_{};
+};
+
+}  // namespace sbgc::tools
