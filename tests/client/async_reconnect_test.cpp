@@ -198,6 +198,22 @@ TEST_F(AsyncReconnecting, ACallToTheBoardCanBeCancelled) {
   board.on_lost({});
 }
 
+TEST_F(AsyncReconnecting, NothingRemainsOfACall) {
+  connect();
+  std::weak_ptr<int> left;
+  {
+    auto owned = std::make_shared<int>();
+    left = owned;
+    CallOptions options;
+    options.on_confirmation = [owned](unsigned) {};
+    EXPECT_TRUE(client->async_call(msg::GetAnglesRequest{}, options, asio::use_future).get());
+  }
+  on_executor([] {});  // it has completed
+  client->close();
+  on_executor([this] { client.reset(); });
+  EXPECT_TRUE(left.expired());
+}
+
 TEST_F(AsyncReconnecting, StreamsAndSubscriptionsGoOn) {
   connect();
   Collector<msg::RealtimeData4> samples;

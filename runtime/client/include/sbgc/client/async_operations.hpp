@@ -77,15 +77,12 @@ auto initiate(const asio::any_io_executor& executor, Token& token, Begin&& begin
         auto on = asio::prefer(asio::get_associated_executor(handler, executor),
                                asio::execution::outstanding_work_t::tracked);
         // `stop` is set below. Before that, and after the operation has ended, there is nothing
-        // to cancel.
-        struct Canceller {
-          Stop stop{};
-          std::atomic<bool> is_over{false};
-        };
-        const auto canceller = std::make_shared<Canceller>();
+        // to cancel. The operation does not hold `stop`, which may hold the operation.
+        const auto is_over = std::make_shared<std::atomic<bool>>(false);
+        const auto stop = std::make_shared<Stop>();
         if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {
-          slot.assign([canceller](asio::cancellation_type) {
-            if (canceller->stop && !canceller->is_over) canceller->stop();
+          slot.assign([stop, is_over](asio::cancellation_type) {
+            if (*stop && !*is_over) (*stop)();
           });
         }
         // Handlers may be move-only, but std::function requires a copyable target.
@@ -94,8 +91,8 @@ auto initiate(const asio::any_io_executor& executor, Token& token, Begin&& begin
           decltype(on) executor;
         };
         const auto pending = std::make_shared<Pending>(Pending{std::move(handler), std::move(on)});
-        canceller->stop = start(Completion<R>([pending, canceller](R result) {
-          canceller->is_over = true;
+        *stop = start(Completion<R>([pending, is_over](R result) {
+          *is_over = true;
           auto last = std::move(pending->executor);
           asio::post(last, [pending, result = std::move(result)]() mutable {
             auto complete = std::move(pending->complete);
