@@ -58,12 +58,16 @@ Order calling(const M& request) {
   return {.what = CallOrder{AnyMessage(*find_message(Meta<M>::info.name), &request)}};
 }
 
-/// A speed without a dead man's switch.
-Order turning_for(milliseconds time) {
+msg::Control turn() {
   msg::Control request;
   request.control_mode.set_mode(msg::ControlModeKind::speed);
   request.axes.pitch.speed = msg::ControlSpeed(-16);
-  Order order = calling(request);
+  return request;
+}
+
+/// A speed without a dead man's switch.
+Order turning_for(milliseconds time) {
+  Order order = calling(turn());
   order.must_not_wait = true;
   order.goes_on = time;
   return order;
@@ -225,6 +229,7 @@ TEST_F(GimbalTasksTest, TooManyThatWaitAreRefused) {
 
 TEST_F(GimbalTasksTest, NothingMovesWithoutTheBrokerOrTheGimbal) {
   EXPECT_EQ(result(near_move()), "not_connected");
+  EXPECT_TRUE(is_at_rest_after(1));
   connect();
   is_broker_there = false;
   EXPECT_EQ(result(near_move()), "no_broker");
@@ -354,15 +359,35 @@ TEST_F(GimbalTasksTest, ShuttingDownLeavesACameraAloneThatNothingHasMoved) {
   EXPECT_EQ(board.count<msg::Control>(), 0U);
 }
 
+TEST_F(GimbalTasksTest, ShuttingDownCancelsWhatRuns) {
+  connect();
+  board.on_lost([](const Packet& request) { return test::is<msg::GetAnglesRequest>(request); });
+  const std::int64_t command = run(reading());
+  shut_down();
+  EXPECT_EQ(end_of(command), "cancelled");
+}
+
 TEST_F(GimbalTasksTest, WhatAnEarlierGatewayHasMovedIsStopped) {
   begin(7);
+  board.write(turn());
   EXPECT_THAT(rests.wait_for(0), ElementsAre());
   connect();
   EXPECT_THAT(events.wait_for(1),
               ElementsAre("stopped: the gateway ended while the camera could move; the camera has "
                           "stopped"));
   EXPECT_TRUE(is_at_rest_after(7));
-  EXPECT_GE(board.count<msg::Control>(), 1U);
+  EXPECT_EQ(speed(), 0);
+}
+
+TEST_F(GimbalTasksTest, AStopAfterTheStartIsRepeated) {
+  begin(7);
+  board.write(turn());
+  board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
+  connect();
+  EXPECT_THAT(events.wait_for(1)[0], HasSubstr("; the camera may still turn: "));
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
+  board.on_lost({});
+  EXPECT_TRUE(is_at_rest_after(7));
 }
 
 TEST_F(GimbalTasksTest, ParametersThatAreBeingWrittenEndWithTheExecutor) {
