@@ -149,35 +149,6 @@ TEST_F(AsyncReconnecting, ALineThatIsLostComesBack) {
               ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
 }
 
-/// A handler that is copied where others are moved, so that each place that has kept it keeps
-/// `owned`.
-struct CopiedHandler {
-  CopiedHandler(std::shared_ptr<int> what, std::promise<void>& done)
-      : owned(std::move(what)), is_done(&done) {}
-  CopiedHandler(const CopiedHandler&) = default;
-  CopiedHandler& operator=(const CopiedHandler&) = delete;
-  ~CopiedHandler() = default;
-
-  template <class Result>
-  void operator()(const Result& result) const {
-    EXPECT_TRUE(result);
-    is_done->set_value();
-  }
-
-  std::shared_ptr<int> owned;
-  std::promise<void>* is_done;
-};
-
-TEST_F(AsyncReconnecting, NothingOfACallOutlivesIt) {
-  connect();
-  const auto owned = std::make_shared<int>();
-  std::promise<void> is_done;
-  client->async_call(msg::GetAnglesRequest{}, CopiedHandler(owned, is_done));
-  is_done.get_future().wait();
-  on_executor([] {});  // until the handler has returned
-  EXPECT_EQ(owned.use_count(), 1);
-}
-
 TEST_F(AsyncReconnecting, OperationsCanWaitForTheConnection) {
   connect(quick_again(OutagePolicy::wait));
   pull();
@@ -225,6 +196,22 @@ TEST_F(AsyncReconnecting, ACallToTheBoardCanBeCancelled) {
   on_executor([&] { signal.emit(asio::cancellation_type::all); });
   EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
   board.on_lost({});
+}
+
+TEST_F(AsyncReconnecting, NothingRemainsOfACall) {
+  connect();
+  std::weak_ptr<int> left;
+  {
+    auto owned = std::make_shared<int>();
+    left = owned;
+    CallOptions options;
+    options.on_confirmation = [owned](unsigned) {};
+    EXPECT_TRUE(client->async_call(msg::GetAnglesRequest{}, options, asio::use_future).get());
+  }
+  on_executor([] {});  // it has completed
+  client->close();
+  on_executor([this] { client.reset(); });
+  EXPECT_TRUE(left.expired());
 }
 
 TEST_F(AsyncReconnecting, StreamsAndSubscriptionsGoOn) {

@@ -218,10 +218,16 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   SpeedControl control(client(), options());
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
+  EXPECT_TRUE(control.has_settled());
+  board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   ASSERT_TRUE(control.stop());
-  ASSERT_TRUE(control.wait());
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::idle);
+  EXPECT_FALSE(control.has_settled()) << "the camera turns";
+  board.on_lost({});
+  clock.advance(milliseconds(100));
+  ASSERT_TRUE(control.wait());
+  EXPECT_TRUE(control.has_settled());
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
 }
 
 TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {

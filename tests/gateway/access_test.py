@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from brokers import Commander, Mosquitto, Subscriber, program
+from brokers import Commander, Mosquitto, Subscriber, client, program
 from emulated_gimbal import emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
 
@@ -173,11 +173,20 @@ def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
         seen = Subscriber(broker.port)
         box = "sbgc/studio/reply/five"
         replies = subprocess.Popen(
-            ["mosquitto_sub", "-p", str(broker.port), "-V", "5", "-q", "1", "-t", box, "-C", "1",
-             "-F", "%C|%D|%p"],
+            [
+                *client("mosquitto_sub", broker.port),
+                "-V",
+                "5",
+                "-t",
+                box,
+                "-C",
+                "1",
+                "-F",
+                "%C|%D|%p",
+            ],
             stdout=subprocess.PIPE,
             text=True,
-        )  # fmt: skip
+        )
         try:
             wait_until_online(seen)
             eventually(lambda: f"{box} (QoS 1)" in broker.log.read_text())

@@ -290,6 +290,10 @@ void GimbalTasks::confirm_stop(std::function<void(const Result<void>&)> then) {
       asio::bind_executor(gimbal_.executor(), [self = shared_from_this(), then = std::move(then)](
                                                   const Result<void>& stopped) {
         --self->stopping_;
+        // What the speed was sending can have come after this stop, or can still come.
+        if (stopped && self->speed_ && !self->speed_->has_settled()) {
+          return self->confirm_stop(then);
+        }
         if (stopped) {
           self->moves_until_.reset();
           self->halt_reason_.clear();

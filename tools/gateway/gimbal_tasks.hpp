@@ -28,9 +28,7 @@ struct TaskOutcome {
 };
 
 /// Runs one command after the other, on the strand of the gimbal. `stop` goes first: it ends the
-/// motion, and the motions that wait.
-///
-/// Motors are turned off before what waits, too.
+/// motion, and the motions that wait. Motors are turned off before what waits, too.
 ///
 /// A speed ends after `longest_silence` without the next one. A camera that commands may have set
 /// in motion is stopped when the broker is gone, when its line is back after a loss, and at the end

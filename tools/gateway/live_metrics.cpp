@@ -75,19 +75,7 @@ std::string name_of_path(const std::string& path, Labels& labels) {
   return "sbgc" + name;
 }
 
-void add_gauge(MetricFamilies& families, const std::string& name, const std::string& help,
-               Labels labels, double value) {
-  prometheus::MetricFamily& family = families[name];
-  family.name = name;
-  family.help = help;
-  family.type = prometheus::MetricType::Gauge;
-  prometheus::ClientMetric metric;
-  metric.label = std::move(labels);
-  metric.gauge.value = value;
-  family.metric.push_back(std::move(metric));
-}
-
-void add_leaf(MetricFamilies& families, const Leaf& leaf, const std::string& path, Labels labels) {
+void add_leaf(Families& families, const Leaf& leaf, const std::string& path, Labels labels) {
   const std::string name = name_of_path(path, labels);
   const std::string summary = leaf.field.summary;
   if (leaf.names != nullptr) {
@@ -97,21 +85,21 @@ void add_leaf(MetricFamilies& families, const Leaf& leaf, const std::string& pat
       const bool is_set = leaf.names->is_flags
                               ? value.value != 0 && (leaf.integer & value.value) == value.value
                               : leaf.integer == value.value;
-      add_gauge(families, name, summary + " 1 if it is so.", std::move(one), is_set ? 1 : 0);
+      families.add_gauge(name, summary + " 1 if it is so.", std::move(one), is_set ? 1 : 0);
     }
     return;
   }
   const std::optional<double> real = real_value(leaf);
   if (!real) return;
   const auto [unit, factor] = base_unit_of(leaf.unit);
-  if (unit.empty()) return add_gauge(families, name, summary, std::move(labels), *real);
-  add_gauge(families, name + '_' + unit, fmt::format("{} Unit: {}.", summary, unit),
-            std::move(labels), *real * factor);
+  if (unit.empty()) return families.add_gauge(name, summary, std::move(labels), *real);
+  families.add_gauge(name + '_' + unit, fmt::format("{} Unit: {}.", summary, unit),
+                     std::move(labels), *real * factor);
 }
 
 }  // namespace
 
-void add_live_metrics(MetricFamilies& families, const AnyMessage& message,
+void add_live_metrics(Families& families, const AnyMessage& message,
                       const std::set<std::string>& paths,
                       const prometheus::ClientMetric::Label& label) {
   message.for_each_leaf([&](const Leaf& leaf) {

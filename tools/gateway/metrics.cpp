@@ -19,6 +19,7 @@
 
 #include "command/command_error.hpp"
 #include "gateway/live_metrics.hpp"
+#include "gateway/metric_families.hpp"
 #include "gateway/probe.hpp"
 #include "line/field_patterns.hpp"
 #include "line/stream_type.hpp"
@@ -76,41 +77,6 @@ constexpr std::array line_counters{
 };
 
 ClientMetric::Label label_of(const char* name, const std::string& value) { return {name, value}; }
-
-/// Adds metrics to families.
-class Families {
- public:
-  MetricFamilies& all() { return all_; }
-
-  ClientMetric& add(const std::string& name, const std::string& help, MetricType type,
-                    std::vector<ClientMetric::Label> labels) {
-    prometheus::MetricFamily& family = all_[name];
-    family.name = name;
-    family.help = help;
-    family.type = type;
-    ClientMetric& metric = family.metric.emplace_back();
-    metric.label = std::move(labels);
-    return metric;
-  }
-  void add_counter(const std::string& name, const std::string& help,
-                   std::vector<ClientMetric::Label> labels, double value) {
-    add(name, help, MetricType::Counter, std::move(labels)).counter.value = value;
-  }
-  void add_gauge(const std::string& name, const std::string& help,
-                 std::vector<ClientMetric::Label> labels, double value) {
-    add(name, help, MetricType::Gauge, std::move(labels)).gauge.value = value;
-  }
-
-  std::vector<prometheus::MetricFamily> take() {
-    std::vector<prometheus::MetricFamily> result;
-    result.reserve(all_.size());
-    for (auto& [name, family] : all_) result.push_back(std::move(family));
-    return result;
-  }
-
- private:
-  MetricFamilies all_;
-};
 
 double processor_seconds() {
   rusage usage{};
@@ -213,7 +179,7 @@ class Metrics::Collector : public prometheus::Collectable {
                            {gimbal, label_of("error", error)}, static_cast<double>(count));
     }
     if (const auto live_data = one.probe->live_data(); live_data && is_online) {
-      add_live_metrics(families.all(), *live_data, paths_, gimbal);
+      add_live_metrics(families, *live_data, paths_, gimbal);
     }
   }
 
@@ -260,7 +226,7 @@ class Metrics::Collector : public prometheus::Collectable {
         "Samples of telemetry that newer ones replaced, because the broker is slow.", {},
         static_cast<double>(broker.thinned));
     families.add_counter("sbgc_broker_dropped_messages_total",
-                         "Events for which the disk had no room.", {},
+                         "Events and refusals for which there was no room.", {},
                          static_cast<double>(broker.dropped));
     families.add_counter("sbgc_broker_acknowledged_messages_total",
                          "Messages that the broker has acknowledged.", {},

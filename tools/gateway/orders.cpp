@@ -148,10 +148,8 @@ bool must_not_wait(Effects effects) {
          effects.has(Effect::unknown);
 }
 
-/// Returns the order of a request with values. Throws ValueError.
-Order call_of(const MessageType& type, const std::vector<Assignment>& assignments) {
-  AnyMessage request = new_message(type);
-  assign(request, assignments);
+/// Throws ValueError.
+Order call_of(AnyMessage request) {
   const std::string problems = violations_of(request, newest);
   if (!problems.empty()) throw ValueError(problems);
   const bool is_urgent = request.get_if<msg::MotorsOff>() != nullptr;
@@ -159,6 +157,13 @@ Order call_of(const MessageType& type, const std::vector<Assignment>& assignment
   return {.what = CallOrder{std::move(request)},
           .must_not_wait = must_not_wait(effects),
           .is_urgent = is_urgent};
+}
+
+/// Returns the order of a request with values. Throws ValueError.
+Order call_of(const MessageType& type, const std::vector<Assignment>& assignments) {
+  AnyMessage request = new_message(type);
+  assign(request, assignments);
+  return call_of(std::move(request));
 }
 
 Order read_motors(const Json& object) {
@@ -242,8 +247,6 @@ Order read_raw(const Json& object, Effects allowed) {
   replace_names(type, fields);
   AnyMessage request = message_with_defaults(type, std::move(fields));
   if (request.holds_secret()) throw Refusal("secret", "a broker is no place for passwords");
-  const std::string problems = violations_of(request, newest);
-  if (!problems.empty()) throw ValueError(problems);
   static_cast<void>(encoded(request, basic_framing));
   const Effects effects = effects_of(request);
   const Effects granted = allowed | Effect::reads;
@@ -252,13 +255,11 @@ Order read_raw(const Json& object, Effects allowed) {
     throw Refusal("not_allowed", fmt::format("{} {}, which 'raw-effects' does not allow",
                                              type.info->name, effect_words(excess)));
   }
-  const bool is_urgent = request.get_if<msg::MotorsOff>() != nullptr;
+  Order order = call_of(std::move(request));
   const bool moves = effects.has(Effect::moves) || effects.has(Effect::unknown);
   // It may be a speed, which only another request ends.
-  return {.what = CallOrder{std::move(request)},
-          .must_not_wait = must_not_wait(effects),
-          .is_urgent = is_urgent,
-          .goes_on = moves && !is_urgent ? Order::forever : std::chrono::milliseconds(0)};
+  if (moves && !order.is_urgent) order.goes_on = Order::forever;
+  return order;
 }
 
 Order read_without_parameters(const Json& object, Order order) {

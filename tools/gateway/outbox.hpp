@@ -30,7 +30,7 @@ namespace sbgc::tools {
 struct OutboxStatistics {
   std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
   std::uint64_t dropped{};       ///< events and refusals for which there was no room
-  std::uint64_t acknowledged{};  ///< messages with quality 1
+  std::uint64_t acknowledged{};  ///< results, events and refusals
   std::size_t waiting{};         ///< results, events and refusals on the disk
   std::size_t most_waiting{};
   std::uint64_t done{};  ///< commands, by their results

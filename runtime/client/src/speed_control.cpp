@@ -69,6 +69,7 @@ class SpeedControl::Worker {
   Result<void> wait() {
     return speed_->wait([this] { return now(); });
   }
+  bool has_settled() const { return speed_->has_settled(now()); }
   State state() const { return speed_->state(); }
   Instant now() const { return now_(); }
 
@@ -147,6 +148,11 @@ Result<void> SpeedControl::stop() {
 Result<void> SpeedControl::wait() {
   const auto current = worker();
   return current ? current->wait() : Result<void>();
+}
+
+bool SpeedControl::has_settled() const {
+  const auto current = worker();
+  return !current || current->has_settled();
 }
 
 SpeedControl::State SpeedControl::state() const {

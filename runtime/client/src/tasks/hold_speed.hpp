@@ -39,8 +39,13 @@ class HeldSpeed {
   template <class Now>
   Result<void> wait(const Now& now) {
     std::unique_lock lock(mutex_);
-    idle_.wait(lock, [&] { return is_idle_ && rules_.deadline(now()) > now(); });
+    idle_.wait(lock, [&] { return is_settled(now()); });
     return error_ ? Result<void>(*error_) : Result<void>();
+  }
+  /// True if wait() would return at once.
+  bool has_settled(Instant now) const {
+    const std::scoped_lock lock(mutex_);
+    return is_settled(now);
   }
   DeadMansSwitch::State state() const {
     const std::scoped_lock lock(mutex_);
@@ -65,6 +70,8 @@ class HeldSpeed {
   void done(DeadMansSwitch::Action action, Result<void> result, Instant now);
 
  private:
+  bool is_settled(Instant now) const { return is_idle_ && rules_.deadline(now) > now; }
+
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   DeadMansSwitch rules_;

@@ -77,7 +77,7 @@ auto initiate(const asio::any_io_executor& executor, Token& token, Begin&& begin
         auto on = asio::prefer(asio::get_associated_executor(handler, executor),
                                asio::execution::outstanding_work_t::tracked);
         // `stop` is set below. Before that, and after the operation has ended, there is nothing
-        // to cancel. The completion does not own `stop`, which may own the completion.
+        // to cancel. The operation does not hold `stop`, which may hold the operation.
         const auto is_over = std::make_shared<std::atomic<bool>>(false);
         const auto stop = std::make_shared<Stop>();
         if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {

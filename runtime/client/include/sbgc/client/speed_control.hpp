@@ -99,6 +99,8 @@ class SpeedControl {
   Result<void> stop();
   /// Waits until nothing remains to be sent immediately.
   Result<void> wait();
+  /// True if wait() would return at once. After stop(), the camera has then stopped.
+  [[nodiscard]] bool has_settled() const;
 
   [[nodiscard]] State state() const;
 
