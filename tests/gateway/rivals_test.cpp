@@ -40,25 +40,25 @@ class TwoGateways : public testing::Test {
   Rivals second_ = later_one();
 };
 
-TEST_F(TwoGateways, the_later_one_gives_way) {
+TEST_F(TwoGateways, TheLaterOneGivesWay) {
   duel(second_, first_, 1s);
   EXPECT_THROW(duel(second_, first_, 2s), std::runtime_error);
 }
 
-TEST_F(TwoGateways, the_first_one_stays) {
+TEST_F(TwoGateways, TheFirstOneStays) {
   for (int i = 0; i < 5; ++i) EXPECT_NO_THROW(duel(first_, second_, 1s));
 }
 
-TEST_F(TwoGateways, what_an_earlier_process_has_left_is_no_rival) {
+TEST_F(TwoGateways, WhatAnEarlierProcessHasLeftIsNoRival) {
   for (int i = 0; i < 5; ++i) EXPECT_NO_THROW(second_.read(state_of(first_), start_));
   EXPECT_NO_THROW(duel(second_, second_, 1s));
 }
 
-TEST_F(TwoGateways, an_old_state_that_a_broker_brings_back_is_no_rival) {
+TEST_F(TwoGateways, AnOldStateThatABrokerBringsBackIsNoRival) {
   for (const auto time : {0s, 60s, 120s}) EXPECT_NO_THROW(duel(second_, first_, time));
 }
 
-TEST_F(TwoGateways, what_is_no_state) {
+TEST_F(TwoGateways, WhatIsNoState) {
   for (const char* const text :
        {"", "{", "[]", "1", "null", R"({"state": "online"})", R"({"since": 1})",
         R"({"since": "1", "process": "a"})", R"({"since": 1, "process": 2})",
