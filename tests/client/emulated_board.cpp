@@ -70,8 +70,7 @@ void EmulatedBoard::start(emulator::Memory memory) {
   if (line_kind() == LineKind::terminal) {
     running.endpoint = hosts::open_terminal(executor, *running.board, "", has_rate, silent());
   } else if (line_kind() == LineKind::tcp) {
-    running.endpoint = hosts::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
-                                         emulator::Board::max_ports, silent());
+    running.endpoint = listen(running);
   }
   running.thread = std::thread([&context = running.context] { context.run(); });
 }
@@ -101,6 +100,18 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
     if (running.host) running.host->close();
     running.host = hosts::Host::connect(*running.board, std::move(transport));
     running.host->start();
+  });
+}
+
+std::unique_ptr<hosts::Endpoint> EmulatedBoard::listen(Running& running) {
+  return hosts::listen_tcp(running.context.get_executor(), *running.board, {"127.0.0.1", 0},
+                           emulator::Board::max_ports, silent());
+}
+
+std::string EmulatedBoard::serve_tcp() {
+  return on_thread([this] {
+    running_->endpoint = listen(*running_);
+    return running_->endpoint->address();
   });
 }
 

@@ -65,6 +65,8 @@ class EmulatedBoard {
   TransportFactory line_with(const LineSettings& settings);
   /// Serves a serial port from now on and returns its path, or "" if there can be none.
   std::string serve_terminal();
+  /// Serves a TCP port from now on and returns its address.
+  std::string serve_tcp();
 
   /// Replaces the board by another one with this memory. Hooks remain; hosts are disconnected.
   void become(const emulator::BoardOptions& options, emulator::Memory memory);
@@ -192,6 +194,7 @@ class EmulatedBoard {
   void stop();
   /// Replaces the previous transport.
   void serve(std::unique_ptr<io::Transport> transport);
+  static std::unique_ptr<hosts::Endpoint> listen(Running& running);
   serving::LiveBoard& live() { return *running_->board; }
 
   emulator::EmulatorOptions options_;

@@ -90,6 +90,11 @@ class Nats(Server):
         super().__init__(port, folder / "nats.log", program("nats-server"), "-c", str(file))
 
 
+def client(name: str, port: int) -> list[str]:
+    """The command of a program that talks to a broker."""
+    return [name, "-h", "127.0.0.1", "-p", str(port), "-q", "1"]
+
+
 @dataclass(frozen=True)
 class Message:
     topic: str
@@ -106,22 +111,9 @@ class Subscriber:
 
     def __init__(self, port: int, filters: str | list[str] = "sbgc/#", *options: str) -> None:
         topics = [filters] if isinstance(filters, str) else filters
+        form = ("-d", "-F", "\x01%t\t%r\t%p")
         self.process = subprocess.Popen(
-            [
-                "stdbuf",
-                "-oL",
-                "mosquitto_sub",
-                "-h",
-                "127.0.0.1",
-                "-p",
-                str(port),
-                "-q",
-                "1",
-                "-d",
-                "-F",
-                "\x01%t\t%r\t%p",
-                *options,
-            ]
+            ["stdbuf", "-oL", *client("mosquitto_sub", port), *form, *options]
             + [word for topic in topics for word in ("-t", topic)],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -171,16 +163,7 @@ class Commander:
     """Publishes commands."""
 
     def __init__(self, port: int, fleet: str = "studio", *options: str) -> None:
-        self.base = [
-            "mosquitto_pub",
-            "-h",
-            "127.0.0.1",
-            "-p",
-            str(port),
-            "-q",
-            "1",
-            *options,
-        ]
+        self.base = [*client("mosquitto_pub", port), *options]
         self.fleet = fleet
         self.count = 0
 

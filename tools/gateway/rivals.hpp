@@ -21,9 +21,9 @@ class Rivals {
 
   /// Puts the name of this gateway into its state.
   void sign(Json& state) const;
-  /// Takes the payload of a state. Throws std::runtime_error if this gateway gives way: the one
-  /// that has started later does.
-  void read(const std::string& state, Clock::time_point now);
+  /// Takes the payload of a state. Returns true if this gateway gives way: the one that has started
+  /// later does.
+  bool read(const std::string& state, Clock::time_point now);
 
  private:
   struct Name {

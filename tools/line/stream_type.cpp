@@ -82,10 +82,8 @@ std::function<void(const M&)> taker(SampleHandler handler) {
 
 template <class M>
 std::function<void(const M&)> any_taker(AnyHandler handler) {
-  return [handler = std::move(handler),
-          any = AnyMessage(*find_message(Meta<M>::info.name))](const M& message) mutable {
-    *any.get_if<M>() = message;
-    handler(any);
+  return [handler = std::move(handler), type = find_message(Meta<M>::info.name)](const M& message) {
+    handler(AnyMessage(*type, &message));
   };
 }
 

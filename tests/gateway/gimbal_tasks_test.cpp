@@ -1,0 +1,381 @@
+// How the commands of one gimbal are carried out, with an emulated gimbal in real time.
+
+#include "gateway/gimbal_tasks.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/literals.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/control.hpp>
+
+#include "../client/collector.hpp"
+#include "../client/emulated_board.hpp"
+
+namespace sbgc::tools {
+namespace {
+
+using std::chrono::milliseconds;
+using test::Collector;
+using test::Packet;
+using ::testing::AnyOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A move of 40 seconds.
+Order far_move() {
+  MoveOrder order{.target = {.pitch = -80_deg}, .options = {.speed = 2_deg_per_s}};
+  order.options.timeout = std::chrono::minutes(2);
+  return {.what = order, .must_not_wait = true};
+}
+
+Order near_move(msg::Angle14 pitch = 3_deg) {
+  const MoveOrder order{.target = {.pitch = pitch}, .options = {.speed = 30_deg_per_s}};
+  return {.what = order, .must_not_wait = true};
+}
+
+/// With a dead man's switch.
+Order turning() {
+  const SpeedOrder order{.speed = {.pitch = 20_deg_per_s}};
+  return {.what = order, .must_not_wait = true};
+}
+
+template <class M>
+Order calling(const M& request) {
+  return {.what = CallOrder{AnyMessage(*find_message(Meta<M>::info.name), &request)}};
+}
+
+/// A speed without a dead man's switch.
+Order turning_for(milliseconds time) {
+  msg::Control request;
+  request.control_mode.set_mode(msg::ControlModeKind::speed);
+  request.axes.pitch.speed = msg::ControlSpeed(-16);
+  Order order = calling(request);
+  order.must_not_wait = true;
+  order.goes_on = time;
+  return order;
+}
+
+Order reading() { return calling(msg::GetAnglesRequest{}); }
+
+class GimbalTasksTest : public ::testing::Test {
+ protected:
+  GimbalTasksTest() : gimbal(std::make_unique<Gimbal>(io, settings())) { begin({}); }
+  ~GimbalTasksTest() override {
+    if (!has_ended) shut_down();
+    gimbal->close();
+    io.finish();
+    const std::weak_ptr<GimbalTasks> left = std::exchange(tasks, nullptr);
+    gimbal.reset();
+    EXPECT_TRUE(left.expired()) << "it holds itself";
+  }
+  GimbalTasksTest(const GimbalTasksTest&) = delete;
+  GimbalTasksTest& operator=(const GimbalTasksTest&) = delete;
+
+  /// Replaces those of an earlier gateway.
+  void begin(std::optional<std::int64_t> moved_by) {
+    tasks = std::make_shared<GimbalTasks>(
+        *gimbal,
+        GimbalTasks::Hooks{[this] { return is_broker_there.load(); },
+                           [this](const std::string& kind, const std::string& message) {
+                             events.add(kind + ": " + message);
+                           },
+                           [this](std::int64_t command) { rests.add(command); }},
+        moved_by);
+  }
+  void connect() {
+    gimbal->on_status([tasks = tasks](const GimbalStatus& status) {
+      tasks->link_changed(status.link == GimbalLink::online);
+    });
+    gimbal->on_status([this](const GimbalStatus& status) { links.add(status.link); });
+    gimbal->start();
+    ASSERT_TRUE(links.wait_until(
+        [](const auto& all) { return std::ranges::count(all, GimbalLink::online) != 0; }));
+  }
+  /// Returns the number of the command.
+  std::int64_t run(Order order, std::optional<milliseconds> until_deadline = {},
+                   milliseconds waited = milliseconds(0)) {
+    const std::int64_t command = ++commands;
+    std::optional<GimbalTasks::Time> deadline;
+    if (until_deadline) deadline = std::chrono::system_clock::now() + *until_deadline;
+    tasks->run({.command = command,
+                .order = std::move(order),
+                .deadline = deadline,
+                .arrived = GimbalTasks::Clock::now() - waited,
+                .done = [this, command](const TaskOutcome& outcome) {
+                  ends.add({command, outcome.code.empty() ? outcome.status : outcome.code});
+                }});
+    return command;
+  }
+  /// Returns what became of a command.
+  std::string end_of(std::int64_t command) {
+    std::string found;
+    EXPECT_TRUE(ends.wait_until([&](const auto& all) {
+      const auto at = std::ranges::find(all, command, &End::first);
+      if (at != all.end()) found = at->second;
+      return at != all.end();
+    }));
+    return found;
+  }
+  std::string result(Order order) { return end_of(run(std::move(order))); }
+  void shut_down() {
+    std::promise<void> done;
+    tasks->shut_down([&] { done.set_value(); });
+    done.get_future().wait();
+    has_ended = true;
+  }
+  /// The board's own word.
+  double speed() {
+    return board.gimbal([](emulator::Gimbal& one, Instant now) {
+      return std::abs(one.sample(now).target_speeds.pitch);
+    });
+  }
+  bool eventually_turns(bool turns = true) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while ((speed() != 0) != turns && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    return (speed() != 0) == turns;
+  }
+  bool is_at_rest_after(std::int64_t command) {
+    return rests.wait_until([&](const auto& all) { return !all.empty() && all.back() == command; });
+  }
+
+  using End = std::pair<std::int64_t, std::string>;
+
+  test::EmulatedBoard board;
+  Io io{2};
+  std::unique_ptr<Gimbal> gimbal;
+  std::shared_ptr<GimbalTasks> tasks{};
+  std::atomic<bool> is_broker_there{true};
+  Collector<std::string> events;
+  Collector<std::int64_t> rests;
+  Collector<GimbalLink> links;
+  Collector<End> ends;
+  bool has_ended = false;
+  std::int64_t commands = 0;
+
+ private:
+  FleetGimbal settings() {
+    FleetGimbal result;
+    result.line.name = "front";
+    result.line.port = board.serve_tcp();
+    return result;
+  }
+};
+
+TEST_F(GimbalTasksTest, OneAfterTheOther) {
+  connect();
+  run(near_move());
+  run(reading());
+  run(near_move(-3_deg));
+  EXPECT_THAT(ends.wait_for(3), ElementsAre(End{1, "done"}, End{2, "done"}, End{3, "done"}));
+  EXPECT_EQ(board.count<msg::Control>(), 2U);
+}
+
+TEST_F(GimbalTasksTest, AStopGoesFirst) {
+  connect();
+  run(far_move());
+  run(near_move());
+  run(reading());
+  ASSERT_TRUE(eventually_turns());
+  const std::int64_t stop = run({.what = StopOrder()});
+  EXPECT_EQ(end_of(stop), "done");
+  EXPECT_EQ(speed(), 0);
+  EXPECT_EQ(end_of(1), "cancelled");
+  EXPECT_EQ(end_of(2), "superseded");
+  EXPECT_EQ(end_of(3), "done") << "what moves nothing still waits";
+  EXPECT_TRUE(is_at_rest_after(2));
+}
+
+TEST_F(GimbalTasksTest, MotorsAreTurnedOffBeforeWhatWaits) {
+  connect();
+  run(far_move());
+  run(near_move());
+  ASSERT_TRUE(eventually_turns());
+  Order off = calling(msg::MotorsOff{});
+  off.is_urgent = true;
+  EXPECT_EQ(result(std::move(off)), "done");
+  EXPECT_EQ(end_of(1), "cancelled");
+  EXPECT_EQ(end_of(2), "superseded");
+}
+
+TEST_F(GimbalTasksTest, TooManyThatWaitAreRefused) {
+  connect();
+  run(far_move());
+  ASSERT_TRUE(eventually_turns());
+  for (int i = 0; i < 16; ++i) run(reading());
+  EXPECT_EQ(result(reading()), "overload");
+  EXPECT_EQ(result({.what = StopOrder()}), "done") << "it needs no room";
+  EXPECT_EQ(end_of(17), "done");
+}
+
+TEST_F(GimbalTasksTest, NothingMovesWithoutTheBrokerOrTheGimbal) {
+  EXPECT_EQ(result(near_move()), "not_connected");
+  connect();
+  is_broker_there = false;
+  EXPECT_EQ(result(near_move()), "no_broker");
+  EXPECT_EQ(result(reading()), "done");
+  is_broker_there = true;
+  EXPECT_EQ(board.count<msg::Control>(), 0U);
+  EXPECT_EQ(result(near_move()), "done");
+}
+
+TEST_F(GimbalTasksTest, ADeadlineThatPassesWhileItWaits) {
+  connect();
+  run(far_move());
+  ASSERT_TRUE(eventually_turns());
+  const std::int64_t early = run(reading(), milliseconds(50));
+  const std::int64_t late = run(reading(), std::chrono::minutes(1));
+  std::this_thread::sleep_for(milliseconds(100));
+  run({.what = StopOrder()});
+  EXPECT_EQ(end_of(early), "expired");
+  EXPECT_EQ(end_of(late), "done");
+}
+
+TEST_F(GimbalTasksTest, ASpeedThatWaitedIsRefused) {
+  connect();
+  EXPECT_EQ(end_of(run(turning(), {}, 2 * GimbalTasks::longest_silence)), "expired");
+  EXPECT_EQ(end_of(run(turning())), "done");
+}
+
+TEST_F(GimbalTasksTest, ASpeedEndsByItself) {
+  connect();
+  const std::int64_t command = run(turning());
+  EXPECT_EQ(end_of(command), "done");
+  EXPECT_TRUE(eventually_turns());
+  EXPECT_THAT(events.wait_for(1), ElementsAre(StartsWith("speed_ended: the camera was stopped")));
+  EXPECT_TRUE(is_at_rest_after(command));
+  EXPECT_TRUE(eventually_turns(false));
+}
+
+TEST_F(GimbalTasksTest, TheEndOfASpeedDoesNotStopWhatComesAfterIt) {
+  connect();
+  EXPECT_EQ(result(turning()), "done");
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  std::this_thread::sleep_for(2 * GimbalTasks::longest_silence);
+  EXPECT_NE(speed(), 0);
+}
+
+TEST_F(GimbalTasksTest, WhatGoesOnForAWhileIsThenAtRest) {
+  connect();
+  const auto begun = GimbalTasks::Clock::now();
+  const std::int64_t command = run(turning_for(milliseconds(500)));
+  EXPECT_EQ(end_of(command), "done");
+  EXPECT_TRUE(is_at_rest_after(command));
+  EXPECT_GE(GimbalTasks::Clock::now() - begun, milliseconds(500));
+}
+
+TEST_F(GimbalTasksTest, AMoveThatHasEndedIsAtRest) {
+  connect();
+  const std::int64_t command = run(near_move());
+  EXPECT_EQ(end_of(command), "done");
+  EXPECT_TRUE(is_at_rest_after(command));
+}
+
+TEST_F(GimbalTasksTest, ABrokerThatIsGoneStopsTheCamera) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  ASSERT_TRUE(eventually_turns());
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
+  is_broker_there = false;
+  EXPECT_THAT(events.wait_for(1),
+              ElementsAre("stopped: the broker is gone; the camera has stopped"));
+  EXPECT_EQ(speed(), 0);
+  EXPECT_TRUE(is_at_rest_after(1));
+}
+
+TEST_F(GimbalTasksTest, AStopThatIsNotConfirmedIsRepeated) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  ASSERT_TRUE(eventually_turns());
+  board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
+  is_broker_there = false;
+  EXPECT_THAT(events.wait_for(1)[0], HasSubstr("; the camera may still turn: "));
+  EXPECT_NE(speed(), 0);
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
+  board.on_lost({});
+  EXPECT_TRUE(events.wait_until([](const auto& all) {
+    return all.back() == "stopped: the broker is gone; the camera has stopped";
+  }));
+  EXPECT_EQ(speed(), 0);
+  EXPECT_TRUE(is_at_rest_after(1));
+}
+
+TEST_F(GimbalTasksTest, ALineThatIsLostInTheMiddle) {
+  connect();
+  run(far_move());
+  run(near_move());
+  run(reading());
+  ASSERT_TRUE(eventually_turns());
+  board.unplug();
+  // The stop after the loss can come before the move has noticed it.
+  EXPECT_THAT(end_of(1), AnyOf("not_connected", "cancelled"));
+  EXPECT_EQ(end_of(2), "link_lost");
+  EXPECT_THAT(events.wait_for(1),
+              ElementsAre("stopped: the line was lost while the camera could move; the camera has "
+                          "stopped"));
+  EXPECT_EQ(speed(), 0);
+  EXPECT_TRUE(is_at_rest_after(2));
+  EXPECT_EQ(result(near_move()), "done");
+}
+
+TEST_F(GimbalTasksTest, ShuttingDownStopsTheCamera) {
+  connect();
+  run(far_move());
+  run(reading());
+  ASSERT_TRUE(eventually_turns());
+  shut_down();
+  EXPECT_EQ(speed(), 0);
+  EXPECT_EQ(end_of(1), "cancelled");
+  EXPECT_EQ(end_of(2), "closing");
+  EXPECT_EQ(result(reading()), "closing");
+  EXPECT_EQ(result({.what = StopOrder()}), "closing");
+  EXPECT_TRUE(is_at_rest_after(1));
+}
+
+TEST_F(GimbalTasksTest, ShuttingDownLeavesACameraAloneThatNothingHasMoved) {
+  connect();
+  EXPECT_EQ(result(reading()), "done");
+  shut_down();
+  EXPECT_EQ(board.count<msg::Control>(), 0U);
+}
+
+TEST_F(GimbalTasksTest, WhatAnEarlierGatewayHasMovedIsStopped) {
+  begin(7);
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
+  connect();
+  EXPECT_THAT(events.wait_for(1),
+              ElementsAre("stopped: the gateway ended while the camera could move; the camera has "
+                          "stopped"));
+  EXPECT_TRUE(is_at_rest_after(7));
+  EXPECT_GE(board.count<msg::Control>(), 1U);
+}
+
+TEST_F(GimbalTasksTest, ParametersThatAreBeingWrittenEndWithTheExecutor) {
+  connect();
+  board.on_lost([](const Packet&) { return true; });
+  run({.what = SetOrder{values_of({{"pitch.p", "20"}}, false), {}}, .must_not_wait = true});
+  shut_down();
+  std::this_thread::sleep_for(milliseconds(50));
+  EXPECT_THAT(ends.wait_for(0), ElementsAre()) << "they are not left half written";
+  gimbal->close();
+  io.finish();
+  EXPECT_THAT(ends.wait_for(0), ElementsAre(End{1, "cancelled"}));
+}
+
+}  // namespace
+}  // namespace sbgc::tools
