@@ -14,7 +14,7 @@ from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
 
 BEFORE = 20
-AFTER = 12  # they come together, and a gimbal holds 16
+AFTER = 20
 DEADLINE_MS = 60_000
 # Without commands: NATS 2.9 loses some if somebody besides the gateway reads them with quality 1.
 RESULTS = [f"sbgc/studio/{topic}" for topic in ("+/state", "+/event", "+/telemetry/+", "reply/#")]
@@ -113,7 +113,9 @@ telemetry = ["RealtimeData4 10"]
             for key in keys[BEFORE:]:
                 ask(say, key)
             for key in keys:
-                assert seen.result(key, 120)["status"] == "done"
+                result = seen.result(key, 120)
+                # More may have waited together than a gimbal holds.
+                assert result["status"] == "done" or result["error"]["code"] == "overload", result
             eventually(lambda: "connected to the broker" in gateway.log.read_text())
             # Motion works again, so nothing waits in front of it.
             eventually(lambda: is_home(seen, say), 120)
