@@ -3,6 +3,7 @@
 #include "gateway/rivals.hpp"
 
 #include <chrono>
+#include <initializer_list>
 #include <string>
 #include <thread>
 
@@ -58,10 +59,11 @@ TEST_F(TwoGateways, an_old_state_that_a_broker_brings_back_is_no_rival) {
 }
 
 TEST_F(TwoGateways, what_is_no_state) {
-  for (const char* const text :
-       {"", "{", "[]", "1", "null", R"({"state": "online"})", R"({"since": 1})",
-        R"({"since": "1", "process": "a"})", R"({"since": 1, "process": 2})",
-        R"({"since": {}, "process": []})", "\xFF"}) {
+  const std::string deep = std::string(30'000, '[') + std::string(30'000, ']');
+  for (const std::string& text : std::initializer_list<std::string>{
+           "", "{", "[]", "1", "null", deep, R"({"state": "online"})", R"({"since": 1})",
+           R"({"since": "1", "process": "a"})", R"({"since": 1, "process": 2})",
+           R"({"since": {}, "process": []})", "\xFF"}) {
     for (int i = 0; i < 3; ++i) {
       second_.read(state_of(second_), start_);
       EXPECT_FALSE(second_.read(text, start_)) << text;
