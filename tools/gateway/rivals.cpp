@@ -27,8 +27,8 @@ Rivals::Rivals()
             random_name()} {}
 
 void Rivals::sign(Json& state) const {
-  state["since"] = name_.since;
-  state["process"] = name_.process;
+  state["since"] = name_.first;
+  state["process"] = name_.second;
 }
 
 bool Rivals::read(const std::string& state, Clock::time_point now) {
@@ -39,7 +39,7 @@ bool Rivals::read(const std::string& state, Clock::time_point now) {
                          process != json.end() && process->is_string();
   if (!is_signed) return false;
   const Name name{since->get<std::int64_t>(), process->get<std::string>()};
-  if (name.process == name_.process) {
+  if (name.second == name_.second) {
     has_read_own_ = true;
     return false;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <sbgc/json_dom.hpp>
 
@@ -26,11 +27,8 @@ class Rivals {
   bool read(const std::string& state, Clock::time_point now);
 
  private:
-  struct Name {
-    std::int64_t since{};  // when it has started, as Unix time in milliseconds
-    std::string process{};
-    auto operator<=>(const Name&) const = default;
-  };
+  /// When a gateway has started, as Unix time in milliseconds, and a random word.
+  using Name = std::pair<std::int64_t, std::string>;
 
   const Name name_;
   bool has_read_own_ = false;
