@@ -79,11 +79,11 @@ class Nats(Server):
 
     def __init__(self, folder: Path, number: int, routes: list[int]) -> None:
         folder.mkdir(exist_ok=True)
-        port = free_port()
+        port, self.own_port = free_port(), free_port()  # of MQTT and of NATS
         file = folder / "nats.conf"
         links = ", ".join(f'"nats://127.0.0.1:{one}"' for one in routes)
         file.write_text(
-            f"server_name: n{number}\nlisten: 127.0.0.1:{free_port()}\n"
+            f"server_name: n{number}\nlisten: 127.0.0.1:{self.own_port}\n"
             f'jetstream {{ store_dir: "{folder}" }}\nmqtt {{ listen: "127.0.0.1:{port}", ack_wait: "5s" }}\n'
             f"cluster {{ name: fleet, listen: 127.0.0.1:{routes[number]}, routes: [{links}] }}\n"
         )

@@ -53,7 +53,7 @@ def test_the_later_one_gives_way(broker: Mosquitto, tmp_path: Path, mqtt: str) -
             wait_for_gimbal(seen)
             wait_for_answer(seen, say)
             with running_gateway(folders[1], texts[1]) as second:
-                assert second.process.wait(timeout=30) == 1
+                assert second.process.wait(timeout=30) == 2
                 assert "another gateway of this fleet" in second.log.read_text()
             wait_for_answer(seen, say)
             states = "sbgc/studio/gateway/state"

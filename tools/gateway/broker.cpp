@@ -4,6 +4,7 @@
 #include <csignal>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -39,6 +40,7 @@ class Broker::Impl {
   void close();
   Statistics statistics() const;
   std::string failure() const;
+  bool has_rival() const noexcept { return has_rival_; }
 
  private:
   MqttConnection::Handlers mqtt_handlers();
@@ -65,6 +67,7 @@ class Broker::Impl {
   Outbox outbox_;
   Admission admission_;
   std::atomic<bool> is_connected_{false};
+  std::atomic<bool> has_rival_{false};
   mutable std::mutex mutex_{};
   std::string failure_{};
   std::string last_problem_{};  // of the connection, on its thread
@@ -144,7 +147,9 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
 
 void Broker::Impl::take(const std::vector<MqttMessage>& messages) {
   for (const MqttMessage& one : messages) {
-    if (one.topic == state_topic_) rivals_.read(one.payload, Rivals::Clock::now());
+    if (one.topic != state_topic_ || !rivals_.read(one.payload, Rivals::Clock::now())) continue;
+    has_rival_ = true;
+    throw std::runtime_error("another gateway of this fleet is at the broker, and was there first");
   }
   admission_.take(messages);
 }
@@ -231,5 +236,7 @@ void Broker::close() { impl_->close(); }
 Broker::Statistics Broker::statistics() const { return impl_->statistics(); }
 
 std::string Broker::failure() const { return impl_->failure(); }
+
+bool Broker::has_rival() const { return impl_->has_rival(); }
 
 }  // namespace sbgc::tools

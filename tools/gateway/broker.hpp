@@ -37,6 +37,8 @@ class Broker {
   /// Why this half cannot go on, such as a full disk; without metrics, it has asked the process to
   /// end. "" if it can.
   std::string failure() const;
+  /// True if that is another gateway of the same fleet.
+  bool has_rival() const;
 
  private:
   class Impl;

@@ -74,6 +74,8 @@ int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gi
   if (broker) broker->close();
   for (const auto& gimbal : gimbals) gimbal->close();
   io.finish();  // what still completes uses the broker and the gimbals
+  // Which gateway it should be, people decide, not a service manager that starts this one again.
+  if (broker && broker->has_rival()) return wrong_usage;
   return broker && !broker->failure().empty() ? failure : success;
 }
 
@@ -113,8 +115,7 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
       "\n"
       "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or "
-      "the "
-      "broker's half has failed, 2 for wrong usage.");
+      "the broker's half has failed, 2 for wrong usage or if another gateway serves the fleet.");
   command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);
 }

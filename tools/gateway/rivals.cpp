@@ -1,7 +1,6 @@
 #include "gateway/rivals.hpp"
 
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,27 +27,25 @@ Rivals::Rivals()
             random_name()} {}
 
 void Rivals::sign(Json& state) const {
-  state["since"] = name_.since;
-  state["process"] = name_.process;
+  state["since"] = name_.first;
+  state["process"] = name_.second;
 }
 
-void Rivals::read(const std::string& state, Clock::time_point now) {
+bool Rivals::read(const std::string& state, Clock::time_point now) {
   const Json json = Json::parse(state, nullptr, false);
   const auto since = json.find("since");
   const auto process = json.find("process");
   const bool is_signed = since != json.end() && since->is_number_integer() &&
                          process != json.end() && process->is_string();
-  if (!is_signed) return;
+  if (!is_signed) return false;
   const Name name{since->get<std::int64_t>(), process->get<std::string>()};
-  if (name.process == name_.process) {
+  if (name.second == name_.second) {
     has_read_own_ = true;
-    return;
+    return false;
   }
-  if (!std::exchange(has_read_own_, false) || name > name_) return;
+  if (!std::exchange(has_read_own_, false) || name > name_) return false;
   const auto earlier = std::exchange(noticed_, now);
-  if (earlier && now < *earlier + soon) {
-    throw std::runtime_error("another gateway of this fleet is at the broker, and was there first");
-  }
+  return earlier && now < *earlier + soon;
 }
 
 }  // namespace sbgc::tools

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <sbgc/json_dom.hpp>
 
@@ -21,16 +22,13 @@ class Rivals {
 
   /// Puts the name of this gateway into its state.
   void sign(Json& state) const;
-  /// Takes the payload of a state. Throws std::runtime_error if this gateway gives way: the one
-  /// that has started later does.
-  void read(const std::string& state, Clock::time_point now);
+  /// Takes the payload of a state. Returns true if this gateway gives way: the one that has started
+  /// later does.
+  bool read(const std::string& state, Clock::time_point now);
 
  private:
-  struct Name {
-    std::int64_t since{};  // when it has started, as Unix time in milliseconds
-    std::string process{};
-    auto operator<=>(const Name&) const = default;
-  };
+  /// When a gateway has started, as Unix time in milliseconds, and a random word.
+  using Name = std::pair<std::int64_t, std::string>;
 
   const Name name_;
   bool has_read_own_ = false;
