@@ -45,6 +45,7 @@ class Outbox {
          MqttConnection& mqtt);
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
+  ~Outbox() = default;
 
   // Any thread.
 
