@@ -62,6 +62,7 @@ class Admission {
             Journal& journal, Outbox& outbox, MqttConnection& mqtt);
   Admission(const Admission&) = delete;
   Admission& operator=(const Admission&) = delete;
+  ~Admission() = default;
 
   /// What has arrived together. Commands go to their gimbals when they are on the disk.
   void take(const std::vector<MqttMessage>& messages);

@@ -196,6 +196,7 @@ Order read_calibrate(const Json& object) {
   std::vector<const MessageType*> types;
   for (const CalibrationForm& form : known->forms) types.push_back(find_message(form.info->name));
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const Assignment& one : values) names.push_back(one.name);
   const MessageType& type = form_with(types, names);
   const auto form = std::ranges::find(known->forms, type.info, &CalibrationForm::info);

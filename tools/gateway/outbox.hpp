@@ -46,6 +46,7 @@ class Outbox {
          Journal& journal, MqttConnection& mqtt);
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
+  ~Outbox() = default;
 
   // Any thread.
 
