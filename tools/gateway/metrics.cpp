@@ -33,9 +33,9 @@ using prometheus::MetricType;
 
 /// A counter of a line.
 struct LineCounter {
-  const char* name;
-  const char* help;
-  std::uint64_t (*value)(const ClientStatistics& line);
+  const char* name{};
+  const char* help{};
+  std::uint64_t (*value)(const ClientStatistics& line){};
   const char* kind = nullptr;  ///< a label, for several counters of one name
 };
 
@@ -157,7 +157,8 @@ class Metrics::Collector : public prometheus::Collectable {
     const ClientMetric::Label gimbal = label_of("gimbal", one.gimbal->name());
     const GimbalStatus status = one.gimbal->status();
     const bool is_online = status.link == GimbalLink::online;
-    families.add_gauge("sbgc_gimbal_up", "1 if the gimbal is connected.", {gimbal}, is_online);
+    families.add_gauge("sbgc_gimbal_up", "1 if the gimbal is connected.", {gimbal},
+                       is_online ? 1 : 0);
     if (!status.firmware.empty()) {
       families.add_gauge(
           "sbgc_gimbal_info", "What the board says of itself. Always 1.",

@@ -181,9 +181,9 @@ void MqttConnection::Destroy::operator()(mosquitto* connection) const noexcept {
   mosquitto_destroy(connection);
 }
 
-MqttConnection::MqttConnection(const BrokerSettings& settings, MqttPublication will,
+MqttConnection::MqttConnection(BrokerSettings settings, const MqttPublication& will,
                                Handlers handlers)
-    : settings_(settings),
+    : settings_(std::move(settings)),
       handlers_(std::move(handlers)),
       wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   initialize_mqtt();
@@ -254,6 +254,7 @@ void MqttConnection::wake() noexcept {
 
 void MqttConnection::subscribe(const std::vector<std::string>& filters, int quality) {
   std::vector<char*> texts;
+  texts.reserve(filters.size());
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library only reads them
   for (const std::string& one : filters) texts.push_back(const_cast<char*>(one.c_str()));
   // With MQTT 3.1.1, a retained message has its mark only for those who subscribe later.

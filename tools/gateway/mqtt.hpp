@@ -68,7 +68,7 @@ class MqttConnection {
 
   /// Throws std::runtime_error if the settings cannot be used, such as a file that cannot be read.
   /// The broker publishes `will` when the connection breaks.
-  MqttConnection(const BrokerSettings& settings, MqttPublication will, Handlers handlers);
+  MqttConnection(BrokerSettings settings, const MqttPublication& will, Handlers handlers);
   MqttConnection(const MqttConnection&) = delete;
   MqttConnection& operator=(const MqttConnection&) = delete;
   /// Breaks the connection, so that the broker publishes the will, unless close() has ended it.
