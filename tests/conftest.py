@@ -1,4 +1,5 @@
-"""Tests marked `long` take minutes: they run only with `./dev test --long`, which sets SBGC_LONG."""
+"""Tests marked `long` take minutes: they run only with `./dev test --long`, which sets SBGC_LONG. Programs on
+pseudo-terminals see a capable terminal, whatever that of the tests can do."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ import pytest
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "long: runs only with ./dev test --long")
+    os.environ["TERM"] = "xterm"
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -127,7 +127,7 @@ class Commands:
         self.sent = 0
         self.senders = [
             subprocess.Popen(
-                ["mosquitto_pub", "-p", str(port), "-q", "1", "-l", "-t", f"sbgc/bench/g{number}/cmd/get"],
+                ["mosquitto_pub", "-h", "127.0.0.1", "-p", str(port), "-q", "1", "-l", "-t", f"sbgc/bench/g{number}/cmd/get"],
                 stdin=subprocess.PIPE,
             )
             for number in range(COMMANDED)
@@ -176,7 +176,7 @@ def measure(program: str, count: int, rate: float, seconds: float, folder: Path)
         log=folder / "gateway.log",
     )
     reader_part = Part(
-        "reader", "mosquitto_sub", "-p", str(port), "-F", "%U %p", "-q", "1",
+        "reader", "mosquitto_sub", "-h", "127.0.0.1", "-p", str(port), "-F", "%U %p", "-q", "1",
         "-t", "sbgc/bench/+/telemetry/+", "-t", "sbgc/bench/+/event",
         output=subprocess.PIPE, log=folder / "reader.log",
     )  # fmt: skip
