@@ -188,7 +188,7 @@ def measure(program: str, count: int, rate: float, seconds: float, folder: Path)
         reader.read(3)
         while total(metrics(metrics_address), "sbgc_gimbal_up") < count:
             reader.read(2)
-        reader.read(10)  # until everything runs evenly
+        reader.read(60)  # until everything runs evenly
         reader.delays.clear()
         before = metrics(metrics_address)
         memory = [gateway.memory()]

@@ -85,16 +85,6 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     }
   }
 
-  const FleetGimbal settings_;
-  const ReconnectOptions options_;
-  std::vector<OnStatus> on_status_;
-  std::vector<OnTelemetry> on_telemetry_;
-  std::vector<OnEvent> on_event_;
-
-  Strand strand_;
-  /// Null after end().
-  std::unique_ptr<AsyncReconnectingClient> client_;
-
   void start() {
     asio::post(strand_, [self = shared_from_this()] { self->connect(); });
   }
@@ -131,6 +121,8 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   }
 
  private:
+  friend class Gimbal;
+
   using Clock = std::chrono::system_clock;
 
   /// A message at a rate. It is started as soon as the gimbal is online; a stream goes on by itself
@@ -201,7 +193,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     status.board = board.board_version();
     status.serial_number = board.serial_number();
     status.connections = client_->connections();
-    enter(std::move(status));
+    enter(status);
     for (const auto& one : telemetry_) begin(*one);
   }
 
@@ -209,10 +201,10 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     GimbalStatus status = this->status();
     status.link = GimbalLink::offline;
     status.reason = reason;
-    enter(std::move(status));
+    enter(status);
   }
 
-  void enter(GimbalStatus status) {
+  void enter(const GimbalStatus& status) {
     {
       const std::lock_guard lock(mutex_);
       line_.total(client_->connections(), client_->statistics());
@@ -301,6 +293,16 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     for (const OnTelemetry& handler : on_telemetry_) handler(message, now);
   }
 
+  const FleetGimbal settings_;
+  const ReconnectOptions options_;
+  std::vector<OnStatus> on_status_{};
+  std::vector<OnTelemetry> on_telemetry_{};
+  std::vector<OnEvent> on_event_{};
+
+  Strand strand_;
+  /// Null after end().
+  std::unique_ptr<AsyncReconnectingClient> client_;
+
   asio::steady_timer timer_;
   std::chrono::milliseconds pause_ = first_pause_between_attempts;
   Subscription changes_{};
@@ -317,6 +319,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
 Gimbal::Gimbal(Io& io, const FleetGimbal& settings) : impl_(std::make_shared<Impl>(io, settings)) {}
 
+// NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
 Gimbal::~Gimbal() {
   close();
   impl_->end();

@@ -140,6 +140,7 @@ Journal::Journal(const std::filesystem::path& file, const JournalLimits& limits)
     run("PRAGMA journal_mode = WAL");
     run("PRAGMA synchronous = FULL");
     run("PRAGMA foreign_keys = ON");
+    run("PRAGMA cache_size = -512");  // in KiB: a commit touches few pages
     run("BEGIN EXCLUSIVE");
     const std::int64_t mark = count("PRAGMA application_id");
     const bool is_new = mark == 0 && count("SELECT count(*) FROM sqlite_schema") == 0;
