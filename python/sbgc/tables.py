@@ -132,12 +132,12 @@ class _FixedTable(Table):
     def columns(self) -> dict[str, Array]:
         rows = len(self._array)
         missing = [path for path in self._converters if path not in self._made]
+        for path in missing:
+            dtype = self._converters[path](self._array[path][:0]).dtype
+            self._made[path] = numpy.empty(rows, dtype)
         for start in range(0, rows, _ROWS):
             block = self._array[start : start + _ROWS]
             for path in missing:
-                if start == 0:
-                    first = self._converters[path](block[path])
-                    self._made[path] = numpy.empty(rows, first.dtype)
                 self._converters[path](block[path], self._made[path][start : start + _ROWS])
         return dict(self)
 

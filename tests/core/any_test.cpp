@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/any.hpp>
+#include <sbgc/json.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
@@ -78,6 +79,20 @@ TEST(AnyMessage, CopiesAreIndependent) {
   message = moved;  // assigned to after the move
   EXPECT_TRUE(message == moved);
   EXPECT_FALSE(message == find_message("Control")->make());
+}
+
+TEST(AnyMessage, JsonIsReadInPlaceOrNotAtAll) {
+  AnyMessage any = find_message("GetAngles")->make();
+  const auto* const message = any.get_if<msg::GetAngles>();
+  msg::GetAngles other;
+  other.axes.yaw.imu_angle = msg::Angle14(2048);
+  ASSERT_TRUE(any.from_json(to_json(other)));
+  EXPECT_EQ(any.get_if<msg::GetAngles>(), message);
+  EXPECT_EQ(*message, other);
+  std::string incomplete = to_json(msg::GetAngles{});
+  incomplete.replace(incomplete.rfind("target_angle"), 1, "T");
+  EXPECT_FALSE(any.from_json(incomplete));
+  EXPECT_EQ(*message, other);
 }
 
 TEST(AnyMessage, IsTheMessageOfItsType) {

@@ -788,7 +788,6 @@ def test_colors_only_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
 
     plain = run("decode", "--hex", stdin=FRAMES.hex()).text
     assert "\x1b" not in plain
-    monkeypatch.setenv("TERM", "xterm")
     colored = on_a_terminal()
     assert "\x1b[1mCMD_CONTROL\x1b[0m" in colored
     assert re.sub(r"\x1b\[\d*m", "", colored) == plain

@@ -49,7 +49,7 @@ class Shell:
             os.environ.update(
                 PATH=f"{folder}/bin:{os.environ['PATH']}", HOME=str(folder), ZDOTDIR=str(folder)
             )
-            os.environ.update(TERM="xterm", LC_ALL="C.UTF-8", SBGC_PORTS=f"{folder}/ports.json")
+            os.environ.update(LC_ALL="C.UTF-8", SBGC_PORTS=f"{folder}/ports.json")
             os.execvp(START[name][0], START[name])
 
     def wait(self, condition: Callable[[], bool], seconds: float) -> bool:

@@ -6,6 +6,7 @@
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "gateway/reports.hpp"
+#include "gateway/unix_time.hpp"
 
 namespace sbgc::tools {
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "gateway/unix_time.hpp"
+
 namespace sbgc::tools {
 
 namespace {
@@ -46,10 +48,6 @@ constexpr const char* journal_tables = R"(
 )";
 static_assert(static_cast<int>(WaitingKind::result) == 0);
 static_assert(static_cast<int>(WaitingKind::notice) == 1);
-
-std::int64_t milliseconds_of(Journal::Time time) {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
-}
 
 [[noreturn]] void fail_journal(sqlite3& database) {
   throw std::runtime_error(fmt::format("the journal {}: {}", sqlite3_db_filename(&database, "main"),
@@ -192,7 +190,7 @@ std::optional<std::int64_t> Journal::admit(const JournalCommand& command, Time n
                    "INSERT INTO commands (gimbal, key, request, received) VALUES (?, ?, ?, ?)");
   insert.add_text(command.gimbal);
   command.key.empty() ? insert.add_null() : insert.add_text(command.key);
-  insert.add_text(command.request).add(milliseconds_of(now)).run();
+  insert.add_text(command.request).add(unix_milliseconds(now)).run();
   const std::int64_t id = sqlite3_last_insert_rowid(database_.get());
   add_reply(id, command.reply);
   return id;
@@ -312,8 +310,8 @@ void Journal::forget(Time now) {
   Statement(*this,
             "DELETE FROM commands WHERE id IN (SELECT id FROM commands WHERE result IS NOT NULL "
             "AND received NOT BETWEEN ? AND ? ORDER BY id LIMIT ?)")
-      .add(milliseconds_of(now - limits_.keep))
-      .add(milliseconds_of(now + limits_.keep))
+      .add(unix_milliseconds(now - limits_.keep))
+      .add(unix_milliseconds(now + limits_.keep))
       .add(static_cast<std::int64_t>(finished_ - limits_.history + 1))
       .run();
   finished_ -= static_cast<std::size_t>(sqlite3_changes(database_.get()));

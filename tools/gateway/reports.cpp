@@ -7,6 +7,7 @@
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"
+#include "gateway/unix_time.hpp"
 
 namespace sbgc::tools {
 
@@ -19,10 +20,6 @@ bool is_utf8(std::string_view text) {
 }
 
 }  // namespace
-
-std::int64_t unix_milliseconds(std::chrono::system_clock::time_point time) {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
-}
 
 Json stamped(std::chrono::system_clock::time_point time) {
   return {{"version", payload_version}, {"time", unix_milliseconds(time)}};

@@ -15,8 +15,6 @@
 
 namespace sbgc::tools {
 
-std::int64_t unix_milliseconds(std::chrono::system_clock::time_point time);
-
 /// The beginning of every payload.
 Json stamped(std::chrono::system_clock::time_point time = std::chrono::system_clock::now());
 

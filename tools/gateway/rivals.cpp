@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "gateway/unix_time.hpp"
+
 namespace sbgc::tools {
 
 namespace {
@@ -20,11 +22,7 @@ std::string random_name() {
 
 }  // namespace
 
-Rivals::Rivals()
-    : name_{std::chrono::duration_cast<std::chrono::milliseconds>(
-                std::chrono::system_clock::now().time_since_epoch())
-                .count(),
-            random_name()} {}
+Rivals::Rivals() : name_{unix_milliseconds(std::chrono::system_clock::now()), random_name()} {}
 
 void Rivals::sign(Json& state) const {
   state["since"] = name_.first;

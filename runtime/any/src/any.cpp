@@ -1,6 +1,5 @@
 #include <array>
 #include <cstring>
-#include <utility>
 
 #include <sbgc/any.hpp>
 #include <sbgc/frame.hpp>
@@ -53,7 +52,8 @@ JsonResult AnyMessage::from_json(std::string_view text) {
       detail::json_result(text, [&](detail::JsonReader<detail::JsonTextSource>& reader) {
         return type_->operations->read_json(reader, read.memory_.get());
       });
-  if (result) *this = std::move(read);
+  // In place: what get_if() has returned stays valid.
+  if (result) std::memcpy(memory_.get(), read.memory_.get(), type_->memory);
   return result;
 }
 
