@@ -219,6 +219,7 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_TRUE(control.has_settled());
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   ASSERT_TRUE(control.stop());
   EXPECT_EQ(control.state(), State::idle);

@@ -288,13 +288,14 @@ def test_a_stream_of_an_unknown_message_is_bytes() -> None:
 
     def serve() -> None:
         line, _ = server.accept()
-        with line:
-            while data := line.recv(4096):
-                number = data[1]
+        with line, line.makefile("rb") as requests:
+            while head := requests.read(4):
+                _, number, size, _ = head
+                body = requests.read(size + 1)[:-1]
                 if number == 86:
                     line.sendall(frame(86, bytes.fromhex("1e4b0a000200010000000000000000000000")))
                 elif number == 85:
-                    asked.append(data[4:-1])
+                    asked.append(body)
                     line.sendall(frame(67, b"\x55"))
                     line.sendall(frame(200, b"\x0e\x45") + frame(201, b"\x01") + frame(200))
                 else:
