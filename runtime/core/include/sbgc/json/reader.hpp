@@ -212,9 +212,12 @@ class JsonReader {
     if constexpr (requires { Meta<T>::fields; }) {
       static_assert(std::size(Meta<T>::fields) < 8 * sizeof Members::read, "and a tail");
     }
-    object(path, &out, [](void* object, Members& members) {
-      Meta<T>::visit(*static_cast<T*>(object), members);
-    });
+    object(path, &out, visit<T>);
+  }
+  // Not a lambda: compilers make two functions of one that becomes a pointer.
+  template <class T>
+  static void visit(void* object, Members& members) {
+    Meta<T>::visit(*static_cast<T*>(object), members);
   }
   SBGC_NOINLINE void object(const FieldPath* path, void* out,
                             void (*visit)(void* object, Members& members)) {
