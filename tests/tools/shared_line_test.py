@@ -154,22 +154,19 @@ def test_a_stop_overtakes_queued_motion() -> None:
 
 
 def test_controls_that_nobody_confirms_keep_their_rate() -> None:
-    """100 per second arrive at 100 per second, each at most the time of one late."""
+    """100 per second arrive at 100 per second, the most that pauses between requests permit."""
+    count = 300
     line = Line()
     with hosts_at(line, 1) as (host,):
         line.lost = {(CONFIRM, CONTROL)}
         begin = time.monotonic()
-        asked = []
-        for count in range(300):
-            time.sleep(max(0, begin + count * 0.01 - time.monotonic()))
-            asked.append(time.monotonic())
-            host.send(CONTROL, control(count + 1))
+        for index in range(count):
+            time.sleep(max(0, begin + index * 0.01 - time.monotonic()))
+            host.send(CONTROL, control(index + 1))
         deadline = time.monotonic() + 10
-        while len(line.frames(CONTROL)) < len(asked) and time.monotonic() < deadline:
+        while len(line.frames(CONTROL)) < count and time.monotonic() < deadline:
             time.sleep(0.01)
         arrived = [when for when, command, _ in line.requests if command == CONTROL]
-        assert len(arrived) == len(asked)
-        # On a busy machine, some are later; but if requests piled up, all of the last ones would be.
-        late = [there - here for there, here in zip(arrived, asked)]
-        assert min(late[-100:]) < 0.02
-        assert arrived[-1] - arrived[0] < asked[-1] - asked[0] + 0.1
+        assert len(arrived) == count
+        # A busy machine delays some of them, but not each second.
+        assert min(later - when for when, later in zip(arrived, arrived[100:])) < 1.02

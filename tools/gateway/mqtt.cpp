@@ -247,9 +247,7 @@ void MqttConnection::close() {
 }
 
 void MqttConnection::wake() noexcept {
-  const std::uint64_t one = 1;
-  // It fails only if the thread is to be woken anyway.
-  [[maybe_unused]] const auto written = ::write(wake_.get(), &one, sizeof one);
+  ::eventfd_write(wake_.get(), 1);  // fails only if the thread is to be woken anyway
 }
 
 void MqttConnection::subscribe(const std::vector<std::string>& filters, int quality) {
@@ -357,6 +355,11 @@ std::string MqttConnection::connect() {
   return status == MOSQ_ERR_SUCCESS ? "" : mqtt_error(status);
 }
 
+void MqttConnection::forget_wakes() {
+  eventfd_t count = 0;
+  ::eventfd_read(wake_.get(), &count);  // does not block
+}
+
 std::string MqttConnection::turn() {
   mosquitto* const connection = connection_.get();
   const bool writes = mosquitto_want_write(connection);
@@ -365,10 +368,7 @@ std::string MqttConnection::turn() {
        {wake_.get(), POLLIN, 0}}};
   const milliseconds longest = has_more_ && !writes ? milliseconds(0) : mqtt_turn;
   ::poll(waiting.data(), waiting.size(), static_cast<int>(longest.count()));
-  if (waiting[1].revents != 0) {
-    std::uint64_t count = 0;
-    [[maybe_unused]] const auto size = ::read(wake_.get(), &count, sizeof count);
-  }
+  forget_wakes();
   const bool can_read = (waiting[0].revents & ~POLLOUT) != 0;
   std::string problem = can_read ? read() : "";
   // They are on the disk before the acknowledgments, which the library has queued, are written.
@@ -405,10 +405,7 @@ void MqttConnection::rest(milliseconds pause) {
   while (!is_closing_ && !is_breaking_ && Clock::now() < end) {
     pollfd waiting{wake_.get(), POLLIN, 0};
     ::poll(&waiting, 1, static_cast<int>(mqtt_turn.count()));
-    if (waiting.revents != 0) {
-      std::uint64_t count = 0;
-      [[maybe_unused]] const auto size = ::read(wake_.get(), &count, sizeof count);
-    }
+    forget_wakes();
     handlers_.on_idle();
   }
 }

@@ -112,6 +112,7 @@ class MqttConnection {
   void serve();
   /// Starts an attempt. Returns what went wrong, or "".
   std::string connect();
+  void forget_wakes();
   /// Waits for the broker or wake(), and reads and writes. Returns why the connection broke, or "".
   std::string turn();
   std::string read();
