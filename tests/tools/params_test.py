@@ -100,6 +100,9 @@ def test_show_groups_by_topic(board: str) -> None:
         (["tilt", "limit"], ["rc.pitch.rc_max_angle"], ["rc.yaw.rc_max_angle", "axes.pitch.p"]),
         (["compass"], ["mag_trust"], ["gyro_trust"]),
         (["SPEED"], ["follow_speed.roll", "rc.roll.rc_speed"], ["axes.roll.p"]),
+        (["jello"], ["lpf_freq.roll"], ["axes.roll.p"]),
+        (["shake"], ["lpf_freq.roll"], ["axes.roll.p"]),
+        (["P_PITCH"], ["axes.pitch.p"], ["axes.roll.p"]),
     ],
 )
 def test_show_finds_words_that_people_use(
@@ -111,6 +114,14 @@ def test_show_finds_words_that_people_use(
         assert path in found, path
     for path in others:
         assert path not in found, path
+
+
+@pytest.mark.parametrize("command", ["show", "get"])
+def test_parameters_of_later_firmware(board: str, command: str) -> None:
+    result = params(board, command, "amplitude")
+    assert result.status == 1 and result.error == (
+        "sbgc: this board does not have ReadParamsExt3; it needs firmware 2.66\n"
+    )
 
 
 def test_values_are_those_of_the_firmware() -> None:
@@ -158,6 +169,8 @@ def test_every_name_of_the_model_is_found(board: str) -> None:
         ("ReadParams3.gyro_trust", ["gyro_trust"]),
         ("P_PITCH", ["axes.pitch.p"]),
         ("pid_gain_YAW", ["pid_gain.yaw"]),
+        ("PITCH_P", ["axes.pitch.p"]),
+        ("tilt_lpf_freq", ["lpf_freq.pitch"]),
         ("tilt.p", ["axes.pitch.p"]),
         ("lpf_freq.pan", ["lpf_freq.yaw"]),
     ],

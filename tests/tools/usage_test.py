@@ -58,6 +58,8 @@ def test_wrong_usage(arguments: list[str]) -> None:
         (["encdoe", "--hex", "file"], "unknown command 'encdoe'; did you mean 'encode'?"),
         (["emulator", "--help"], "unknown command 'emulator'; did you mean 'emulate'?"),
         (["rec"], "unknown command 'rec'; did you mean 'record'?"),
+        (["INFO"], "unknown command 'INFO'; did you mean 'info'?"),
+        (["params", "help", "show"], "unknown command 'help'; did you mean '--help'?"),
         (["hlp"], "unknown command 'hlp'; did you mean 'help'"),
         (["--verson"], "unknown option '--verson'; did you mean '--version'?"),
         (["decode", "--hx"], "unknown option '--hx'; did you mean '--hex'?"),
