@@ -171,6 +171,15 @@ def test_help_breaks_lines_between_words(arguments: list[str]) -> None:
             assert max(map(len, lines)) <= width
 
 
+@pytest.mark.parametrize("arguments", HELP)
+def test_paragraphs_of_the_help_are_filled(arguments: list[str]) -> None:
+    lines = lines_of_help(arguments, COLUMNS="100")
+    for line, following in zip(lines, lines[1:]):
+        is_heading = line.endswith(":")
+        if re.match("[A-Za-z]", line) and re.match("[a-z]", following) and not is_heading:
+            assert len(line) + 1 + len(following.split()[0]) > 100, line
+
+
 def test_the_names_of_options_take_three_eighths_of_a_narrow_terminal() -> None:
     for columns, names in (("40", 15), ("48", 18), ("80", 30), ("132", 30)):
         (line,) = [
