@@ -280,6 +280,8 @@ def test_set_says_what_it_would_write(board: str, values: list[str], words: str)
         ("rc_min_angle=-30V", 2, ["'V'", "deg"]),
         ("follow_mode=FOLOW_MODE_FC", 2, ["did you mean 'FOLLOW_MODE_FC'"]),
         ("pitch.p", 2, ["NAME=VALUE"]),
+        ("pitch.p=1,5", 2, ["'1,5' is not an integer"]),
+        ("roll.i=0,5", 2, ["'0,5' is not a number"]),
         ("pitch.rc_min_angle=95", 1, ["rc_min_angle", "95 deg is above 90 deg", "rc_max_angle"]),
         ("yaw.rc_max_angle=-200", 1, ["rc_min_angle", "above -200 deg", "rc_max_angle"]),
         ("pitch.encoder_limit_max=-3", 1, ["encoder_limit_min", "above"]),
@@ -295,6 +297,18 @@ def test_set_refuses_before_anything_is_written(
     for word in words:
         assert word in result.error
     assert [body_of(board, profile) for profile in range(5)] == before
+
+
+@pytest.mark.parametrize(
+    "value, words",
+    [
+        ("tilt.p = 15", "axes.pitch.p: 14 -> 15"),
+        ("tilt.rc_max_angle=30 degrees", "rc.pitch.rc_max_angle: 90 deg -> 30 deg"),
+    ],
+)
+def test_set_takes_values_as_people_write_them(board: str, value: str, words: str) -> None:
+    result = params(board, "set", value)
+    assert result.status == 1 and words in result.text
 
 
 def test_profiles_count_from_1(board: str) -> None:

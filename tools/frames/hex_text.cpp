@@ -78,8 +78,7 @@ std::string HexDecoder::other(char c, std::vector<std::uint8_t>& out) {
   const bool was_angle = std::exchange(angle_, c == '<' ? column_ : 0) + 1 == column_;
   const bool is_angle = c == '<' || (c == '>' && (half_ || !alone_));
   if (was_angle && column_ != 1) return "a hex digit must follow '<'";
-  const bool is_separator =
-      separators.find(c) != std::string_view::npos || is_suffix || is_angle;
+  const bool is_separator = separators.find(c) != std::string_view::npos || is_suffix || is_angle;
   constexpr std::string_view quotes = "\"'\\";
   const bool is_quote = quotes.find(c) != std::string_view::npos;
   // The b of b'...' is no digit.

@@ -45,7 +45,7 @@ class HexDecoder {
   bool has_two_ = false;      // a word that needs two digits a byte, such as "00"
   bool escape_ = false;       // the last character is a backslash
   std::uint8_t high_ = 0;
-  std::size_t angle_ = 0;     // the column of a '<' that may be the last character
+  std::size_t angle_ = 0;  // the column of a '<' that may be the last character
   std::size_t line_ = 1;
   std::size_t column_ = 0;
 };

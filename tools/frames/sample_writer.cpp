@@ -132,8 +132,8 @@ class TableWriter final : public SampleWriter {
     }
     const std::size_t hidden = fields_.size() - widths_.size();
     if (hidden != 0) {
-      text += fmt::format("({} more field{}: choose with --fields)\n", hidden,
-                          hidden == 1 ? "" : "s");
+      text +=
+          fmt::format("({} more field{}: choose with --fields)\n", hidden, hidden == 1 ? "" : "s");
     }
     return text;
   }

@@ -264,7 +264,8 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
   }
 }
 
-/// A capture has the bytes of the line. Throws CommandError for a file that promises something else.
+/// A capture has the bytes of the line. Throws CommandError for a file that promises something
+/// else.
 void require_capture(const RecordOptions& options) {
   const std::string name = detail::lower_case(options.file);
   const auto has_end = [&](const char* end) { return name.ends_with(end); };

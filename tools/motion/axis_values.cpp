@@ -69,7 +69,8 @@ std::vector<std::string> named_options(std::size_t axis) {
   for (const auto& group : synonyms) {
     for (const char* const word : group) {
       const bool is_name = word == std::string_view(axis_names[axis]);
-      if (means_same(word, axis_names[axis]) && !is_name) result.push_back(std::string("--") + word);
+      if (means_same(word, axis_names[axis]) && !is_name)
+        result.push_back(std::string("--") + word);
     }
   }
   return result;

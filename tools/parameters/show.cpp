@@ -79,8 +79,8 @@ void keep_wanted(std::vector<ShownParameter>& parameters, const std::vector<std:
   });
   if (!parameters.empty()) return;
   if (const ParameterMessage* const message = find_parameter_message(query)) fail_lacking(*message);
-  throw CommandError(fmt::format(
-      "no parameter has '{}' in its name, its description or its topics", clipped(text)));
+  throw CommandError(fmt::format("no parameter has '{}' in its name, its description or its topics",
+                                 clipped(text)));
 }
 
 /// Leaves those that differ from the factory defaults, and says from what.

@@ -375,7 +375,8 @@ Candidates candidates_for(const CLI::App& app, const std::vector<std::string>& l
     // No shell shows or inserts other words as they are.
     const bool is_plain = clipped(candidate.word) == candidate.word;
     const bool is_new = std::ranges::find(result, candidate.word, &Candidate::word) == result.end();
-    if (fits && is_plain && is_new) result.push_back({candidate.word, brief(candidate.description)});
+    if (fits && is_plain && is_new)
+      result.push_back({candidate.word, brief(candidate.description)});
   }
   return result;
 }

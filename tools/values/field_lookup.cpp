@@ -124,8 +124,8 @@ bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, b
   return !is_of_list && (way[step].member != nullptr || tokens.size() > 1);
 }
 
-/// Matches "P_PITCH" or "PITCH_P" with the name P in the specification and an element of axes around
-/// or in it.
+/// Matches "P_PITCH" or "PITCH_P" with the name P in the specification and an element of axes
+/// around or in it.
 bool matches_with_axis(std::string_view name, std::string_view spec_name, const Way& way,
                        Choice& choice) {
   if (name.size() < spec_name.size() + 2) return false;
