@@ -395,11 +395,8 @@ def test_explanations_do_not_depend_on_how_the_bytes_arrive(tmp_path: Path) -> N
     "data, options, guess",
     [
         (b"3e 49 00 49 00\n", ["--raw"], "this looks like hex text: use --hex"),
-        (
-            b"Hello, world",
-            [],
-            "this is text, but not of bytes: hex text, line 1 column 1: 'H' is not",
-        ),
+        (b"Hello, world", [], "this is text without bytes"),
+        (b"12 xy", [], "this is text, but not of bytes: hex text, line 1 column 4: 'x' is not"),
         (b'{"message":"MotorsOn","fields":{}}\n', [], "use sbgc encode"),
         (gzip.compress(GET_ANGLES), [], "this is compressed: unpack it first"),
         (b"\xd4\xc3\xb2\xa1" + bytes(20), [], "this is a capture of network packets"),

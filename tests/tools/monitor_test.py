@@ -198,6 +198,10 @@ def test_a_terminal_that_cannot_be_drawn_on(tmp_path: Path) -> None:
         shell.type("TERM=dumb ")
         shell.run("monitor", "-p", "tcp:127.0.0.1:1")
         shell.wait(r"^sbgc: monitor cannot draw on this terminal \(TERM=dumb\)")
+    with emulated_gimbal() as gimbal, terminal(tmp_path) as shell:
+        shell.type("TERM=unheard-of ")
+        shell.run("monitor", "-p", gimbal.address)
+        shell.wait(r"TERM is 'unheard-of'; `sbgc stream`")
 
 
 def test_pause_and_zero(tmp_path: Path) -> None:

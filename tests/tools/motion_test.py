@@ -67,8 +67,15 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
 def test_words_must_say_the_direction_once(arguments: str) -> None:
     result = run("move", *arguments.split(), "--yes", "-p", "capture:none")
     assert result.status == 2 and result.out == b""
-    said = "excludes" if "--yaw" in arguments else "must say which way: 30down or 30up"
+    said = "excludes" if "--yaw" in arguments else "--tilt must say which way: 30down or 30up"
     assert said in result.error
+
+
+def test_a_direction_where_a_sign_is_expected() -> None:
+    result = run("move", "--pitch", "30down", "--yes", "-p", "capture:none")
+    assert result.status == 2 and "; --tilt takes 30down or 30up\n" in result.error
+    result = run("move", "--yes", "-p", "capture:none")
+    assert result.status == 2 and "--roll, --pitch, --tilt, --yaw or --pan" in result.error
 
 
 @pytest.mark.parametrize(
@@ -78,6 +85,9 @@ def test_words_must_say_the_direction_once(arguments: str) -> None:
         ("move --pitch -10", "The camera turns 10 deg up (pitch -10), at up to 10 deg/s."),
         ("move --pitch 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
         ("move --tilt 30down", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --tilt 30DOWN", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --tilt 30°_Down", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
+        ("move --pitch 30_degrees", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
         ("move --tilt 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
         (
             "move --pan 45left --tilt 7.5up",
@@ -101,7 +111,8 @@ def test_words_must_say_the_direction_once(arguments: str) -> None:
 def test_the_sentence_before_a_motion_says_where_to(
     gimbal: EmulatedGimbal, arguments: str, sentence: str
 ) -> None:
-    result = run(*arguments.split(), "-p", gimbal.address)
+    words = [word.replace("_", " ") for word in arguments.split()]
+    result = run(*words, "-p", gimbal.address)
     assert result.status == 1
     assert sentence in " ".join(result.error.split())
 
@@ -291,13 +302,13 @@ def test_nothing_happens_unarmed(gimbal: EmulatedGimbal, arguments: tuple[str, .
 @pytest.mark.parametrize(
     "arguments, words",
     [
-        (("move", "--yes"), "--roll, --pitch or --yaw"),
+        (("move", "--yes"), "--roll, --pitch, --tilt, --yaw or --pan"),
         (("move", "--yaw", "721", "--yes"), "--yaw: 721 deg is too far"),
         (("move", "--yaw", "5", "--speed", "0", "--yes"), "--speed must be positive"),
         (("move", "--yaw", "5", "--speed", "-5", "--yes"), "--speed must be positive"),
         (("move", "--yaw", "5", "--speed", "0.01", "--yes"), "too slow; the least is 0.12"),
         (("speed", "--yaw", "4001", "--for", "1s", "--yes"), "--yaw: 4001 deg/s is too fast"),
-        (("speed", "--for", "1s", "--yes"), "--roll, --pitch or --yaw"),
+        (("speed", "--for", "1s", "--yes"), "--roll, --pitch, --tilt, --yaw or --pan"),
         (("speed", "--yaw", "5", "--yes"), "--for TIME"),
         (("speed", "--yaw", "5", "--for", "2d", "--yes"), "'2d' is not a duration"),
         (("speed", "--yaw", "5", "--for", "-1s", "--yes"), "'-1s' is not a duration"),

@@ -100,6 +100,9 @@ def test_show_groups_by_topic(board: str) -> None:
         (["tilt", "limit"], ["rc.pitch.rc_max_angle"], ["rc.yaw.rc_max_angle", "axes.pitch.p"]),
         (["compass"], ["mag_trust"], ["gyro_trust"]),
         (["SPEED"], ["follow_speed.roll", "rc.roll.rc_speed"], ["axes.roll.p"]),
+        (["jello"], ["lpf_freq.roll"], ["axes.roll.p"]),
+        (["shake"], ["lpf_freq.roll"], ["axes.roll.p"]),
+        (["P_PITCH"], ["axes.pitch.p"], ["axes.roll.p"]),
     ],
 )
 def test_show_finds_words_that_people_use(
@@ -111,6 +114,14 @@ def test_show_finds_words_that_people_use(
         assert path in found, path
     for path in others:
         assert path not in found, path
+
+
+@pytest.mark.parametrize("command", ["show", "get"])
+def test_parameters_of_later_firmware(board: str, command: str) -> None:
+    result = params(board, command, "amplitude")
+    assert result.status == 1 and result.error == (
+        "sbgc: this board does not have ReadParamsExt3; it needs firmware 2.66\n"
+    )
 
 
 def test_values_are_those_of_the_firmware() -> None:
@@ -158,6 +169,8 @@ def test_every_name_of_the_model_is_found(board: str) -> None:
         ("ReadParams3.gyro_trust", ["gyro_trust"]),
         ("P_PITCH", ["axes.pitch.p"]),
         ("pid_gain_YAW", ["pid_gain.yaw"]),
+        ("PITCH_P", ["axes.pitch.p"]),
+        ("tilt_lpf_freq", ["lpf_freq.pitch"]),
         ("tilt.p", ["axes.pitch.p"]),
         ("lpf_freq.pan", ["lpf_freq.yaw"]),
     ],
@@ -267,6 +280,8 @@ def test_set_says_what_it_would_write(board: str, values: list[str], words: str)
         ("rc_min_angle=-30V", 2, ["'V'", "deg"]),
         ("follow_mode=FOLOW_MODE_FC", 2, ["did you mean 'FOLLOW_MODE_FC'"]),
         ("pitch.p", 2, ["NAME=VALUE"]),
+        ("pitch.p=1,5", 2, ["'1,5' is not an integer"]),
+        ("roll.i=0,5", 2, ["'0,5' is not a number"]),
         ("pitch.rc_min_angle=95", 1, ["rc_min_angle", "95 deg is above 90 deg", "rc_max_angle"]),
         ("yaw.rc_max_angle=-200", 1, ["rc_min_angle", "above -200 deg", "rc_max_angle"]),
         ("pitch.encoder_limit_max=-3", 1, ["encoder_limit_min", "above"]),
@@ -282,6 +297,18 @@ def test_set_refuses_before_anything_is_written(
     for word in words:
         assert word in result.error
     assert [body_of(board, profile) for profile in range(5)] == before
+
+
+@pytest.mark.parametrize(
+    "value, words",
+    [
+        ("tilt.p = 15", "axes.pitch.p: 14 -> 15"),
+        ("tilt.rc_max_angle=30 degrees", "rc.pitch.rc_max_angle: 90 deg -> 30 deg"),
+    ],
+)
+def test_set_takes_values_as_people_write_them(board: str, value: str, words: str) -> None:
+    result = params(board, "set", value)
+    assert result.status == 1 and words in result.text
 
 
 def test_profiles_count_from_1(board: str) -> None:

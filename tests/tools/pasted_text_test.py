@@ -55,6 +55,11 @@ def braced(data: bytes) -> str:
     return "".join(chr(byte) if shown(byte) else f"{{{byte:02X}}}" for byte in data)
 
 
+def c_lines(data: bytes) -> str:
+    lines = [f"  {row.hex(' ')},  // bytes /* of */ 16" for row in lines_of(data, 16)]
+    return "const uint8_t b[] = {  /* a frame */\n" + "\n".join(lines) + "\n};\n"
+
+
 def c_string(data: bytes) -> str:
     return '"' + "".join(f"\\x{byte:02x}" for byte in data) + '";'
 
@@ -66,8 +71,24 @@ NOTATIONS: dict[str, Callable[[bytes], str]] = {
     "dashes": lambda data: data.hex("-").upper(),
     "single digits": lambda data: " ".join(f"{byte:x}" for byte in data),
     "C array": lambda data: "uint8_t b[] = {" + ", ".join(f"0x{b:02x}" for b in data) + "};",
+    "C lines": c_lines,
     "C string": c_string,
     "Python": repr,
+    "Python hex": lambda data: str([hex(byte) for byte in data]),
+    "Python fromhex": lambda data: f"bytes.fromhex('{data.hex()}')",
+    "JavaScript": lambda data: f"Uint8Array({len(data)}) {list(data)}",
+    "Node.js": lambda data: f"<Buffer {data.hex(' ')}>",
+    "with h": lambda data: data.hex(" ").upper().replace(" ", "h ") + "h",
+    "with $": lambda data: "$" + data.hex(" ").replace(" ", " $"),
+    "in angles": lambda data: "".join(f"<{byte:02X}>" for byte in data),
+    "columns": lambda data: data.hex("|"),
+    "no-break spaces": lambda data: data.hex(" ").replace(" ", "\u00a0"),
+    "marked as UTF-8": lambda data: "\ufeff" + data.hex(" ") + "\r\n",
+    "a line per byte": lambda data: "".join(f"uart-1: {byte:02X}\n" for byte in data),
+    "logic analyser": lambda data: "Time [s],Value,Parity Error,Framing Error\r\n"
+    + "".join(f"{i / 1000:.15f},0x{byte:02X},,\r\n" for i, byte in enumerate(data)),
+    "in a forum": lambda data: f"I got this\n```\n{data.hex(' ')}\n```\nWhat does it mean?\n",
+    "quoted": lambda data: "".join(f"> {row.hex(' ')}\n" for row in lines_of(data, 16)),
     "Python bytearray": lambda data: repr(bytearray(data)),
     "decimal": lambda data: str(list(data)),
     "signed": lambda data: " ".join(str(b - 256 if b > 127 else b) for b in data),
@@ -106,10 +127,16 @@ def test_a_damaged_frame_is_explained_as_in_raw_bytes(notation: str) -> None:
         "(1.250) {} ",
         "0.001234 s {} | ",
         "1795694400.125 [{}] ",
+        "12:34:56 PM {} ",
+        "2026-11-26T12:34:56.789Z {}: ",
+        "26.11.2026 12:34:56.789 [{}] - ",
         "{}: ",
+        "{}\n",
     ],
 )
-@pytest.mark.parametrize("names", [("TX", "RX"), ("sent", "received"), ("->", "<-")])
+@pytest.mark.parametrize(
+    "names", [("TX", "RX"), ("sent", "received"), ("->", "<-"), ("Request", "Response")]
+)
 def test_times_and_senders_in_a_log(front: str, names: tuple[str, str]) -> None:
     host, board = (front.format(name) for name in names)
     request = bytes.fromhex("3e56005600")
@@ -124,11 +151,49 @@ def test_times_and_senders_in_a_log(front: str, names: tuple[str, str]) -> None:
 
 
 @pytest.mark.parametrize(
+    "front, direction",
+    [
+        ("Data: ", None),
+        ("PC -> gimbal: ", None),
+        ("Command received: ", None),
+        ("Bytes sent: ", "to_board"),
+        ("Answer of the board: ", "from_board"),
+        ("TX [5 bytes]: ", "to_board"),
+        ("RX (5): ", "from_board"),
+        ("reply= ", "from_board"),
+        ("2026-11-26 12:34:56,789 - DEBUG - TX: ", "to_board"),
+        ("[INFO] [1612345678.123] RX: ", "from_board"),
+    ],
+)
+def test_labels(front: str, direction: str | None) -> None:
+    # It could be of both.
+    both = bytes.fromhex("3e5601570000")
+    (line,) = decode(front + both.hex(" "))
+    assert line["direction"] == (direction or decode(both)[0]["direction"])
+    assert line["offset"] == 0
+
+
+def test_a_star_repeats_a_line_of_a_dump() -> None:
+    text = "00000000  " + "00 " * 16 + " |................|\n*\n"
+    text += "00000030  3e 56 00 56 00                                    |>V.V.|\n00000035\n"
+    (line,) = decode(text)
+    assert line["offset"] == 0x30
+    octal = "0000000 " + "00 " * 16 + "\n*\n0000060 3e 56 00 56 00\n0000065\n"
+    assert decode(octal) == [line]
+
+
+@pytest.mark.parametrize(
     "text, error",
     [
         ("10, 20, 30", "can be hex text or decimal numbers, with different bytes"),
         ("00000000: 3e56 0056 00\n00000020: 3e56", "the offset of this line should be 0x5"),
-        ("00000000  3e 56 00 56 00\n*\n00000020\n", "'*' stands for lines that are not here"),
+        ("00000000  3e 56 00 56 00\n*\n00000020\n", "'*' stands for lines that are not clear"),
+        ("00000000  00 00\n*\n7fff0000  3e 56\n", "'*' stands for lines that are not clear"),
+        ("0000000 563e 5600 0000\n0000005\n", "the order of the bytes in these words"),
+        ("TX: 3e 56 00\nOO\n", "line 2 column 1: 'O' is not a hex digit"),
+        ("uint8_t b[] = {0x3e, 0x56 / 2}", "'/' is not a hex digit"),
+        ("\ufeff3e 56".encode("utf-16"), "this may be text in UTF-16"),
+        (">>> ser.read(2)", "found no frame in 15 bytes, read as characters"),
         ("[62, 86, 0, 86, 300]", "decimal numbers, line 1 column 17: expected a number"),
         ("b'>V\\x00V\\x00", "strings, line 1 column 14: ' is missing"),
         ("b'>V\\x00V\\q'", "strings, line 1 column 10: unknown escape"),
@@ -136,7 +201,7 @@ def test_times_and_senders_in_a_log(front: str, names: tuple[str, str]) -> None:
         ("TX: 3e 560 ", "hex text after times or names, line 1 column 11: half a byte"),
     ],
 )
-def test_what_cannot_be_read_is_refused_with_the_reading(text: str, error: str) -> None:
+def test_what_cannot_be_read_is_refused_with_the_reading(text: str | bytes, error: str) -> None:
     result = run("decode", "--format", "jsonl", stdin=text)
     assert result.status == 1 and error in result.error
 

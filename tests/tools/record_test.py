@@ -77,11 +77,20 @@ def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_pa
     assert {line["session"] for line in decode(capture.read_bytes())} == {0, 1}
 
 
-@pytest.mark.parametrize("name", ["flight.csv", "FLIGHT.CSV", "a.json"])
-def test_a_capture_is_no_table(name: str, tmp_path: Path) -> None:
-    result = run("record", str(tmp_path / name), "--stream", "AhrsHelper", "-p", "capture:none")
+@pytest.mark.parametrize(
+    "name, stream, advice",
+    [
+        ("flight.csv", "AhrsHelper", "for a table, use `sbgc stream AhrsHelper --format csv`"),
+        ("FLIGHT.CSV", "AhrsHelper", "for a table, use `sbgc stream AhrsHelper --format csv`"),
+        ("a.csv", "23", "for a table, use `sbgc stream --id 23 --format csv`"),
+        ("a.jsonl", "AhrsHelper", "for JSON, use `sbgc stream AhrsHelper --format jsonl`"),
+        ("a.PCAPNG", "AhrsHelper", "for a file of Wireshark, add --pcapng"),
+    ],
+)
+def test_a_capture_is_no_table(name: str, stream: str, advice: str, tmp_path: Path) -> None:
+    result = run("record", str(tmp_path / name), "--stream", stream, "-p", "capture:none")
     assert result.status == 2 and not list(tmp_path.iterdir())
-    assert "`sbgc stream AhrsHelper --format csv`" in " ".join(result.error.split())
+    assert advice in " ".join(result.error.split())
 
 
 def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:

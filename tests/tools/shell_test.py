@@ -52,6 +52,18 @@ def test_names_are_candidates() -> None:
     ]  # fmt: skip
 
 
+def test_words_that_people_use_are_candidates_once_begun() -> None:
+    assert candidates("params", "get", "tilt.po") == ["tilt.poles", "tilt.power"]
+    assert candidates("params", "set", "axes.pan.i") == ["axes.pan.i=", "axes.pan.invert="]
+    assert candidates("params", "show", "ti") == ["tilt"]
+    assert candidates("params", "show", "vibr") == ["vibration", "vibrations"]
+    assert "horizon" in candidates("describe", "hor")
+    for command in ("get", "show"):
+        names = candidates("params", command, "")
+        assert "pitch.power" in names or "pid" in names
+        assert not any("tilt" in name.split(".") or name == "gain" for name in names)
+
+
 def test_parts_of_a_stream_are_candidates() -> None:
     formats = candidates("stream", "RealtimeData4", "--format", "")
     assert sorted(formats) == ["csv", "jsonl", "text"]

@@ -84,3 +84,13 @@ def test_a_stream_without_a_name_shows_the_angles() -> None:
         assert lines and all(len(line.split()) == 4 for line in lines)
         chosen = run("stream", "--fields", "bat_level", "--for", "0.3s", "-p", gimbal.address).text
         assert chosen.splitlines()[0].split() == ["time[s]", "bat_level[V]"]
+
+
+def test_a_jog_fits_into_a_small_terminal(tmp_path: Path) -> None:
+    with emulated_gimbal() as gimbal, terminal(tmp_path, 40, 12) as shell:
+        shell.run("jog", "--yes", "-p", gimbal.address)
+        shell.wait(r"^roll -?\d+ pitch -?\d+ yaw -?\d+ 10 deg/s$")
+        shell.wait("; q: quit$|^q: quit$")
+        assert "down, right; z," in " ".join(shell.lines()), "no word is broken"
+        shell.press("q")
+        shell.wait("^The camera has stopped.$")

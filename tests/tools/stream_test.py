@@ -128,22 +128,37 @@ def test_the_table_has_as_many_columns_as_fit_into_the_terminal(
 
 
 def header_of_table(gimbal: EmulatedGimbal, columns: int) -> str:
-    """Returns the names of the columns, after a look at the next lines."""
+    """Returns the last line of the titles, after a look at the next lines."""
+    header, note, row = table_on_terminal(gimbal, columns, "RealtimeData4")[2:5]
+    assert re.fullmatch(r"\(\d+ more fields: choose with --fields\)", note)
+    assert len(row) == len(header)
+    return header
+
+
+def test_the_angles_fit_into_a_small_terminal(gimbal: EmulatedGimbal) -> None:
+    titles = [line.split() for line in table_on_terminal(gimbal, 40)[:4]]
+    assert titles[0] == ["angle.", "angle.", "angle."]
+    assert titles[1] == ["roll", "pitch", "yaw"]
+    assert titles[2] == ["time[s]", "[deg]", "[deg]", "[deg]"]
+    assert len(titles[3]) == 4
+    more = ("RealtimeData3", "--fields", "angle.*,error_code")
+    note = table_on_terminal(gimbal, 40, *more)[3]
+    assert note == "(1 more field: choose with --fields)"
+
+
+def table_on_terminal(gimbal: EmulatedGimbal, columns: int, *stream: str) -> list[str]:
     outside, inside = pty.openpty()
-    arguments = ["stream", "-p", gimbal.address, "RealtimeData4"]
+    arguments = ["stream", "-p", gimbal.address, *stream]
     environment = {**os.environ, "COLUMNS": str(columns)}
     with subprocess.Popen([PROGRAM, *arguments], stdout=inside, env=environment) as process:
         os.close(inside)
         shown = b""
-        while shown.count(b"\n") < 3:
+        while shown.count(b"\n") < 5:
             shown += os.read(outside, 4096)
         process.send_signal(signal.SIGINT)
         assert process.wait(60) == 0
     os.close(outside)
-    header, note, row = shown.decode().splitlines()[:3]
-    assert re.fullmatch(r"\(\d+ more fields: choose with --fields\)", note)
-    assert len(row) == len(header)
-    return header
+    return shown.decode().splitlines()
 
 
 def test_fields_have_the_names_of_the_specification(gimbal: EmulatedGimbal) -> None:

@@ -58,6 +58,8 @@ def test_wrong_usage(arguments: list[str]) -> None:
         (["encdoe", "--hex", "file"], "unknown command 'encdoe'; did you mean 'encode'?"),
         (["emulator", "--help"], "unknown command 'emulator'; did you mean 'emulate'?"),
         (["rec"], "unknown command 'rec'; did you mean 'record'?"),
+        (["INFO"], "unknown command 'INFO'; did you mean 'info'?"),
+        (["params", "help", "show"], "unknown command 'help'; did you mean '--help'?"),
         (["hlp"], "unknown command 'hlp'; did you mean 'help'"),
         (["--verson"], "unknown option '--verson'; did you mean '--version'?"),
         (["decode", "--hx"], "unknown option '--hx'; did you mean '--hex'?"),
@@ -167,6 +169,15 @@ def test_help_breaks_lines_between_words(arguments: list[str]) -> None:
         assert not [line for line in lines if len(line) > width and not whole.match(line)]
         if width >= 80:
             assert max(map(len, lines)) <= width
+
+
+@pytest.mark.parametrize("arguments", HELP)
+def test_paragraphs_of_the_help_are_filled(arguments: list[str]) -> None:
+    lines = lines_of_help(arguments, COLUMNS="100")
+    for line, following in zip(lines, lines[1:]):
+        is_heading = line.endswith(":")
+        if re.match("[A-Za-z]", line) and re.match("[a-z]", following) and not is_heading:
+            assert len(line) + 1 + len(following.split()[0]) > 100, line
 
 
 def test_the_names_of_options_take_three_eighths_of_a_narrow_terminal() -> None:

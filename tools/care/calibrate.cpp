@@ -256,7 +256,7 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "heavy side");
   command->add_flag("--no-check", options.no_check,
                     "Do not check whether the gimbal is as the calibration expects it");
-  command->add_option("--imu", options.imu, "For gyro, acc, mag: active, main or frame")
+  command->add_option("--imu", options.imu, "For gyro, acc and mag: the sensor to calibrate")
       ->type_name("active|main|frame");
   command->add_flag("--temperature", options.temperature,
                     "For gyro and acc: over temperature, which takes up to an hour");

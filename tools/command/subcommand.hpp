@@ -34,7 +34,8 @@ class Subcommand {
   /// Adds examples to the end of the help. A test runs them.
   void examples(std::initializer_list<const char*> lines) const {
     std::string text = command_.get_footer();
-    text += text.empty() ? "Examples:" : "\n\nExamples:";
+    text += text.empty() ? "" : "\n\n";
+    text += lines.size() == 1 ? "Example:" : "Examples:";
     for (const char* const line : lines) text += std::string("\n  ") + line;
     command_.footer(text);
   }

@@ -56,7 +56,7 @@ std::string unknown_word(const CLI::App& command, const std::string& word) {
   if (commands.empty()) return fmt::format("unexpected argument '{}'", shown);
   std::vector<std::string> known = commands;
   for (const std::string& option : option_names(command)) known.push_back(option);
-  const std::vector<std::string> near = detail::nearest(word, known);
+  const std::vector<std::string> near = detail::nearest(detail::lower_case(word), known);
   return fmt::format("unknown command '{}'{}", shown,
                      near.empty() ? choice("; use ", commands) : detail::did_you_mean(near));
 }
@@ -85,7 +85,7 @@ std::string in_words(const CLI::App& command, const std::string& message) {
   static const std::regex missing(R"((\S+): \d+ required \S+ missing)");
   static const std::regex range(R"((\S+): Value (.*) not in range (\S+) to (\S+))");
   static const std::regex choice_of(R"((\S+): (.*) not in \{(.*)\})");
-  static const std::regex must(R"((\S+): (must be .*))");
+  static const std::regex must(R"((\S+): (must .*))");
   if (std::regex_match(message, found, required)) {
     return shown_name(command, found[1]) + " is missing";
   }
@@ -129,8 +129,11 @@ std::string full_name(const CLI::App& command) {
 
 int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = chosen_command(app);
-  const std::vector<std::string> unknown = command.remaining();
-  if (!unknown.empty()) return report_usage_error(command, unknown_word(command, unknown.front()));
+  // In `params help show`, the unknown word stands before the chosen command.
+  for (const CLI::App* one = &command; one != nullptr; one = one->get_parent()) {
+    const std::vector<std::string> unknown = one->remaining();
+    if (!unknown.empty()) return report_usage_error(*one, unknown_word(*one, unknown.front()));
+  }
   // All missing commands, but not missing arguments, are reported by the names of the commands.
   if (const auto names = command_names(command); !names.empty()) {
     return report_usage_error(command, "expected a command" + choice(": ", names));

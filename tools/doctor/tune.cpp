@@ -290,7 +290,7 @@ int tune(const TuneOptions& options, const CommandContext& context) {
 void add_tune(CLI::App& app, CommandContext& context) {
   const Subcommand<TuneOptions> command(app, context, "tune", "Tune the controllers automatically");
   auto& options = command.options();
-  command->add_option("axes", options.axes, "roll, pitch, yaw; all of them without any")
+  command->add_option("axes", options.axes, "The axes to tune; without any, all")
       ->transform(one_of({"roll", "pitch", "yaw"}));
   command
       ->add_option("--gain", options.gain,

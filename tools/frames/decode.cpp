@@ -131,15 +131,17 @@ std::string to_text(const RejectedCandidate& candidate) {
   return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
 }
 
-/// Reports input without a frame, with a guess what it is. `is_meant`: it probably has frames,
+/// Reports input without a frame, with a guess what it is. `reading`: how it was read, if it is
+/// text. `is_meant`: it probably has frames,
 /// whose damage is explained unless `shows_gaps` has done it.
-[[nodiscard]] int no_frame(std::uint64_t size, std::string guess, bool is_meant, bool shows_gaps,
+[[nodiscard]] int no_frame(std::uint64_t size, const std::string& reading, std::string guess,
+                           bool is_meant, bool shows_gaps,
                            std::span<const RejectedCandidate> rejected) {
   if (guess.empty() && !is_meant) {
     guess = "if they come from a serial line, its baud rate or parity may be wrong";
   }
-  remark("sbgc: found no frame in {}{}{}\n", counted(size, "byte"), guess.empty() ? "" : "; ",
-         guess);
+  remark("sbgc: found no frame in {}{}{}{}\n", counted(size, "byte"), reading,
+         guess.empty() ? "" : "; ", guess);
   for (const RejectedCandidate& candidate : rejected) {
     if (is_meant && !shows_gaps && candidate.has_header) remark("{}", to_text(candidate));
   }
@@ -213,7 +215,10 @@ class RawDecoder {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
     const bool is_meant = looks_intended(parser_.counters()) || looks_changed(rejected);
-    return no_frame(size_, guess_input(begin_, text_ != nullptr), is_meant, shows_gaps_, rejected);
+    const std::string reading =
+        text_ == nullptr ? "" : fmt::format(", read as {}", to_text(text_->reading()));
+    return no_frame(size_, reading, guess_input(begin_, text_ != nullptr), is_meant, shows_gaps_,
+                    rejected);
   }
 
  private:
@@ -302,7 +307,7 @@ class CaptureDecoder final : private CaptureListener {
     const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
                           looks_intended(frames_.counters(Direction::from_board)) ||
                           looks_changed(rejected_);
-    return no_frame(skipped_, "", is_meant, shows_gaps_, rejected_);
+    return no_frame(skipped_, "", "", is_meant, shows_gaps_, rejected_);
   }
 
  private:

@@ -71,18 +71,25 @@ std::string HexDecoder::other(char c, std::vector<std::uint8_t>& out) {
     is_prefixed_ = true;
     return {};
   }
-  constexpr std::string_view separators = " \t\r,:;.-{}[]()";
-  const bool is_separator = separators.find(c) != std::string_view::npos;
+  // The last two are a no-break space of web pages.
+  constexpr std::string_view separators = " \t\r,:;.-{}[]()|$\xC2\xA0";
+  const bool is_suffix = (c == 'h' || c == 'H') && !half_ && !alone_;  // 3Eh
+  // <3E>, but not an arrow.
+  const bool was_angle = std::exchange(angle_, c == '<' ? column_ : 0) + 1 == column_;
+  const bool is_angle = c == '<' || (c == '>' && (half_ || !alone_));
+  if (was_angle && column_ != 1) return "a hex digit must follow '<'";
+  const bool is_separator = separators.find(c) != std::string_view::npos || is_suffix || is_angle;
+  constexpr std::string_view quotes = "\"'\\";
+  const bool is_quote = quotes.find(c) != std::string_view::npos;
   // The b of b'...' is no digit.
-  const bool ends_word = is_separator || c == '#';
+  const bool ends_word = is_separator || c == '#' || (is_prefixed_ && is_quote);
   if ((half_ && !ends_word) || !end_word(out))
     return fmt::format("half a byte: a second digit is missing before '{}'", c);
   if (c == '#') {
     comment_ = true;
     return {};
   }
-  constexpr std::string_view quotes = "\"'\\";
-  return is_separator || quotes.find(c) != std::string_view::npos ? std::string() : no_digit(c);
+  return is_separator || is_quote ? std::string() : no_digit(c);
 }
 
 std::optional<TextError> HexDecoder::finish(std::vector<std::uint8_t>& out) {

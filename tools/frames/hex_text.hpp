@@ -18,9 +18,8 @@ struct TextError {
 };
 
 /// Decodes hex text in blocks: two digits per byte, or one for those below 16. White space, ',',
-/// ':',
-/// ';', '.', '-', quotes and brackets may separate bytes, "0x" or "\x" may precede a byte, and '#'
-/// starts a comment that ends with the line.
+/// ':', ';', '.', '-', '|', '$', quotes and brackets may separate bytes, "0x" or "\x" may precede a
+/// byte, 'h' may follow one, and '#' starts a comment that ends with the line.
 class HexDecoder {
  public:
   /// Appends the bytes of `text` to `out`, up to the first error. Must not be called after an
@@ -46,6 +45,7 @@ class HexDecoder {
   bool has_two_ = false;      // a word that needs two digits a byte, such as "00"
   bool escape_ = false;       // the last character is a backslash
   std::uint8_t high_ = 0;
+  std::size_t angle_ = 0;  // the column of a '<' that may be the last character
   std::size_t line_ = 1;
   std::size_t column_ = 0;
 };

@@ -33,6 +33,7 @@ std::string known_kind(ByteSpan bytes) {
                                "\x0a\x0d\x0d\x0a"sv};
   const auto has = [&](std::string_view magic) { return begins_with(bytes, magic); };
   if (std::ranges::any_of(compressed, has)) return "this is compressed: unpack it first";
+  if (has("\xFF\xFE"sv) || has("\xFE\xFF"sv)) return "this may be text in UTF-16: save it in UTF-8";
   if (std::ranges::any_of(packets, has)) {
     return "this is a capture of network packets: extract their payload as raw bytes";
   }

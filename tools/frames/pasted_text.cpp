@@ -79,6 +79,9 @@ std::string to_text(const Reading& reading, const TextError& error) {
 }
 
 std::optional<TextError> PastedText::feed(std::span<const std::uint8_t> text, Bytes& out) {
+  // Editors of Windows mark UTF-8.
+  const bool is_begin = std::exchange(is_begin_, false);
+  if (is_begin && text_of(text).starts_with("\xEF\xBB\xBF")) text = text.subspan(3);
   if (reading_.notation == Notation::hex && !reading_.skips_fronts) return hex_.feed(text, out);
   std::string_view rest = text_of(text);
   while (true) {
@@ -99,11 +102,24 @@ std::optional<TextError> PastedText::finish(Bytes& out) {
 
 std::optional<TextError> PastedText::read_line(std::string_view line, Bytes& out) {
   ++lines_;
+  const bool is_of_numbers = reading_.notation == Notation::hex ||
+                             reading_.notation == Notation::decimal ||
+                             reading_.notation == Notation::dump;
+  std::string plain;
+  if (reading_.skips_fronts && is_of_numbers) {
+    plain = without_comments(line);
+    has_fronts_ = has_fronts_ || plain != line;
+    line = plain;
+  }
   const LineFront front = reading_.skips_fronts ? front_of(line) : LineFront{};
   has_fronts_ = has_fronts_ || front.size > line.find_first_not_of(" \t");
   if (front.sender && front.sender != sender_) {
     sender_ = front.sender;
     senders_.emplace_back(size_, *sender_);
+  }
+  if (reading_.skips_fronts && is_of_numbers && is_prose(line.substr(front.size))) {
+    has_fronts_ = true;
+    return {};
   }
   const std::size_t before = out.size();
   const auto problem = read_bytes(line.substr(front.size), out);

@@ -22,7 +22,9 @@ enum class Notation : std::uint8_t { hex, decimal, dump, literals, braced };
 /// How a text is read.
 struct Reading {
   Notation notation{};
-  bool skips_fronts = false;  ///< times, senders and names come before the bytes of a line
+  /// Times, senders and names come before the bytes of a line, or comments and prose are between
+  /// them.
+  bool skips_fronts = false;
 };
 
 /// For example "hex text after times or names".
@@ -43,7 +45,7 @@ class PastedText {
   [[nodiscard]] std::optional<TextError> finish(std::vector<std::uint8_t>& out);
 
   const Reading& reading() const { return reading_; }
-  /// True if a line began with a time, a sender or a name.
+  /// True if there was such a front, a comment or prose.
   bool has_fronts() const { return has_fronts_; }
   /// Returns who sent the byte at `offset`, if the text says so. Offsets must not decrease.
   std::optional<Direction> sender(std::uint64_t offset);
@@ -59,6 +61,7 @@ class PastedText {
   std::size_t lines_ = 0;
   std::uint64_t size_ = 0;  // bytes of complete lines
   bool has_fronts_ = false;
+  bool is_begin_ = true;
   std::optional<Direction> sender_{};
   std::deque<std::pair<std::uint64_t, Direction>> senders_{};  // from these offsets on
 };

@@ -1,6 +1,7 @@
 #include "frames/sample_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -97,7 +98,11 @@ class JsonWriter final : public SampleWriter {
   FieldPlaces places_;
 };
 
-/// A table whose columns are as wide as their names.
+/// The lines of a title: "angle.", "pitch" and "[deg]", or all in the last one.
+using Title = std::array<std::string, 3>;
+
+/// A table whose columns are as wide as their titles, which have several lines if there is no room
+/// for all of them in one.
 class TableWriter final : public SampleWriter {
  public:
   TableWriter(std::vector<StreamField> fields, std::size_t width, SampleKey key)
@@ -105,24 +110,32 @@ class TableWriter final : public SampleWriter {
         places_(fields_),
         key_(name(key)),
         key_width_(key == SampleKey::unix_time ? 14 : 9) {
-    std::size_t used = key_width_;
-    for (const StreamField& field : fields_) {
-      const std::size_t needed = std::max(title(field).size(), least_width);
-      if (width != 0 && used + 2 + needed > width) break;
-      used += 2 + needed;
-      widths_.push_back(needed);
-    }
-    if (widths_.empty() && !fields_.empty()) widths_.push_back(title(fields_.front()).size());
+    add_columns(width, whole_title);
+    if (widths_.size() == fields_.size()) return;
+    titles_.clear();
+    widths_.clear();
+    add_columns(width, title_in_lines);
   }
 
   std::string header() const override {
-    std::string text = fmt::format("{:>{}}", key_, key_width_);
-    for (std::size_t i = 0; i < widths_.size(); ++i) {
-      text += fmt::format("  {:>{}}", title(fields_[i]), widths_[i]);
+    std::string text;
+    for (std::size_t line = 0; line < Title().size(); ++line) {
+      const bool is_last = line + 1 == Title().size();
+      const bool is_empty =
+          std::ranges::all_of(titles_, [&](const Title& title) { return title[line].empty(); });
+      if (is_empty && !is_last) continue;
+      text += fmt::format("{:>{}}", is_last ? key_ : "", key_width_);
+      for (std::size_t i = 0; i < widths_.size(); ++i) {
+        text += fmt::format("  {:>{}}", titles_[i][line], widths_[i]);
+      }
+      text += '\n';
     }
     const std::size_t hidden = fields_.size() - widths_.size();
-    if (hidden != 0) text += fmt::format("\n({} more fields: choose with --fields)", hidden);
-    return text + '\n';
+    if (hidden != 0) {
+      text +=
+          fmt::format("({} more field{}: choose with --fields)\n", hidden, hidden == 1 ? "" : "s");
+    }
+    return text;
   }
   std::string line(double time, const Sample& sample) const override {
     std::vector<std::string> cells(fields_.size(), "-");
@@ -139,9 +152,30 @@ class TableWriter final : public SampleWriter {
  private:
   static constexpr std::size_t least_width = 8;
 
-  static std::string title(const StreamField& field) {
-    return field.unit.empty() ? field.path : fmt::format("{}[{}]", field.path, field.unit);
+  static Title whole_title(const StreamField& field) { return {"", "", field.path + unit(field)}; }
+  static Title title_in_lines(const StreamField& field) {
+    const std::size_t end = field.path.rfind('.') + 1;
+    return {field.path.substr(0, end), field.path.substr(end), unit(field)};
   }
+  static std::string unit(const StreamField& field) {
+    return field.unit.empty() ? "" : fmt::format("[{}]", field.unit);
+  }
+
+  /// Adds the columns that have room, one at least.
+  template <class TitleOf>
+  void add_columns(std::size_t width, TitleOf title_of) {
+    std::size_t used = key_width_;
+    for (const StreamField& field : fields_) {
+      Title title = title_of(field);
+      std::size_t needed = least_width;
+      for (const std::string& line : title) needed = std::max(needed, line.size());
+      used += 2 + needed;
+      if (width != 0 && used > width && !widths_.empty()) return;
+      titles_.push_back(std::move(title));
+      widths_.push_back(needed);
+    }
+  }
+
   static std::string cell(const Leaf& leaf) {
     if (special_meaning(leaf) != nullptr) return special_meaning(leaf);
     const bool is_scaled = leaf.unit != nullptr && !leaf.unit->is_plain();
@@ -156,7 +190,9 @@ class TableWriter final : public SampleWriter {
   FieldPlaces places_;
   const char* key_;
   std::size_t key_width_;
-  std::vector<std::size_t> widths_;  // of the columns that are shown
+  // Of the columns that are shown.
+  std::vector<Title> titles_;
+  std::vector<std::size_t> widths_;
 };
 
 }  // namespace

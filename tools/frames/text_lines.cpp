@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view decimal_digits = "0123456789";
 constexpr std::string_view hex_digits = "0123456789abcdefABCDEF";
 constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+constexpr std::string_view other_letters = "ghijklmnopqrstuvwxyzGHIJKLMNOPQRSTUVWXYZ";
 
 bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
 
@@ -40,14 +42,35 @@ std::uint8_t byte_of(std::string_view digits, int base = 16) {
   return static_cast<std::uint8_t>(number_of(digits, base));
 }
 
-/// Reads a time and a sender from the front of a line.
+/// Words of logs that say who sent the bytes.
+constexpr std::array<std::pair<std::string_view, Direction>, 17> sender_words{
+    {{"tx", Direction::to_board},
+     {"rx", Direction::from_board},
+     {"sent", Direction::to_board},
+     {"send", Direction::to_board},
+     {"received", Direction::from_board},
+     {"recv", Direction::from_board},
+     {"->", Direction::to_board},
+     {"<-", Direction::from_board},
+     {">>", Direction::to_board},
+     {"<<", Direction::from_board},
+     {"sending", Direction::to_board},
+     {"receiving", Direction::from_board},
+     {"request", Direction::to_board},
+     {"command", Direction::to_board},
+     {"response", Direction::from_board},
+     {"answer", Direction::from_board},
+     {"reply", Direction::from_board}}};
+
+/// Reads a time, a sender and a label from the front of a line.
 class FrontReader {
  public:
   explicit FrontReader(std::string_view line) : line_(line) { skip_blanks(); }
 
   LineFront read() {
-    // Either can be first.
-    while (take_time() || take_sender()) skip_separator();
+    skip_separator();  // of quoted lines: "> 3e 56"
+    // Each can be first.
+    while (take_time() || take_label() || take_sender()) skip_separator();
     take_assignment();
     return {at_, sender_};
   }
@@ -58,8 +81,8 @@ class FrontReader {
   void skip_separator() {
     skip_blanks();
     // A '>' begins many frames.
-    const bool is_prompt = has(line_, at_, ">") && has(line_, at_ + 1, blanks);
-    if (is_prompt || has(line_, at_, ":|,")) ++at_;
+    const bool is_prompt = has(line_, at_, "<>-") && has(line_, at_ + 1, blanks);
+    if (is_prompt || has(line_, at_, ":|,=")) ++at_;
     skip_blanks();
   }
 
@@ -78,10 +101,14 @@ class FrontReader {
     return true;
   }
 
+  /// "2026-11-26T", "26.11.2026 ".
   std::size_t date_at(std::size_t at) const {
-    const bool is_date = run(line_, at, decimal_digits) == 4 && has(line_, at + 4, "-/") &&
-                         run(line_, at + 5, decimal_digits) == 2 && has(line_, at + 7, "-/") &&
-                         run(line_, at + 8, decimal_digits) == 2 && has(line_, at + 10, " T");
+    const std::size_t first = run(line_, at, decimal_digits) == 4 ? 4 : 2;
+    const std::size_t last = at + first + 4;
+    const bool is_date = run(line_, at, decimal_digits) == first && has(line_, at + first, "-/.") &&
+                         run(line_, at + first + 1, decimal_digits) == 2 &&
+                         has(line_, last - 1, "-/.") &&
+                         run(line_, last, decimal_digits) == 6 - first && has(line_, at + 10, " T");
     return is_date ? 11 : 0;
   }
 
@@ -96,7 +123,7 @@ class FrontReader {
     if (has(line_, end, ".,") && has(line_, end + 1, decimal_digits)) {
       end += 1 + run(line_, end + 1, decimal_digits);
     }
-    return end - at;
+    return end + suffix_at(end, {"Z", " AM", " PM"}) - at;
   }
 
   std::size_t seconds_at(std::size_t at) const {
@@ -104,30 +131,24 @@ class FrontReader {
     const std::size_t point = at + whole;
     if (whole == 0 || !has(line_, point, ".")) return 0;
     const std::size_t fraction = run(line_, point + 1, decimal_digits);
-    std::size_t end = point + 1 + fraction;
+    const std::size_t end = point + 1 + fraction;
     if (fraction == 0) return 0;
-    for (const std::string_view unit : {"s", " s", "ms", " ms"}) {
-      const bool is_unit = line_.substr(end).starts_with(unit);
-      if (is_unit && !has(line_, end + unit.size(), letters)) return end + unit.size() - at;
+    return end + suffix_at(end, {"s", " s", "ms", " ms"}) - at;
+  }
+
+  /// Returns the size of the suffix that is here as a whole word.
+  std::size_t suffix_at(std::size_t at, std::initializer_list<std::string_view> suffixes) const {
+    for (const std::string_view one : suffixes) {
+      if (line_.substr(at).starts_with(one) && !has(line_, at + one.size(), letters)) {
+        return one.size();
+      }
     }
-    return end - at;
+    return 0;
   }
 
   bool take_sender() {
-    using enum Direction;
-    constexpr std::array<std::pair<std::string_view, Direction>, 10> words{
-        {{"tx", to_board},
-         {"rx", from_board},
-         {"sent", to_board},
-         {"send", to_board},
-         {"received", from_board},
-         {"recv", from_board},
-         {"->", to_board},
-         {"<-", from_board},
-         {">>", to_board},
-         {"<<", from_board}}};
     const std::size_t start = at_ + (has(line_, at_, "[(") ? 1 : 0);
-    for (const auto& [word, sender] : words) {
+    for (const auto& [word, sender] : sender_words) {
       const std::string_view found = line_.substr(std::min(start, line_.size()), word.size());
       const std::size_t end = start + word.size();
       if (!detail::is_same_word(found, word)) continue;
@@ -142,7 +163,37 @@ class FrontReader {
     return false;
   }
 
-  /// "uint8_t frame[] = ", "bytes(".
+  /// "Data: ", "uart-1: ", "[INFO] - TX: ": words with a colon that cannot be bytes.
+  bool take_label() {
+    constexpr std::string_view more = "0123456789 \t()[]._-#/&<>";
+    std::size_t end = at_;
+    while (has(line_, end, letters) || has(line_, end, more)) ++end;
+    const std::string_view label = line_.substr(at_, end - at_);
+    const bool is_begin = has(line_, at_, letters) || has(line_, at_, "[(");
+    const bool is_end = end + 1 == line_.size() || has(line_, end + 1, blanks);
+    if (!is_begin || !has(line_, end, ":") || !is_end) return false;
+    if (label.find_first_of(other_letters) == std::string_view::npos) return false;
+    take_sender_in(label);
+    at_ = end + 1;
+    return true;
+  }
+
+  /// Takes the sender that the words of a label say, unless they contradict each other.
+  void take_sender_in(std::string_view label) {
+    std::optional<Direction> said;
+    for (std::size_t at = 0; at < label.size(); ++at) {
+      const std::string_view word = label.substr(at, run(label, at, letters));
+      for (const auto& [one, sender] : sender_words) {
+        if (!detail::is_same_word(word, one)) continue;
+        if (said && *said != sender) return;
+        said = sender;
+      }
+      at += word.size();
+    }
+    if (said) sender_ = said;
+  }
+
+  /// "uint8_t frame[] = ", "bytes(", "Uint8Array(5) ", "<Buffer ".
   void take_assignment() {
     const std::size_t equals = line_.find('=', at_);
     const std::string_view name = line_.substr(std::min(at_, line_.size()), equals - at_);
@@ -150,8 +201,14 @@ class FrontReader {
                          name.find_first_of("'\"{,") == std::string_view::npos;
     if (equals != std::string_view::npos && is_name) at_ = equals + 1;
     skip_blanks();
-    const std::size_t word = run(line_, at_, letters);
-    if (word != 0 && has(line_, at_ + word, "(")) at_ += word + 1;
+    constexpr std::string_view buffer = "<Buffer ";
+    if (line_.substr(at_).starts_with(buffer)) at_ += buffer.size();
+    std::size_t open = at_ + run(line_, at_, letters);
+    while (open != at_ && (has(line_, open, letters) || has(line_, open, "0123456789."))) ++open;
+    if (open == at_ || !has(line_, open, "(")) return;
+    at_ = open + 1;
+    const std::size_t size = run(line_, at_, decimal_digits);
+    if (size != 0 && has(line_, at_ + size, ")")) at_ += size + 1;
   }
 
   std::string_view line_;
@@ -186,6 +243,36 @@ bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_
 }  // namespace
 
 LineFront front_of(std::string_view line) { return FrontReader(line).read(); }
+
+bool is_prose(std::string_view line) {
+  const std::string_view text = detail::trimmed(line);
+  if (text.starts_with("```")) return true;  // the fence of a block in a forum
+  if (text.find_first_of("0123456789'\"\\{}=>") != std::string_view::npos) return false;
+  constexpr std::size_t least = 4;  // a shorter word can be a mistyped byte
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::string_view word = text.substr(at, run(text, at, letters));
+    const bool is_other = word.find_first_of(other_letters) != std::string_view::npos;
+    if (word.size() >= least && is_other) return true;
+    at += word.size();
+  }
+  return false;
+}
+
+std::string without_comments(std::string_view line) {
+  std::string result(line);
+  for (std::size_t at = 0; (at = result.find('/', at)) != std::string::npos; ++at) {
+    std::size_t end = result.size();
+    if (has(result, at + 1, "*")) {
+      end = result.find("*/", at + 2);
+      if (end == std::string::npos) break;
+      end += 2;
+    } else if (!has(result, at + 1, "/")) {
+      continue;
+    }
+    result.replace(at, end - at, end - at, ' ');
+  }
+  return result;
+}
 
 std::optional<LineProblem> read_decimal(std::string_view line, std::vector<std::uint8_t>& out) {
   constexpr std::string_view separators = " \t\r,;{}[]()";
@@ -248,8 +335,10 @@ std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::u
 std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<std::uint8_t>& out) {
   std::size_t at = run(line, 0, blanks);
   if (at == line.size() || line[at] == '#') return {};
-  if (line[at] == '*')
-    return LineProblem{at, "'*' stands for lines that are not here; dump all with -v"};
+  if (line[at] == '*') {
+    has_star_ = true;
+    return {};
+  }
   const std::size_t digits = run(line, at, hex_digits);
   const std::string_view offset = line.substr(at, digits);
   const bool has_offset = digits >= 4 && digits <= 16;
@@ -257,14 +346,20 @@ std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<st
   if (!has_offset || (end_of_offset != line.size() && !has(line, end_of_offset, blanks))) {
     return LineProblem{at, "a line of a dump begins with an offset"};
   }
-  // od counts in octal. A dump of several frames begins at 0 again.
+  // od counts in octal, with 7 digits. A dump of several frames begins at 0 again.
+  const bool is_of_od = digits == 7;
   const std::uint64_t number = number_of(offset, 16);
   if (number == 0) next_ = 0;
-  if (number != next_ && number_of(offset, 8) != next_) {
+  if (std::exchange(has_star_, false)) {
+    if (!repeat_row(number_of(offset, is_of_od ? 8 : 16), out)) {
+      return LineProblem{at, "'*' stands for lines that are not clear; dump all with -v"};
+    }
+  } else if (number != next_ && number_of(offset, 8) != next_) {
     return LineProblem{at, fmt::format("the offset of this line should be {:#x}", next_)};
   }
   at = end_of_offset;
   std::size_t bytes = 0;
+  row_.clear();
   while (true) {
     const std::size_t gap = run(line, at, blanks);
     at += gap;
@@ -278,12 +373,26 @@ std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<st
       if (bytes == 8 && gap == 2) break;
       return LineProblem{at, "expected a byte in hex"};
     }
-    for (std::size_t i = 0; i < size; i += 2) out.push_back(byte_of(line.substr(at + i, 2)));
+    if (is_of_od && size == 4) {
+      return LineProblem{at + size - 1,
+                         "the order of the bytes in these words is not clear; use hexdump -C"};
+    }
+    for (std::size_t i = 0; i < size; i += 2) row_.push_back(byte_of(line.substr(at + i, 2)));
     bytes += size / 2;
     at += size;
   }
+  out.insert(out.end(), row_.begin(), row_.end());
   next_ += bytes;
   return {};
+}
+
+bool DumpLines::repeat_row(std::uint64_t end, std::vector<std::uint8_t>& out) {
+  constexpr std::uint64_t most = 16U << 20U;
+  if (row_.empty() || end <= next_ || end - next_ > most || (end - next_) % row_.size() != 0) {
+    return false;
+  }
+  for (; next_ != end; next_ += row_.size()) out.insert(out.end(), row_.begin(), row_.end());
+  return true;
 }
 
 }  // namespace sbgc::tools

@@ -20,6 +20,12 @@ struct LineFront {
 
 LineFront front_of(std::string_view line);
 
+/// True for words between lines of bytes, such as "and got this".
+bool is_prose(std::string_view line);
+
+/// Returns the line with spaces in place of comments of C.
+std::string without_comments(std::string_view line);
+
 /// Why a line cannot be read, at a column from 0.
 struct LineProblem {
   std::size_t column{};
@@ -36,13 +42,18 @@ std::optional<LineProblem> read_literals(std::string_view line, std::vector<std:
 std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::uint8_t>& out);
 
 /// Lines of xxd, hexdump -C, od -t x1 and Wireshark: an offset, bytes in hex, and perhaps the same
-/// as characters.
+/// as characters. A '*' repeats the line before.
 class DumpLines {
  public:
   std::optional<LineProblem> read(std::string_view line, std::vector<std::uint8_t>& out);
 
  private:
+  /// Repeats the last line up to this offset. Returns false if it does not fit.
+  bool repeat_row(std::uint64_t end, std::vector<std::uint8_t>& out);
+
   std::uint64_t next_ = 0;  // the expected offset
+  std::vector<std::uint8_t> row_{};
+  bool has_star_ = false;
 };
 
 }  // namespace sbgc::tools

@@ -264,19 +264,28 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
   }
 }
 
-/// A capture has the bytes of the line. Throws CommandError for a file that promises a table.
+/// A capture has the bytes of the line. Throws CommandError for a file that promises something
+/// else.
 void require_capture(const RecordOptions& options) {
-  const auto has_end = [&](const char* end) {
-    return detail::lower_case(options.file).ends_with(end);
-  };
+  const std::string name = detail::lower_case(options.file);
+  const auto has_end = [&](const char* end) { return name.ends_with(end); };
+  if (!options.pcapng && std::ranges::any_of(std::array{".pcapng", ".pcap"}, has_end)) {
+    throw CommandError(fmt::format("{} would be a capture of sbgc: for a file of Wireshark, add "
+                                   "--pcapng",
+                                   clipped(options.file)),
+                       wrong_usage);
+  }
   if (std::ranges::none_of(std::array{".csv", ".tsv", ".json", ".jsonl", ".xlsx"}, has_end)) return;
-  const std::string stream = options.streams.empty() ? "RealtimeData4" : options.streams.front();
+  const std::string first = options.streams.empty() ? "RealtimeData4" : options.streams.front();
+  const std::string stream = first.substr(0, first.find(':'));
+  const bool is_number = detail::parse_number<unsigned>(stream).has_value();
+  const char* const format = name.find(".json") == std::string::npos ? "csv" : "jsonl";
   throw CommandError(
-      fmt::format("{} would be a capture, which has the bytes of the line: for a table, use `sbgc "
-                  "stream {} --format csv`, or record to another name and use `sbgc decode NAME -m "
-                  "{} --format csv`",
-                  clipped(options.file), clipped(stream.substr(0, stream.find(':'))),
-                  clipped(stream.substr(0, stream.find(':')))),
+      fmt::format("{} would be a capture, which has the bytes of the line: for {}, use `sbgc "
+                  "stream {}{} --format {}`, or record to another name and use `sbgc decode NAME "
+                  "-m {} --format {}`",
+                  clipped(options.file), *format == 'c' ? "a table" : "JSON",
+                  is_number ? "--id " : "", clipped(stream), format, clipped(stream), format),
       wrong_usage);
 }
 

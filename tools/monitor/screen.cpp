@@ -60,7 +60,8 @@ Screen::Screen() {
   if (newterm(nullptr, stdout, stdin) == nullptr) {
     const char* const type = std::getenv("TERM");
     throw CommandError(std::string("the type of the terminal is unknown: TERM is '") +
-                       (type == nullptr ? "" : type) + "'");
+                       (type == nullptr ? "" : type) +
+                       "'; `sbgc stream` prints live data anywhere");
   }
   cbreak();
   noecho();

@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <sbgc/axis_directions.hpp>
 #include <sbgc/detail/parse_number.hpp>
+#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 
 #include "command/command_error.hpp"
 #include "values/search_words.hpp"
@@ -25,61 +28,83 @@ std::string direction_text(const AxisDirection& direction) {
   return fmt::format("positive is {}", direction.positive);
 }
 
+/// Returns the number in front of a unit, which may be missing: 30 of "30 deg", "30°" and "30".
+/// Returns other texts as they are.
+std::string without_unit(std::string_view text, std::string_view unit) {
+  const std::size_t size = text.find_last_of("0123456789.") + 1;
+  const std::string_view rest = detail::trimmed(text.substr(size));
+  return std::string(rest.empty() || means_same(rest, unit) ? text.substr(0, size) : text);
+}
+
+/// For example "30down or 30up".
+std::string examples_of(const AxisDirection& ways) {
+  return fmt::format("30{} or 30{}", ways.positive, ways.negative);
+}
+
 /// Reads "30down", "30 deg down" or 0, as people say it, into a number.
 CLI::Validator number_with_direction(const std::string& unit, const AxisDirection& ways) {
   const auto take = [unit, ways](std::string& text) -> std::string {
-    std::string number = text;
-    const bool is_positive = number.ends_with(ways.positive);
-    const std::string_view way = is_positive                       ? ways.positive
-                                 : number.ends_with(ways.negative) ? ways.negative
-                                                                   : "";
-    number.resize(number.size() - way.size());
-    while (number.ends_with(' ')) number.pop_back();
-    if (number.ends_with(unit)) number.resize(number.size() - unit.size());
-    while (number.ends_with(' ')) number.pop_back();
+    const std::string lower = detail::lower_case(text);
+    const bool is_positive = lower.ends_with(ways.positive);
+    const std::string_view way = is_positive                      ? ways.positive
+                                 : lower.ends_with(ways.negative) ? ways.negative
+                                                                  : "";
+    const std::string before = lower.substr(0, lower.size() - way.size());
+    const std::string number = without_unit(detail::trimmed(before), unit);
     const auto value = detail::parse_number<double>(number);
     const bool is_sure = value && std::isfinite(*value) && !std::signbit(*value) &&
                          (way.empty() ? *value == 0 : true);
-    if (!is_sure) {
-      return fmt::format("must say which way: 30{} or 30{}, not '{}'", ways.positive, ways.negative,
-                         text);
-    }
+    if (!is_sure) return fmt::format("must say which way: {}, not '{}'", examples_of(ways), text);
     text = (is_positive || *value == 0 ? "" : "-") + number;
     return "";
   };
   return {take, "", "number"};
 }
 
-/// Adds the other names of an axis, such as --tilt, whose numbers say which way they count.
+/// Returns the options with the other names of an axis, such as "--tilt". Their numbers say which
+/// way they count.
+std::vector<std::string> named_options(std::size_t axis) {
+  std::vector<std::string> result;
+  if (*axis_directions[axis].positive == '\0') return result;
+  for (const auto& group : synonyms) {
+    for (const char* const word : group) {
+      const bool is_name = word == std::string_view(axis_names[axis]);
+      if (means_same(word, axis_names[axis]) && !is_name)
+        result.push_back(std::string("--") + word);
+    }
+  }
+  return result;
+}
+
 void add_named_directions(CLI::App& command, CLI::Option& signed_option, std::size_t axis,
                           std::optional<double>& into, const std::string& unit) {
   const AxisDirection& ways = axis_directions[axis];
-  if (*ways.positive == '\0') return;
-  for (const auto& group : synonyms) {
-    for (const char* const word : group) {
-      if (!means_same(word, axis_names[axis]) || word == std::string_view(axis_names[axis]))
-        continue;
-      command
-          .add_option(std::string("--") + word, into,
-                      fmt::format("The same in words: 30{} or 30{}", ways.positive, ways.negative))
-          ->transform(number_with_direction(unit, ways))
-          ->type_name(fmt::format("NUMBER{}|NUMBER{}", ways.positive, ways.negative))
-          ->excludes(&signed_option);
-    }
+  for (const std::string& name : named_options(axis)) {
+    command.add_option(name, into, "The same in words: " + examples_of(ways))
+        ->transform(number_with_direction(unit, ways))
+        ->type_name(fmt::format("NUMBER{}|NUMBER{}", ways.positive, ways.negative))
+        ->excludes(&signed_option);
   }
+}
+
+/// What to use for a number with a direction: "; --tilt takes 30down or 30up".
+std::string hint_of_names(std::size_t axis) {
+  std::string result;
+  for (const std::string& name : named_options(axis)) {
+    result += fmt::format("; {} takes {}", name, examples_of(axis_directions[axis]));
+  }
+  return result;
 }
 
 }  // namespace
 
-CLI::Validator number_with_unit(const std::string& unit) {
-  const auto take = [unit](std::string& text) -> std::string {
-    std::string number = text;
-    if (number.ends_with(unit)) number.resize(number.size() - unit.size());
-    while (number.ends_with(' ')) number.pop_back();
+CLI::Validator number_with_unit(const std::string& unit, const std::string& hint) {
+  const auto take = [unit, hint](std::string& text) -> std::string {
+    std::string number = without_unit(text, unit);
     if (number.starts_with('+')) number.erase(0, 1);
     const auto value = detail::parse_number<double>(number);
     if (!value || !std::isfinite(*value)) {
-      return fmt::format("must be a number in {}, not '{}'", unit, text);
+      return fmt::format("must be a number in {}, not '{}'{}", unit, text, hint);
     }
     text = number;
     return "";
@@ -96,7 +121,7 @@ void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& w
                         fmt::format("{} of {}, in {}: {}", what, axis_names[i],
                                     unit == "deg" ? "degrees" : "degrees per second",
                                     direction_text(axis_directions[i])))
-            ->transform(number_with_unit(unit))
+            ->transform(number_with_unit(unit, hint_of_names(i)))
             ->type_name("NUMBER");
     add_named_directions(command, *option, i, into[i], unit);
   }
@@ -104,7 +129,12 @@ void add_axis_options(CLI::App& command, AxisNumbers& into, const std::string& w
 
 void require_an_axis(const AxisNumbers& numbers) {
   if (!numbers.roll && !numbers.pitch && !numbers.yaw) {
-    throw CommandError("say which axis: --roll, --pitch or --yaw", wrong_usage);
+    std::vector<std::string> options;
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      options.push_back(std::string("--") + axis_names[i]);
+      for (const std::string& name : named_options(i)) options.push_back(name);
+    }
+    throw CommandError("say which axis: " + detail::alternatives(options, false), wrong_usage);
   }
 }
 

@@ -18,8 +18,9 @@ inline constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
 
 using AxisNumbers = Axes<std::optional<double>>;
 
-/// Checks a finite number, and removes the unit, "deg" or "deg/s", that may follow it.
-CLI::Validator number_with_unit(const std::string& unit);
+/// Checks a finite number, and removes the unit, "deg" or "deg/s", that may follow it. `hint` ends
+/// the message about others.
+CLI::Validator number_with_unit(const std::string& unit, const std::string& hint = "");
 
 /// Adds the three options; `what` is the noun of their descriptions, such as "Angle", and the unit
 /// "deg" or "deg/s". The descriptions say which way the numbers count. Other names of an axis, such

@@ -17,6 +17,7 @@
 
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
+#include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
@@ -171,6 +172,8 @@ class Jog {
     constexpr milliseconds interval{250};
     if (now < shown_ + interval) return;
     shown_ = now;
+    constexpr std::size_t least = 60;  // for all that it shows
+    const bool is_narrow = line_width(stderr) < least;
     // A lost response only delays the display.
     CallOptions options;
     options.timeout = milliseconds(100);
@@ -178,10 +181,12 @@ class Jog {
     if (state) {
       angles_.clear();
       for (std::size_t i = 0; i < axis_names.size(); ++i) {
-        angles_ += fmt::format("{} {:7.1f}  ", axis_names[i], state->axes[i].imu_angle.degrees());
+        const double angle = state->axes[i].imu_angle.degrees();
+        angles_ += is_narrow ? fmt::format("{} {:.0f} ", axis_names[i], angle)
+                             : fmt::format("{} {:7.1f}  ", axis_names[i], angle);
       }
     }
-    bar_.show(fmt::format("{} speed {:g} deg/s", angles_, speeds[speed_]));
+    bar_.show(fmt::format("{}{}{:g} deg/s", angles_, is_narrow ? "" : "speed ", speeds[speed_]));
   }
 
   MovingGimbal& gimbal_;
@@ -205,9 +210,9 @@ int jog(const JogOptions& options, const CommandContext& context) {
                   "while a key is held, at up to {:g} deg/s.",
                   speeds.back()));
   gimbal.begins_to_move(AfterStop::remove_timeout);
-  remark(
-      "arrows or w, a, s, d: up, left, down, right    z, c: roll    space: stop\n"
-      "+, -: speed    q: quit\n");
+  remark("{}\n", wrapped("arrows or w, a, s, d: up, left, down, right; z, c: roll; space: stop; "
+                         "+, -: speed; q: quit",
+                         line_width(stderr)));
   Result<void> ended;
   bool is_interrupted = false;
   {

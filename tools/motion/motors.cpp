@@ -47,7 +47,7 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
 void add_motors(CLI::App& app, CommandContext& context) {
   const Subcommand<MotorsCommand> command(app, context, "motors", "Turn the motors on or off");
   auto& options = command.options();
-  command->add_option("state", options.state, "on or off")
+  command->add_option("state", options.state, "What the motors become")
       ->required()
       ->transform(one_of({"on", "off"}));
   command->footer(

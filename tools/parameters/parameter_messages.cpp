@@ -31,6 +31,12 @@ bool is_settable(const FieldInfo& field) {
          &field != &tail_field;
 }
 
+[[noreturn]] void fail_lacking(const std::string& what, const Availability& since) {
+  const std::string versions = versions_text(since);
+  throw CommandError(fmt::format("this board does not have {}{}", what,
+                                 versions.empty() ? "" : "; it needs " + versions));
+}
+
 }  // namespace
 
 const std::vector<ParameterMessage>& parameter_messages() {
@@ -77,11 +83,25 @@ FoundParameters find_parameters(std::string_view name) {
   return {&parameter_messages()[found.source], found.fields};
 }
 
+const ParameterMessage* find_parameter_message(const Query& query) {
+  for (const ParameterMessage& message : parameter_messages()) {
+    bool fits = false;
+    for_each_field(message.type->fields(), [&](const auto& way, const FieldType& type) {
+      if (type.info == nullptr || !is_settable(*type.info)) return;
+      fits = fits || query.fits(way_text(way), type.info->summary, topics_of(*type.info), true);
+    });
+    if (fits) return &message;
+  }
+  return nullptr;
+}
+
 void fail_lacking(const FoundField& field) {
-  const std::string since =
-      field.type->info == nullptr ? "" : versions_text(field.type->info->since);
-  throw CommandError(fmt::format("this board does not have {}{}", steps_text(field.steps),
-                                 since.empty() ? "" : "; it needs " + since));
+  fail_lacking(steps_text(field.steps),
+               field.type->info == nullptr ? Availability{} : field.type->info->since);
+}
+
+void fail_lacking(const ParameterMessage& message) {
+  fail_lacking(message.type->info->name, message.type->info->since);
 }
 
 bool is_general(const FoundField& field) {

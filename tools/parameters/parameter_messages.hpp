@@ -41,8 +41,13 @@ struct FoundParameters {
 /// name of the message in front if several have it. Throws ValueError, with suggestions.
 FoundParameters find_parameters(std::string_view name);
 
-/// Ends the command, because the board does not have the field. Throws CommandError.
+/// Returns the first message with a parameter that has all the words, or null.
+const ParameterMessage* find_parameter_message(const Query& query);
+
+/// End the command, because the board does not have the field, or none of the message. Throw
+/// CommandError.
 [[noreturn]] void fail_lacking(const FoundField& field);
+[[noreturn]] void fail_lacking(const ParameterMessage& message);
 
 /// True if the field is the same in all profiles.
 bool is_general(const FoundField& field);

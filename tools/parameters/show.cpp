@@ -57,6 +57,32 @@ bool fits(const ShownParameter& parameter, const Query& query) {
   return query.fits(name, parameter.summary, parameter.topics, true);
 }
 
+/// Leaves those that have all the words or, if none has, that the only word names, such as P_PITCH.
+void keep_wanted(std::vector<ShownParameter>& parameters, const std::vector<std::string>& words) {
+  const std::string text = fmt::format("{}", fmt::join(words, " "));
+  const Query query(text);
+  if (std::ranges::any_of(parameters, [&](const auto& one) { return fits(one, query); })) {
+    std::erase_if(parameters, [&](const auto& one) { return !fits(one, query); });
+    return;
+  }
+  FoundParameters named;
+  try {
+    if (words.size() == 1) named = find_parameters(words.front());
+  } catch (const ValueError&) {
+    named = {};  // it is no name
+  }
+  std::erase_if(parameters, [&](const ShownParameter& parameter) {
+    return std::ranges::none_of(named.fields, [&](const FoundField& field) {
+      return parameter.message == named.message->type->info->name &&
+             detail::is_in_field(parameter.path, steps_text(field.steps));
+    });
+  });
+  if (!parameters.empty()) return;
+  if (const ParameterMessage* const message = find_parameter_message(query)) fail_lacking(*message);
+  throw CommandError(fmt::format("no parameter has '{}' in its name, its description or its topics",
+                                 clipped(text)));
+}
+
 /// Leaves those that differ from the factory defaults, and says from what.
 void keep_changed(std::vector<ShownParameter>& parameters,
                   const std::vector<ParametersChange>& changes) {
@@ -139,17 +165,12 @@ int show(const ShowOptions& options, const CommandContext& context) {
     return of->copies == 1 || id.copy == profile.index;
   });
   std::vector<ShownParameter> parameters;
-  const std::string words = fmt::format("{}", fmt::join(options.names, " "));
-  const Query query(words);
   for (const Parameters& block : set.all()) {
     for (ShownParameter& parameter : shown_parameters(block, client.identity().versions())) {
-      if (fits(parameter, query)) parameters.push_back(std::move(parameter));
+      parameters.push_back(std::move(parameter));
     }
   }
-  if (parameters.empty()) {
-    throw CommandError(fmt::format(
-        "no parameter has '{}' in its name, its description or its topics", clipped(words)));
-  }
+  keep_wanted(parameters, options.names);
   if (options.changed) {
     const Availability versions = client.identity().versions();
     keep_changed(parameters, diff(defaults, set, versions, versions));
@@ -185,7 +206,7 @@ int get(const ShowOptions& options, const CommandContext& context) {
     const char* const message = one.message->type->info->name;
     const std::uint8_t copy = one.message->copies == 1 ? std::uint8_t{0} : profile.index;
     const Parameters* const block = set.find({message, copy});
-    if (block == nullptr) throw CommandError(fmt::format("this board does not have {}", message));
+    if (block == nullptr) fail_lacking(*one.message);
     const std::vector<ShownParameter> all = shown_parameters(*block, client.identity().versions());
     for (const FoundField& field : one.fields) {
       const std::string path = steps_text(field.steps);

@@ -27,10 +27,12 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "line/stream_type.hpp"
+#include "motion/axis_values.hpp"
 #include "shell/scripts.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
 #include "values/names.hpp"
+#include "values/search_words.hpp"
 
 namespace sbgc::tools {
 
@@ -81,6 +83,13 @@ Candidates values_in() {
   return result;
 }
 
+/// The words of a command line before the one to complete, and that word.
+struct Place {
+  const CLI::App& app;
+  std::vector<std::string> arguments{};  ///< of the command
+  std::string word{};
+};
+
 /// Names of things to which a value is assigned.
 Candidates assignable(const std::vector<std::string>& names) {
   Candidates result;
@@ -88,9 +97,28 @@ Candidates assignable(const std::vector<std::string>& names) {
   return result;
 }
 
+/// Returns the paths with other words for their axes, such as tilt.p for pitch.p.
+std::vector<std::string> with_synonyms(const std::vector<std::string>& paths) {
+  std::vector<std::string> result;
+  for (const std::string& path : paths) {
+    for (const auto& group : synonyms) {
+      for (const char* const axis : axis_names) {
+        const std::string dotted = '.' + path + '.';
+        const std::size_t at = dotted.find(fmt::format(".{}.", axis));
+        if (at == std::string::npos) continue;
+        for (const char* const word : group) {
+          if (!means_same(word, axis) || word == std::string_view(axis)) continue;
+          result.push_back(std::string(path).replace(at, std::string_view(axis).size(), word));
+        }
+      }
+    }
+  }
+  return result;
+}
+
 /// Returns the paths of parameters, and those ends of them that mean only one, as on the command
-/// line.
-std::vector<std::string> parameter_words() {
+/// line; and other words for the axes, once one is begun.
+std::vector<std::string> parameter_words(const Place& place) {
   const std::vector<std::string> paths = parameter_names();
   std::map<std::string, unsigned> ends;
   for (const std::string& path : paths) {
@@ -103,6 +131,8 @@ std::vector<std::string> parameter_words() {
   for (const auto& [end, count] : ends) {
     if (count == 1) result.push_back(end);
   }
+  if (place.word.empty()) return result;
+  for (std::string& path : with_synonyms(result)) result.push_back(std::move(path));
   return result;
 }
 
@@ -133,11 +163,30 @@ Candidates field_values(const std::string& message, const std::string& word) {
   return result;
 }
 
-Candidates topics() {
+/// Other words for topics and axes, once one is begun: they would only make a whole list longer.
+Candidates other_words(const Place& place) {
   Candidates result;
+  if (place.word.empty()) return result;
+  for (const TopicReference& topic : topic_references) {
+    for (const char* const word : topic.words) result.push_back({word, topic.summary});
+  }
+  for (const std::string& word : with_synonyms({axis_names.begin(), axis_names.end()})) {
+    result.push_back({word, ""});
+  }
+  return result;
+}
+
+Candidates topics(const Place& place) {
+  Candidates result = other_words(place);
   for (const TopicReference& topic : topic_references) {
     result.push_back({topic.name, topic.summary});
   }
+  return result;
+}
+
+Candidates described(const Place& place) {
+  Candidates result = other_words(place);
+  for (Candidate& word : words(described_words())) result.push_back(std::move(word));
   return result;
 }
 
@@ -158,13 +207,6 @@ Candidates list_items(const std::vector<std::string>& names, const std::string& 
   for (const std::string& name : names) result.push_back({before + name, ""});
   return result;
 }
-
-/// The words of a command line before the one to complete, and that word.
-struct Place {
-  const CLI::App& app;
-  std::vector<std::string> arguments{};  ///< of the command
-  std::string word{};
-};
 
 /// The kind of stream that the command line names, if any.
 std::optional<StreamType> stream_of(const Place& place) {
@@ -225,8 +267,8 @@ Candidates values_of(const CLI::Option& option, const Place& place) {
       {"ACTION", [](const Place&) { return values_in<msg::MenuCommand>(); }},
       {"STIMULUS", [](const Place&) { return values_in<msg::BodeStimulus>(); }},
       {"SYSTEM", [](const Place&) { return values_in<msg::BodeSystem>(); }},
-      {"PARAMETER", [](const Place&) { return words(parameter_words()); }},
-      {"PARAMETER=VALUE", [](const Place&) { return assignable(parameter_words()); }},
+      {"PARAMETER", [](const Place& place) { return words(parameter_words(place)); }},
+      {"PARAMETER=VALUE", [](const Place& place) { return assignable(parameter_words(place)); }},
       {"VARIABLE", [](const Place&) { return words(variable_names()); }},
       {"VARIABLE=VALUE", [](const Place&) { return assignable(variable_names()); }},
       {"FIELD=VALUE",
@@ -234,8 +276,8 @@ Candidates values_of(const CLI::Option& option, const Place& place) {
          return place.arguments.empty() ? Candidates()
                                         : field_values(place.arguments[0], place.word);
        }},
-      {"WORDS", [](const Place&) { return topics(); }},
-      {"WORD", [](const Place&) { return words(described_words()); }},
+      {"WORDS", topics},
+      {"WORD", described},
       {"NAME[:WITH]", [](const Place&) { return streams(); }},
       {"CALIBRATION", [](const Place&) { return calibration_names(); }},
       {"FIELDS", sample_fields},
@@ -332,7 +374,9 @@ Candidates candidates_for(const CLI::App& app, const std::vector<std::string>& l
     const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
     // No shell shows or inserts other words as they are.
     const bool is_plain = clipped(candidate.word) == candidate.word;
-    if (fits && is_plain) result.push_back({candidate.word, brief(candidate.description)});
+    const bool is_new = std::ranges::find(result, candidate.word, &Candidate::word) == result.end();
+    if (fits && is_plain && is_new)
+      result.push_back({candidate.word, brief(candidate.description)});
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/detail/words.hpp>
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"
@@ -51,7 +52,11 @@ Assignment parse_assignment(std::string_view text) {
   if (sign == std::string_view::npos || sign == 0) {
     throw ValueError(fmt::format("'{}' is not NAME=VALUE", clipped(text)));
   }
-  return {std::string(text.substr(0, sign)), std::string(text.substr(sign + 1))};
+  const std::string_view name = detail::trimmed(text.substr(0, sign));
+  const std::string_view value = text.substr(sign + 1);
+  // In "name = value", the blanks are no part of either.
+  const bool is_spaced = text[sign - 1] == ' ';
+  return {std::string(name), std::string(is_spaced ? detail::trimmed(value) : value)};
 }
 
 std::vector<Assignment> parse_assignments(const std::vector<std::string>& texts) {

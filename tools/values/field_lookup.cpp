@@ -124,16 +124,20 @@ bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, b
   return !is_of_list && (way[step].member != nullptr || tokens.size() > 1);
 }
 
-/// Matches "P_PITCH" with the name P in the specification and an element of axes around or in it.
+/// Matches "P_PITCH" or "PITCH_P" with the name P in the specification and an element of axes
+/// around or in it.
 bool matches_with_axis(std::string_view name, std::string_view spec_name, const Way& way,
                        Choice& choice) {
-  const std::size_t gap = name.rfind('_');
-  if (gap == std::string_view::npos || !detail::is_same_word(name.substr(0, gap), spec_name)) {
-    return false;
-  }
+  if (name.size() < spec_name.size() + 2) return false;
+  const std::size_t gap = spec_name.size();
+  const std::size_t last = name.size() - gap;
+  const bool is_first = detail::is_same_word(name.substr(0, gap), spec_name) && name[gap] == '_';
+  const bool is_last = detail::is_same_word(name.substr(last), spec_name) && name[last - 1] == '_';
+  if (!is_first && !is_last) return false;
+  const std::string_view axis = is_first ? name.substr(gap + 1) : name.substr(0, last - 1);
   for (std::size_t i = way.size(); i-- != 0;) {
     if (way[i].member != nullptr || way[i].elements->shape != FieldShape::axes) continue;
-    choice[i] = axis_of(*way[i].elements, name.substr(gap + 1));
+    choice[i] = axis_of(*way[i].elements, axis);
     return choice[i].has_value();
   }
   return false;

@@ -2523,7 +2523,7 @@ inline constexpr const char* limits_words[] = {"limit", "limiter", "range", "end
 inline constexpr const char* limits_fields[] = {"ACC_LIMITER_ALL", "RC_MIN_ANGLE", "RC_MAX_ANGLE", "ENCODER_LIMIT_MIN", "ENCODER_LIMIT_MAX", "ACC_LIMITER3", "FRAME_CAM_ANGLE_MIN", "FRAME_CAM_ANGLE_MAX", "AUTO_ACC_LIMITER", "FOLLOW_RANGE", "PARKING_POS_CFG", "CURRENT_LIMIT", "SOFT_LIMIT_WIDTH", "POWER_ON_LIMITER", "ENC_LIMIT_RETURN_SPEED"};
 inline constexpr const char* imu_words[] = {"sensor", "sensors", "horizon", "drift"};
 inline constexpr const char* imu_fields[] = {"GYRO_TRUST", "AXIS_TOP", "AXIS_RIGHT", "FRAME_AXIS_TOP", "FRAME_AXIS_RIGHT", "FRAME_IMU_POS", "GYRO_DEADBAND", "GYRO_SENS", "I2C_INTERNAL_PULLUPS", "SKIP_GYRO_CALIB", "FRAME_ANGLE_FROM_MOTORS", "EULER_ORDER", "MAG_AXIS_TOP", "MAG_AXIS_RIGHT", "MAG_TRUST", "MAG_DECLINATION", "ACC_LPF_FREQ", "FRAME_IMU_LPF_FREQ", "IMU_ORIENTATION_CORR", "EXT_IMU_TYPE", "EXT_IMU_PORT", "EXT_IMU_POSITION", "EXT_IMU_ORIENTATION", "EXT_IMU_FLAGS", "EXT_IMU_ALIGN_CORRECTION", "EXT_IMU_STARTUP_DELAY", "EXT_IMU_GYRO_CORR_RATE", "CAN_IMU_EXT_SENS_TYPE", "IMU_MODEL_MAIN", "IMU_MODEL_FRAME", "EXT_SENS_PARAMS", "IMU_ANGLE_CORR_R", "IMU_ANGLE_CORR_P"};
-inline constexpr const char* filters_words[] = {"filter", "low-pass", "lpf", "vibration", "vibrations", "resonance"};
+inline constexpr const char* filters_words[] = {"filter", "low-pass", "lpf", "vibration", "vibrations", "resonance", "shake", "shaking", "jello"};
 inline constexpr const char* filters_fields[] = {"RC_LPF", "FOLLOW_LPF_{AXIS}", "NOTCH_FREQ", "NOTCH_WIDTH", "LPF_FREQ", "FILTERS_EN", "NOTCH1_GAIN", "NOTCH2_GAIN", "NOTCH3_GAIN", "ACC_LPF_FREQ", "D_TERM_LPF_FREQ", "FRAME_IMU_LPF_FREQ", "LPF_Q_INV"};
 inline constexpr const char* power_words[] = {"battery", "voltage", "current", "switch"};
 inline constexpr const char* power_fields[] = {"POWER", "BAT_THRESHOLD_ALARM", "BAT_THRESHOLD_MOTORS", "BAT_COMP_REF", "EMERGENCY_STOP_RESTART_DELAY", "OVERLOAD_TIME", "CURRENT_LIMIT", "OVERCURRENT_PROTECTION", "POWER_ON_DELAY", "POWER_OFF_DELAY", "POWER_ON_LIMITER", "EXT_PWR_SW_SHUNT_R"};
@@ -2553,7 +2553,7 @@ inline constexpr const char* synonyms_5[] = {"calibration", "calibrate", "calib"
 inline constexpr const char* synonyms_6[] = {"checksum", "crc"};
 inline constexpr const char* synonyms_7[] = {"confirmation", "confirm", "acknowledge", "ack"};
 inline constexpr const char* synonyms_8[] = {"current", "ampere"};
-inline constexpr const char* synonyms_9[] = {"deg", "degrees", "°"};
+inline constexpr const char* synonyms_9[] = {"deg", "degree", "degrees", "°"};
 inline constexpr const char* synonyms_10[] = {"dps", "deg/s", "°/s", "degrees per second"};
 inline constexpr const char* synonyms_11[] = {"defaults", "factory", "factory reset"};
 inline constexpr const char* synonyms_12[] = {"danger", "hazard", "safety"};
@@ -2574,7 +2574,7 @@ inline constexpr const char* synonyms_26[] = {"stabilise", "stabilize", "stabili
 inline constexpr const char* synonyms_27[] = {"stop", "halt", "emergency"};
 inline constexpr const char* synonyms_28[] = {"temperature", "temp"};
 inline constexpr const char* synonyms_29[] = {"tune", "tuning"};
-inline constexpr const char* synonyms_30[] = {"vibration", "it shake", "it shakes", "vibrate", "oscillation", "oscillate"};
+inline constexpr const char* synonyms_30[] = {"vibration", "it shake", "it shakes", "jello", "vibrate", "oscillation", "oscillate"};
 inline constexpr const char* synonyms_31[] = {"tilt", "pitch"};
 }  // namespace detail
 

@@ -58,6 +58,7 @@ std::optional<Measure> measure_of(std::string_view text) {
   const auto [end, error] = parse_real(text.data(), text.data() + text.size(), number);
   if (error != std::errc{}) return std::nullopt;
   const auto size = static_cast<std::size_t>(end - text.data());
+  if (text.substr(size).starts_with(',')) return std::nullopt;  // 1,5 is not 1 of something
   return Measure{number, trimmed(text.substr(size))};
 }
 
@@ -68,6 +69,7 @@ bool is_unit(std::string_view text, std::string_view unit) {
     const std::size_t at = plain.find(from);
     if (at != std::string::npos) plain.replace(at, from.size(), to);
   };
+  replace("degrees", "deg");
   replace("°C", "degC");
   replace("°", "deg");
   replace("µ", "u");
