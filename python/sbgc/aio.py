@@ -28,13 +28,15 @@ from sbgc.client import (
     SpeedControl,
     calibration_of,
     move_of,
+    name_of,
     out_of_time,
+    pairs_of,
     report,
     seconds_of,
     target_of,
 )
 from sbgc.emulator import Board
-from sbgc.message import Message, wrap
+from sbgc.message import Message, of_library, wrap
 from sbgc.msg import BodeTestStartStopRequest, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 from sbgc.search import Found
@@ -117,7 +119,7 @@ class Gimbal(Link):
     ) -> Optional[Message]:
         """As Gimbal.call() of the blocking client; likewise all others."""
         found = await self._finish(
-            self._link.call(request._message, timeout, retries, validates, expects_confirmation)
+            self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)
         )
         return None if found is None else wrap(found)
 
@@ -132,7 +134,7 @@ class Gimbal(Link):
         tolerance: float = 0.5,
         progress: Optional[Callable[[Move], object]] = None,
     ) -> Move:
-        operation = self._link.move_to(roll, pitch, yaw, speed, timeout, tolerance, True)
+        operation = self._move(roll, pitch, yaw, speed, timeout, tolerance, True)
         tell = None if progress is None else (lambda *found: progress(move_of(found)))
         return move_of(await self._finish(operation, tell))
 
@@ -145,9 +147,7 @@ class Gimbal(Link):
         speed: float = 0.0,
         timeout: float = 30.0,
     ) -> Move:
-        return move_of(
-            await self._finish(self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False))
-        )
+        return move_of(await self._finish(self._move(roll, pitch, yaw, speed, timeout, 0.5, False)))
 
     async def stop(self, *, timeout: float = 4.0) -> None:
         await self._finish(self._link.stop(), timeout=timeout)
@@ -174,8 +174,9 @@ class Gimbal(Link):
         request: Optional[Message] = None,
         timeout: float = 5.0,
     ) -> Stream[M]:
-        given = None if request is None else request._message
-        queue = await self._finish(self._link.stream(message.__name__, interval, given, None))
+        seconds_of(timeout)
+        given = None if request is None else of_library(request)
+        queue = await self._finish(self._link.stream(name_of(message), interval, given, None))
         return Stream(queue, self, timeout)
 
     async def calibrate(
@@ -187,7 +188,7 @@ class Gimbal(Link):
     ) -> CalibrationEnd:
         tell = None if progress is None else (lambda *found: progress(calibration_of(found)))
         end: CalibrationEnd = await self._finish(
-            self._link.calibrate(request._message, timeout), tell
+            self._link.calibrate(of_library(request), timeout), tell
         )
         return end
 
@@ -198,7 +199,7 @@ class Gimbal(Link):
         progress: Optional[Progress] = None,
         timeout: Optional[float] = None,
     ) -> BodeRecording:
-        operation = self._link.record_bode(request._message)
+        operation = self._link.record_bode(of_library(request))
         return recording_of(await self._finish(operation, progress, timeout=timeout))
 
     async def active_profile(self, *, timeout: float = 10.0) -> int:
@@ -238,7 +239,7 @@ class Gimbal(Link):
         return (await self.get_variables(name, timeout=timeout))[0]
 
     async def set_variables(self, values: Mapping[str, float], *, timeout: float = 10.0) -> None:
-        await self._finish(self._link.set_variables(list(values.items())), timeout=timeout)
+        await self._finish(self._link.set_variables(pairs_of(values)), timeout=timeout)
 
     async def save_variables(self, *, timeout: float = 10.0) -> None:
         await self._finish(self._link.save_variables(), timeout=timeout)

@@ -9,13 +9,14 @@ import weakref
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, Generic, Literal, Optional, TypeVar, Union
 
 from sbgc import _core
 from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalError, GimbalTimeout
-from sbgc.message import Message, wrap
+from sbgc.message import Message, of_library, wrap
 from sbgc.msg import (
     BoardInfo,
     BoardInfo3,
@@ -107,9 +108,30 @@ def finish(
 
 
 def seconds_of(timeout: Optional[float]) -> float:
-    if timeout is not None and not timeout >= 0:
+    if timeout is None:
+        return float("inf")
+    require_numbers(timeout=timeout)
+    if not timeout >= 0:
         raise ValueError(f"timeout: {timeout!r} is no number of seconds")
-    return float("inf") if timeout is None else timeout
+    return timeout
+
+
+def require_numbers(**values: Optional[float]) -> None:
+    for name, value in values.items():
+        if value is not None and not isinstance(value, Real):
+            raise TypeError(f"{name}: a number is needed, not {value!r}")
+
+
+def name_of(message: type[Message]) -> str:
+    if not (isinstance(message, type) and issubclass(message, Message)):
+        raise TypeError(f"message: the class of a message is needed, not {message!r}")
+    return message.__name__
+
+
+def pairs_of(values: Mapping[str, float]) -> list[tuple[str, float]]:
+    if not isinstance(values, Mapping):
+        raise TypeError(f"values: a dict of names and numbers is needed, not {values!r}")
+    return list(values.items())
 
 
 def out_of_time(timeout: Optional[float]) -> GimbalTimeout:
@@ -168,6 +190,7 @@ class SpeedControl:
 
     def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
         """Turn with these speeds in degrees per second. Axes without one hold still."""
+        require_numbers(roll=roll, pitch=pitch, yaw=yaw)
         self._held.set(roll, pitch, yaw)
 
     def refresh(self) -> None:
@@ -212,6 +235,20 @@ class Link:
         slots = [*details.script_slot_size_raw, *details.script_slot_6_to_10_size_raw]
         return [int(size) for size in slots]
 
+    def _move(
+        self,
+        roll: Optional[float],
+        pitch: Optional[float],
+        yaw: Optional[float],
+        speed: float,
+        timeout: float,
+        tolerance: float,
+        waits: bool,
+    ) -> _core.Operation:
+        require_numbers(roll=roll, pitch=pitch, yaw=yaw, speed=speed, tolerance=tolerance)
+        require_numbers(timeout=timeout)
+        return self._link.move_to(roll, pitch, yaw, speed, timeout, tolerance, waits)
+
     def _script(self, slot: int, mode: ScriptMode) -> _core.Operation:
         if not isinstance(slot, int) or not 1 <= slot <= 255:
             raise ValueError(f"slot: 1 to 255 are possible, not {slot!r}")
@@ -224,6 +261,7 @@ class Link:
     def _write_eeprom(
         self, address: int, data: Bytes, yes: bool, timeout: float
     ) -> _core.Operation:
+        require_numbers(address=address)
         size = memoryview(data).nbytes
         room = self._rest_of_eeprom(address)
         if room is not None and size > room:
@@ -238,6 +276,7 @@ class Link:
         return self._link.upload_eeprom(address, data, timeout)
 
     def _read_eeprom(self, address: int, size: Optional[int], timeout: float) -> _core.Operation:
+        require_numbers(address=address, size=size)
         wanted = self._rest_of_eeprom(address) if size is None else size
         if wanted is None:
             raise ValueError("size: the board does not tell the size of its EEPROM")
@@ -294,7 +333,7 @@ class Gimbal(Link):
         With `expects_confirmation`, wait for one that the board may leave out.
         """
         found = finish(
-            self._link.call(request._message, timeout, retries, validates, expects_confirmation)
+            self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)
         )
         return None if found is None else wrap(found)
 
@@ -313,7 +352,7 @@ class Gimbal(Link):
 
         Axes without an angle stay under RC control. Speed 0 is that of the parameters.
         """
-        operation = self._link.move_to(roll, pitch, yaw, speed, timeout, tolerance, True)
+        operation = self._move(roll, pitch, yaw, speed, timeout, tolerance, True)
         tell = None if progress is None else (lambda *found: progress(move_of(found)))
         return move_of(finish(operation, tell))
 
@@ -327,7 +366,7 @@ class Gimbal(Link):
         timeout: float = 30.0,
     ) -> Move:
         """The same, but return as soon as the camera moves. It stops at the target by itself."""
-        return move_of(finish(self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False)))
+        return move_of(finish(self._move(roll, pitch, yaw, speed, timeout, 0.5, False)))
 
     def stop(self, *, timeout: float = 4.0) -> None:
         """Stop the camera, and wait until it stands still."""
@@ -369,8 +408,9 @@ class Gimbal(Link):
         A `request` has the configuration of the stream, for those that need one. Iterating raises
         TimeoutError if no sample comes for the time of `timeout`.
         """
-        given = None if request is None else request._message
-        queue = finish(self._link.stream(message.__name__, interval, given, None))
+        seconds_of(timeout)
+        given = None if request is None else of_library(request)
+        queue = finish(self._link.stream(name_of(message), interval, given, None))
         return Stream(queue, self._link, timeout)
 
     def calibrate(
@@ -386,7 +426,7 @@ class Gimbal(Link):
         calibration: an exception ends only the wait, and the board goes on.
         """
         tell = None if progress is None else (lambda *found: progress(calibration_of(found)))
-        end: CalibrationEnd = finish(self._link.calibrate(request._message, timeout), tell)
+        end: CalibrationEnd = finish(self._link.calibrate(of_library(request), timeout), tell)
         return end
 
     def record_bode(
@@ -401,7 +441,7 @@ class Gimbal(Link):
         An exception ends only the wait: the board goes on until its end, or until the motors are off.
         Without a timeout, it waits twice as long as the recording takes, and 10 s.
         """
-        recorded = finish(self._link.record_bode(request._message), progress, timeout=timeout)
+        recorded = finish(self._link.record_bode(of_library(request)), progress, timeout=timeout)
         return recording_of(recorded)
 
     def active_profile(self, *, timeout: float = 10.0) -> int:
@@ -451,7 +491,7 @@ class Gimbal(Link):
 
     def set_variables(self, values: Mapping[str, float], *, timeout: float = 10.0) -> None:
         """Set adjustable variables until the board restarts, or until they are saved."""
-        finish(self._link.set_variables(list(values.items())), timeout=timeout)
+        finish(self._link.set_variables(pairs_of(values)), timeout=timeout)
 
     def save_variables(self, *, timeout: float = 10.0) -> None:
         """Save the parameters that the board works with to the active profile."""
@@ -571,7 +611,11 @@ class Gimbal(Link):
 
 
 def target_of(place: Union[str, Board]) -> Union[str, _core.Emulation]:
-    return place._board if isinstance(place, Board) else place
+    if isinstance(place, Board):
+        return place._board
+    if not isinstance(place, str):
+        raise TypeError(f"place: an address or an emulated board is needed, not {place!r}")
+    return place
 
 
 def connect(

@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import Optional, Union
 
 from sbgc import _core
-from sbgc.message import Contexts, Message, wrap
+from sbgc.message import Contexts, Message, known_by, of_library, wrap
 from sbgc.msg.protocol import Framing
 
 Bytes = Union[bytes, bytearray, memoryview]
@@ -22,12 +22,12 @@ class Direction(IntEnum):
 
 def encode(message: Message, framing: Framing = Framing.V1) -> bytes:
     """Return the frame of a message. Raises EncodeError."""
-    return message._message.frame(framing)
+    return of_library(message).frame(framing)
 
 
 def encode_body(message: Message) -> bytes:
     """Return the body of a message, without a frame. Raises EncodeError."""
-    return message._message.body()
+    return of_library(message).body()
 
 
 def decode(
@@ -36,8 +36,8 @@ def decode(
     contexts: Optional[Contexts] = None,
 ) -> Message:
     """Decode one frame, in any framing. Raises DecodeError."""
-    known = None if contexts is None else contexts._contexts
-    return wrap(_core.decode_frame(frame, direction == Direction.FROM_BOARD, known))
+    is_from_board = direction == Direction.FROM_BOARD
+    return wrap(_core.decode_frame(memoryview(frame), is_from_board, known_by(contexts)))
 
 
 def decode_body(
@@ -47,8 +47,8 @@ def decode_body(
     contexts: Optional[Contexts] = None,
 ) -> Message:
     """Decode the body of a frame with this command id. Raises DecodeError."""
-    known = None if contexts is None else contexts._contexts
-    return wrap(_core.decode_body(id, body, direction == Direction.FROM_BOARD, known))
+    is_from_board = direction == Direction.FROM_BOARD
+    return wrap(_core.decode_body(id, memoryview(body), is_from_board, known_by(contexts)))
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class Parser:
 
     def feed(self, chunk: Bytes) -> list[Frame]:
         """Take the next bytes; return the frames that they complete."""
-        return _frames(self._parser.feed(chunk))
+        return _frames(self._parser.feed(memoryview(chunk)))
 
     def flush(self) -> list[Frame]:
         """Give up on a frame that is still incomplete; return the frames among its bytes.
@@ -137,9 +137,10 @@ def validate(message: Message, firmware: int = 0, board: int = 0) -> list[Violat
 
     Versions are those of the wire: msg.FirmwareVersion, msg.BoardVersion.
     """
-    return [Violation(*one) for one in message._message.violations(firmware, board)]
+    return [Violation(*one) for one in of_library(message).violations(firmware, board)]
 
 
 def describe(message: Message) -> str:
     """Return the text of a message: its name, and every value with its meaning."""
+    of_library(message)
     return repr(message)

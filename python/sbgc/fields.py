@@ -135,6 +135,8 @@ class ListOf:
         return Elements(message, path, self._kind)
 
     def write(self, message: _core.AnyMessage, path: str, value: Iterable[object]) -> None:
+        if not isinstance(value, Iterable):
+            raise TypeError(f"{path}: a list is needed, not {value!r}")
         values = list(value)
         size = message.count(path)
         if not message.remove(path) and len(values) != size:

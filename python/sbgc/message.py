@@ -28,7 +28,7 @@ class Message(Structure):
     ) -> M:
         """Decode the body of a frame as this message, whatever its size. Raises DecodeError."""
         message = _core.AnyMessage(cls.__name__)
-        message.decode(body, None if contexts is None else contexts._contexts)
+        message.decode(memoryview(body), known_by(contexts))
         return cls._at(message, "")
 
     def to_json(self, *, secrets: bool = False) -> str:
@@ -37,7 +37,7 @@ class Message(Structure):
 
     @classmethod
     def from_json(cls: type[M], text: str) -> M:
-        """Read what to_json() returns; fields that are missing keep their defaults."""
+        """Read what to_json() returns. Only optional fields may be missing. Raises FieldError."""
         message = _core.AnyMessage(cls.__name__)
         message.read_json(text)
         return cls._at(message, "")
@@ -51,7 +51,20 @@ class Contexts:
 
     def learn(self, message: Message) -> None:
         """Store the facts of a message that later ones need. Most messages have none."""
-        self._contexts.learn(message._message)
+        self._contexts.learn(of_library(message))
+
+
+def of_library(message: Message) -> _core.AnyMessage:
+    """The message of the library. Raises TypeError for what is no message, or a part of one."""
+    if not isinstance(message, Message):
+        raise TypeError(f"a message is needed, not {message!r}")
+    return message._message
+
+
+def known_by(contexts: Optional[Contexts]) -> Optional[_core.Contexts]:
+    if not isinstance(contexts, (Contexts, type(None))):
+        raise TypeError(f"contexts: Contexts are needed, not {contexts!r}")
+    return None if contexts is None else contexts._contexts
 
 
 def wrap(message: _core.AnyMessage) -> Message:

@@ -166,7 +166,8 @@ void bind_client(py::module_& module) {
   py::class_<Link, LinkPointer> link(module, "Link");
   link.def(py::init<>())
       .def("connect", &connect)
-      .def("connect", &connect_to_board)
+      .def("connect", &connect_to_board, py::arg("board").none(false), py::arg(), py::arg(),
+           py::arg())
       .def("close",
            [](Link& one) {
              return released([&] {

@@ -12,6 +12,7 @@ import threading
 import time
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -45,7 +46,7 @@ def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) 
 def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gimbal) -> None:
     with pytest.raises(sbgc.FieldError, match="pitch: 1000.* does not fit: -720.* to 719.*deg"):
         gimbal.move_to(pitch=1000)
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="pitch: a number is needed, not 'up'"):
         gimbal.move_to(pitch="up")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="timeout"):
         gimbal.move_to(pitch=1, timeout=-1)
@@ -53,6 +54,28 @@ def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gi
     sound.assign("decay_factor", "16", validates=False)
     with pytest.raises(GimbalError, match="decay_factor: 16 is above 15"):
         gimbal.call(sound)
+
+
+def test_what_is_something_else_is_an_error(gimbal: Gimbal) -> None:
+    wrong: Any = msg.AxisState()  # a part of a message
+    for place in (None, 5, b"tcp:localhost:1"):
+        with pytest.raises(TypeError, match="place: an address or an emulated board is needed"):
+            sbgc.connect(place)  # type: ignore[arg-type]
+    with pytest.raises(TypeError):
+        _core.Link().connect(None, 1.0, None, False)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="a message is needed, not AxisState"):
+        gimbal.call(wrong)
+    with pytest.raises(TypeError, match="message: the class of a message is needed, not AxisState"):
+        gimbal.stream(wrong, 0.1)
+    with pytest.raises(TypeError, match="timeout: a number is needed, not 'soon'"):
+        gimbal.stop(timeout="soon")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="values: a dict of names and numbers is needed"):
+        gimbal.set_variables(["pid_gain_roll"])  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="address: a number is needed, not 'a'"):
+        gimbal.read_eeprom("a", 1)  # type: ignore[arg-type]
+    with gimbal.speed_control() as control:
+        with pytest.raises(TypeError, match="yaw: a number is needed, not AxisState"):
+            control.set(yaw=wrong)
 
 
 def test_an_exception_stops_a_move(board: Board, gimbal: Gimbal) -> None:

@@ -7,6 +7,7 @@ import pickle
 
 import pytest
 
+import sbgc
 from sbgc import DecodeError, Direction, FieldError, Parser, decode, encode, msg, validate
 
 
@@ -109,6 +110,8 @@ def test_errors_name_field_value_and_limit() -> None:
         message.axes.pitch.angle = "up"  # type: ignore[assignment]
     with pytest.raises(TypeError, match="unexpected keyword argument 'contrl_mode'"):
         msg.Control(contrl_mode=1)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="note_freq_hz: a list is needed, not 5"):
+        msg.BeepSound(note_freq_hz=5)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="axes: Axes is needed"):
         message.axes = 3  # type: ignore[assignment]
     with pytest.raises(TypeError, match="axes.roll: ControlAxis is needed"):
@@ -143,6 +146,18 @@ def test_frames_that_are_none_say_why() -> None:
         decode(b"hello")
     with pytest.raises(DecodeError, match="GetAngles: The body ends|body"):
         decode(frame, Direction.FROM_BOARD)
+
+
+def test_what_is_no_message_and_no_bytes_is_an_error() -> None:
+    for wrong in (5, None, msg.AxisState(), msg.Control):
+        for take in (sbgc.encode, sbgc.encode_body, sbgc.validate, sbgc.describe):
+            with pytest.raises(TypeError, match="a message is needed, not"):
+                take(wrong)  # type: ignore[operator]
+        for read in (sbgc.decode, sbgc.Parser().feed, msg.Control.from_body):
+            with pytest.raises(TypeError, match="bytes-like object is required"):
+                read(wrong)  # type: ignore[operator]
+    with pytest.raises(TypeError, match="contexts: Contexts are needed, not 5"):
+        sbgc.decode(b"", contexts=5)  # type: ignore[arg-type]
 
 
 def test_a_parser_counts_what_it_skips() -> None:
