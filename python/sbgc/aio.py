@@ -224,8 +224,8 @@ class Gimbal(Link):
     async def edit_profile(self, profile: int, *, timeout: float = 120.0) -> AsyncIterator[Profile]:
         index = profile_index(profile)
         edit = Edit(await self._finish(self._link.read_parameters(index, timeout)), index)
-        yield edit.profile
-        changed = edit.changed()
+        yield edit.begin()
+        changed = edit.end()
         if changed:
             await self._finish(self._link.write_parameters(changed, timeout))
 

@@ -475,8 +475,8 @@ class Gimbal(Link):
         """
         index = profile_index(profile)
         edit = Edit(finish(self._link.read_parameters(index, timeout)), index)
-        yield edit.profile
-        changed = edit.changed()
+        yield edit.begin()
+        changed = edit.end()
         if changed:
             finish(self._link.write_parameters(changed, timeout))
 

@@ -12,11 +12,13 @@ class Profile:
     """The parameters of a profile, and those of the whole board.
 
     A name is the path of a field, or its end if only one field has it: "pitch.p". A value is a number
-    in the unit of the field, or a text as people write it: "20deg", "FOLLOW_MODE_FC".
+    in the unit of the field, or a text as people write it: "20deg", "FOLLOW_MODE_FC". It is set in a
+    block of edit_profile().
     """
 
     def __init__(self, blocks: _core.Blocks) -> None:
         self._blocks = blocks
+        self._will_be_written = False
 
     def _find(self, name: str) -> tuple[_core.AnyMessage, str]:
         found = [(message, path) for _, _, message in self._blocks for path in message.find(name)]
@@ -35,6 +37,8 @@ class Profile:
         return message.get(path)
 
     def __setitem__(self, name: str, value: object) -> None:
+        if not self._will_be_written:
+            raise RuntimeError(f"{name}: it is set only in a block of edit_profile()")
         message, path = self._find(name)
         message.put(path, value)
 
@@ -62,7 +66,13 @@ class Edit:
         self._blocks = blocks
         self.profile = Profile(blocks)
 
-    def changed(self) -> _core.Blocks:
+    def begin(self) -> Profile:
+        """The parameters, which can be set until the end."""
+        self.profile._will_be_written = True
+        return self.profile
+
+    def end(self) -> _core.Blocks:
         """The blocks that differ from those that were read."""
+        self.profile._will_be_written = False
         pairs = zip(self._blocks, self._before)
         return [block for block, before in pairs if not block[2] == before]

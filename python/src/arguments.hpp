@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,6 +26,17 @@ inline std::chrono::milliseconds milliseconds_of(Seconds seconds, const char* wh
 inline std::optional<std::chrono::milliseconds> timeout_of(std::optional<Seconds> seconds) {
   if (!seconds) return std::nullopt;
   return milliseconds_of(*seconds, "timeout");
+}
+
+/// Raises if the integer does not fit into a T.
+template <class T>
+T integer_of(std::int64_t value, const char* what) {
+  constexpr T highest = std::numeric_limits<T>::max();
+  if (value < 0 || static_cast<std::uint64_t>(value) > highest) {
+    throw py::value_error(std::string(what) + ": 0 to " + std::to_string(highest) +
+                          " are possible, not " + std::to_string(value));
+  }
+  return static_cast<T>(value);
 }
 
 /// Raises if the quantity cannot hold the value.

@@ -248,6 +248,8 @@ std::string diff_of(const std::string& before, const std::string& after) {
   return to_text(diff(old.parameters, now.parameters, old.board.versions(), now.board.versions()));
 }
 
+std::uint16_t file_of(std::int64_t number) { return integer_of<std::uint16_t>(number, "file"); }
+
 // Methods
 
 class Methods {
@@ -316,34 +318,40 @@ void bind_tasks(py::module_& module, LinkClass& link) {
       .def("save_variables", &tasks::save_variables)
       .def(
           "download_eeprom",
-          +[](const OperationPointer& operation, std::uint32_t address, std::size_t size,
+          +[](const OperationPointer& operation, std::int64_t address, std::int64_t size,
               Seconds timeout) {
-            return tasks::download_eeprom(address, size, transfer(operation, timeout));
+            return tasks::download_eeprom(integer_of<std::uint32_t>(address, "address"),
+                                          integer_of<std::uint32_t>(size, "size"),
+                                          transfer(operation, timeout));
           })
       .def(
           "upload_eeprom",
-          +[](const OperationPointer& operation, std::uint32_t address, const py::buffer& data,
+          +[](const OperationPointer& operation, std::int64_t address, const py::buffer& data,
               Seconds timeout) {
-            return tasks::upload_eeprom(address, memory_of(data), transfer(operation, timeout));
+            return tasks::upload_eeprom(integer_of<std::uint32_t>(address, "address"),
+                                        memory_of(data), transfer(operation, timeout));
           })
-      .def("file_size", &tasks::file_size)
+      .def(
+          "file_size", +[](std::int64_t file) { return tasks::file_size(file_of(file)); })
       .def(
           "download_file",
-          +[](const OperationPointer& operation, std::uint16_t file, Seconds timeout) {
-            return tasks::download_file(file, transfer(operation, timeout));
+          +[](const OperationPointer& operation, std::int64_t file, Seconds timeout) {
+            return tasks::download_file(file_of(file), transfer(operation, timeout));
           })
       .def(
           "upload_file",
-          +[](const OperationPointer& operation, std::uint16_t file, const py::buffer& data,
+          +[](const OperationPointer& operation, std::int64_t file, const py::buffer& data,
               Seconds timeout) {
-            return tasks::upload_file(file, memory_of(data), transfer(operation, timeout));
+            return tasks::upload_file(file_of(file), memory_of(data), transfer(operation, timeout));
           })
-      .def("delete_file", &tasks::delete_file)
+      .def(
+          "delete_file", +[](std::int64_t file) { return tasks::delete_file(file_of(file)); })
       .def("delete_all_files", &tasks::delete_all_files)
       .def("download_user_data", &tasks::download_user_data)
       .def(
-          "upload_user_data", +[](std::size_t offset, const py::buffer& data) {
-            return tasks::upload_user_data(offset, memory_of(data));
+          "upload_user_data", +[](std::int64_t offset, const py::buffer& data) {
+            return tasks::upload_user_data(integer_of<std::uint32_t>(offset, "offset"),
+                                           memory_of(data));
           });
   module.def("diff", &diff_of);
 }

@@ -292,6 +292,26 @@ def test_a_backup_is_restored(gimbal: Gimbal, tmp_path: Path) -> None:
     assert "33" in sbgc.diff(backup, (tmp_path / "before.json").read_text())
 
 
+def test_integers_out_of_range_name_the_argument_and_its_limits(gimbal: Gimbal) -> None:
+    with pytest.raises(ValueError, match="file: 0 to 65535 are possible, not 65536"):
+        gimbal.read_file(65536)
+    with pytest.raises(ValueError, match="file: 0 to 65535 are possible, not -1"):
+        gimbal.delete_file(-1)
+    with pytest.raises(ValueError, match="address: 0 to 4294967295 are possible, not -1"):
+        gimbal.read_eeprom(-1, 1)
+    with pytest.raises(ValueError, match="offset: 0 to 4294967295 are possible, not -1"):
+        gimbal.write_user_data(-1, b"")
+
+
+def test_parameters_are_set_only_where_they_are_written(gimbal: Gimbal) -> None:
+    with gimbal.edit_profile(2) as profile:
+        before = profile["pitch.p"]
+    for late in (profile, gimbal.read_profile(2)):
+        with pytest.raises(RuntimeError, match=r"only in a block of edit_profile\(\)"):
+            late["pitch.p"] = 20
+        assert late["pitch.p"] == before
+
+
 def test_files_are_written_and_read(gimbal: Gimbal) -> None:
     gimbal.write_file(0x0100, b"hello" * 100)
     assert gimbal.read_file(0x0100) == b"hello" * 100
