@@ -212,11 +212,11 @@ class JsonReader {
     if constexpr (requires { Meta<T>::fields; }) {
       static_assert(std::size(Meta<T>::fields) < 8 * sizeof Members::read, "and a tail");
     }
-    object(path, &out, visit<T>);
+    object(path, &out, visit_object<T>);
   }
   // Not a lambda: compilers make two functions of one that becomes a pointer.
   template <class T>
-  static void visit(void* object, Members& members) {
+  static void visit_object(void* object, Members& members) {
     Meta<T>::visit(*static_cast<T*>(object), members);
   }
   SBGC_NOINLINE void object(const FieldPath* path, void* out,
