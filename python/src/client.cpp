@@ -10,6 +10,7 @@
 #include <sbgc/meta/system.hpp>
 
 #include "arguments.hpp"
+#include "driving/order_of.hpp"
 #include "emulator.hpp"
 #include "link.hpp"
 #include "tasks/hold_speed.hpp"
@@ -49,11 +50,12 @@ class HeldSpeed {
   HeldSpeed(const LinkPointer& link, Seconds silence)
       : speed_(std::make_shared<detail::HeldSpeed>(
             detail::DeadMansSwitch(milliseconds(milliseconds_of(silence, "silence").count()),
-                                   milliseconds(SpeedControlOptions{}.repeat.count())))),
+                                   milliseconds(SpeedControlOptions{}.repeat.count())),
+            detail::order_of(link->conversation()))),
         operation_(link->begin()) {
     const SpeedControlOptions usual;
-    const auto task = std::make_shared<Task<Result<void>>>(
-        detail::hold_speed(speed_, detail::BoundedTurn(usual.bound, usual.lookahead)));
+    const auto task = std::make_shared<Task<Result<void>>>(detail::hold_speed(
+        speed_, detail::BoundedTurn(usual.bound, usual.lookahead), usual.ends_when_stopped));
     wake_ = link->drive(operation_, task->begin(link->conversation().identity()),
                         [operation = operation_, task] {
                           const Result<void> result = std::move(*task).result();
@@ -69,25 +71,10 @@ class HeldSpeed {
     const Axes<msg::ControlSpeed> speeds{quantity_of<msg::ControlSpeed>(roll, "roll"),
                                          quantity_of<msg::ControlSpeed>(pitch, "pitch"),
                                          quantity_of<msg::ControlSpeed>(yaw, "yaw")};
-    change([&](detail::DeadMansSwitch& rules) -> Result<void> {
-      rules.set(speeds, operation_->now());
-      return {};
-    });
+    done(speed_->set(speeds, operation_->now()));
   }
-  void refresh() {
-    change([this](detail::DeadMansSwitch& rules) -> Result<void> {
-      if (rules.state() != detail::DeadMansSwitch::State::turning) {
-        return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
-      }
-      rules.refresh(operation_->now());
-      return {};
-    });
-  }
-  void stop() {
-    const Result<void> stopped = speed_->stop();
-    if (!stopped) raise_client(stopped.error());
-    wake_();
-  }
+  void refresh() { done(speed_->refresh(operation_->now())); }
+  void stop() { done(speed_->stop()); }
   /// Stops the camera; the operation ends when it stands still.
   OperationPointer close() {
     operation_->cancel();
@@ -95,9 +82,7 @@ class HeldSpeed {
   }
 
  private:
-  template <class Change>
-  void change(const Change& change) {
-    const Result<void> changed = speed_->with(change);
+  void done(const Result<void>& changed) {
     if (!changed) raise_client(changed.error());
     wake_();
   }

@@ -80,35 +80,30 @@ class BoundedTurnTest : public ::testing::Test {
     options.board.gimbal.noise = 0;
     options.board.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(on.firmware));
     client = std::make_unique<VirtualClient>(options);
-    const auto speed = std::make_shared<detail::HeldSpeed>(
-        detail::DeadMansSwitch(sbgc::milliseconds(500), sbgc::milliseconds(100)));
-    const auto refresh = [&](detail::DeadMansSwitch& rules) -> Result<void> {
-      rules.set({.yaw = 20_deg_per_s}, client->now());
-      return {};
-    };
+    const auto speed = client->held_speed();
     const Instant start = client->now();
     bool is_cut = false;
-    static_cast<void>(client->run(detail::hold_speed(speed, BoundedTurn(on.bound, lookahead)),
-                                  [&](TaskMachine& task) {
-                                    const Duration time = client->now() - start;
-                                    if (time < seconds(4)) {
-                                      static_cast<void>(speed->with(refresh));
-                                      task.wake();
-                                    }
-                                    if (time >= seconds(2) && !is_cut) {
-                                      is_cut = true;
-                                      speed_before = yaw_speed();
-                                      angle_before = yaw();
-                                      client->cut_the_line();
-                                    }
-                                    if (time >= seconds(4) && !is_over) {
-                                      is_over = true;
-                                      way = yaw() - angle_before;
-                                      speed_after = yaw_speed();
-                                      speed->close();
-                                      task.wake();
-                                    }
-                                  }));
+    static_cast<void>(client->run(
+        detail::hold_speed(speed, BoundedTurn(on.bound, lookahead), false), [&](TaskMachine& task) {
+          const Duration time = client->now() - start;
+          if (time < seconds(4)) {
+            static_cast<void>(speed->set({.yaw = 20_deg_per_s}, client->now()));
+            task.wake();
+          }
+          if (time >= seconds(2) && !is_cut) {
+            is_cut = true;
+            speed_before = yaw_speed();
+            angle_before = yaw();
+            client->cut_the_line();
+          }
+          if (time >= seconds(4) && !is_over) {
+            is_over = true;
+            way = yaw() - angle_before;
+            speed_after = yaw_speed();
+            speed->close();
+            task.wake();
+          }
+        }));
   }
   emulator::Sample sample() { return client->gimbal().sample(client->now()); }
   double yaw() { return sample().angles.yaw; }
@@ -158,19 +153,14 @@ TEST_F(BoundedTurnTest, TargetsWorkWithLaterFirmwareToo) {
 
 /// Keeps a yaw speed for six seconds; the board restarts after two. Returns the error.
 ClientError turn_over_a_restart(VirtualClient& client) {
-  const auto speed = std::make_shared<detail::HeldSpeed>(
-      detail::DeadMansSwitch(sbgc::milliseconds(500), sbgc::milliseconds(100)));
-  const auto refresh = [&](detail::DeadMansSwitch& rules) -> Result<void> {
-    rules.set({.yaw = 20_deg_per_s}, client.now());
-    return {};
-  };
+  const auto speed = client.held_speed();
   const Instant start = client.now();
   Result<void> last;
   BoundedTurn motion(MotionBound::automatic, std::chrono::milliseconds(500));
   static_cast<void>(
-      client.run(detail::hold_speed(speed, std::move(motion)), [&](TaskMachine& task) {
+      client.run(detail::hold_speed(speed, std::move(motion), false), [&](TaskMachine& task) {
         if (client.now() - start < seconds(6)) {
-          last = speed->with(refresh);
+          last = speed->set({.yaw = 20_deg_per_s}, client.now());
         } else {
           speed->close();
         }
@@ -221,7 +211,7 @@ Task<Result<void>> turn_and_stop(MotionBound bound) {
   const Result<void> turned = co_await turn.turn({.yaw = 20_deg_per_s});
   if (!turned) co_return turned;
   static_cast<void>(co_await tasks::wait_until(task.now() + sbgc::milliseconds(500)));
-  const Result<void> stopped = co_await turn.stop();
+  const Result<void> stopped = co_await turn.stop([] { return false; });
   if (!stopped) co_return stopped;
   static_cast<void>(co_await tasks::wait_until(task.now() + seconds(3)));
   co_return Result<void>();

@@ -80,7 +80,7 @@ TEST_F(MotionTest, BeginsAMoveAndLeavesIt) {
       clock);
   ASSERT_TRUE(begun) << begun.error().message;
   EXPECT_LT(begun->elapsed, milliseconds(500));
-  EXPECT_GT(std::abs(begun->remaining.pitch), 10);
+  EXPECT_GT(std::abs(begun->remaining.pitch), 2);
   EXPECT_EQ(count<msg::Control>(), 2U) << "the first one was lost";
   disconnect();
   board.skip(milliseconds(2000));

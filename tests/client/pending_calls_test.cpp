@@ -34,7 +34,7 @@ msg::Control turn(std::int16_t speed) {
 
 TEST(PendingCalls, NoMotionFollowsAYoungerStopAtAnyMoment) {
   PendingCalls calls(8);
-  std::vector<CallPointer> superseded;
+  PendingCalls::Superseded superseded;
   const CallPointer motion = call_of(turn(100));
   const CallPointer stop = call_of(turn(0));
   EXPECT_FALSE(calls.add(motion, superseded));
@@ -43,17 +43,17 @@ TEST(PendingCalls, NoMotionFollowsAYoungerStopAtAnyMoment) {
   const auto room = [](const Call&) { return true; };
   EXPECT_EQ(calls.next_waiting(room), stop);
   EXPECT_EQ(calls.next_waiting(room), nullptr);
-  EXPECT_THAT(superseded, ElementsAre(motion));
+  EXPECT_THAT(superseded.calls, ElementsAre(motion));
 }
 
 TEST(PendingCalls, AStopIsNotSuperseded) {
   PendingCalls calls(8);
-  std::vector<CallPointer> superseded;
+  PendingCalls::Superseded superseded;
   const CallPointer off = call_of(msg::MotorsOff{});
   const CallPointer still = call_of(turn(0));
   EXPECT_FALSE(calls.add(off, superseded));
   EXPECT_FALSE(calls.add(still, superseded));
-  EXPECT_THAT(superseded, IsEmpty());
+  EXPECT_THAT(superseded.calls, IsEmpty());
   const auto room = [](const Call&) { return true; };
   EXPECT_EQ(calls.next_waiting(room), off);
   EXPECT_EQ(calls.next_waiting(room), still);
@@ -61,7 +61,7 @@ TEST(PendingCalls, AStopIsNotSuperseded) {
 
 TEST(PendingCalls, KeepTheirOrderWhileThereIsRoom) {
   PendingCalls calls(8);
-  std::vector<CallPointer> superseded;
+  PendingCalls::Superseded superseded;
   const CallPointer read = call_of(msg::GetAnglesRequest{});
   const CallPointer beep = call_of(msg::BeepSound{});
   const CallPointer stop = call_of(msg::MotorsOff{});

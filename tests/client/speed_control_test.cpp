@@ -116,21 +116,18 @@ TEST_F(DeadMansSwitchTest, AStopThatFailedIsRepeated) {
 }
 
 TEST_F(DeadMansSwitchTest, WhatIsClosedNeverTurnsAgain) {
-  detail::HeldSpeed speed(hold);
-  const auto turn = [&] {
-    return speed.with([&](DeadMansSwitch& rules) -> Result<void> {
-      rules.set(slow, start);
-      return {};
-    });
-  };
-  ASSERT_TRUE(turn());
-  EXPECT_EQ(speed.next(start).action, Action::send);
-  speed.done(Action::send, {}, start);
+  detail::HeldSpeed speed(hold, {.begin = [] { return TaskNumber{1}; },
+                                 .is_superseded = [](TaskNumber) { return false; }});
+  ASSERT_TRUE(speed.set(slow, start));
+  const auto send = speed.next(start);
+  EXPECT_EQ(send.action, Action::send);
+  speed.done(send, {}, start);
   speed.close();
-  EXPECT_EQ(speed.next(start).action, Action::stop);
-  EXPECT_FALSE(turn()) << "another thread goes on";
-  speed.done(Action::stop, {}, start);
-  EXPECT_FALSE(turn());
+  const auto stop = speed.next(start);
+  EXPECT_EQ(stop.action, Action::stop);
+  EXPECT_FALSE(speed.set(slow, start)) << "another thread goes on";
+  speed.done(stop, {}, start);
+  EXPECT_FALSE(speed.set(slow, start));
   EXPECT_TRUE(speed.next(start).is_last);
   EXPECT_TRUE(speed.stop());
 }

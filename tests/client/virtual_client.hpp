@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +16,7 @@
 #include <sbgc/messages.hpp>
 
 #include "conversation/dialogue.hpp"
+#include "tasks/hold_speed.hpp"
 
 namespace sbgc::test {
 
@@ -47,15 +50,28 @@ class VirtualLine {
   Bytes to_host_{};
 };
 
+/// A board and its time, which several clients can share.
+struct VirtualBoard {
+  explicit VirtualBoard(const emulator::EmulatorOptions& options = {}, emulator::Memory memory = {})
+      : emulator(options, std::move(memory), now) {}
+
+  Instant now{1'000'000};
+  emulator::Emulator emulator;
+};
+
 /// A client as in a browser: everything is a function of the time passed in.
 class VirtualClient {
  public:
   explicit VirtualClient(const emulator::EmulatorOptions& options = {},
                          emulator::Memory memory = {}, VirtualLine* line = nullptr,
                          ConnectOptions client = {})
-      : line_(line != nullptr ? *line : perfect_line_),
-        emulator_(options, std::move(memory), now_),
-        port_(emulator_.connect(true, now_).value()),
+      : VirtualClient(std::make_shared<VirtualBoard>(options, std::move(memory)), line,
+                      std::move(client)) {}
+  explicit VirtualClient(std::shared_ptr<VirtualBoard> board, VirtualLine* line = nullptr,
+                         ConnectOptions client = {})
+      : board_(std::move(board)),
+        line_(line != nullptr ? *line : perfect_line_),
+        port_(board_->emulator.connect(true, board_->now).value()),
         client_(std::move(client)) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);
@@ -68,26 +84,63 @@ class VirtualClient {
   /// Runs a task to its end; calls `at_each_step(task)` before each step.
   template <class R, class Watch>
   R run(Task<R> task, Watch at_each_step) {
-    TaskMachine& machine = task.begin(identity_);
-    machine.set_repeating_line(line_.may_repeat() || client_.duplicate_window.count() != 0);
-    const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
-    const auto strays = delivery_.on_frame([&](const BoardFrame& one) {
-      if (!one.belongs_to_call) machine.overheard(one.frame.id);
-    });
-    for (bool is_done = false; !is_done;) {
+    std::optional<R> result;
+    TaskMachine& machine = start(std::move(task), [&](R one) { result = std::move(one); });
+    while (true) {
       at_each_step(machine);
-      is_done = step(machine);
+      const Instant next = proceed();
+      if (result) return *std::move(result);
+      if (next == Instant::never) throw std::runtime_error("nothing will ever happen");
+      if (next > now()) board_->now = later(now() + microseconds(1), next);
     }
-    return std::move(task).result();
   }
   template <class R>
   R run(Task<R> task) {
     return run(std::move(task), [](TaskMachine&) {});
   }
 
-  Instant now() const noexcept { return now_; }
-  emulator::Gimbal& gimbal() { return emulator_.board().gimbal(); }
-  emulator::Emulator& emulator() { return emulator_; }
+  /// Starts a task beside others; proceed() runs them.
+  template <class R, class Done>
+  TaskMachine& start(Task<R> task, Done done) {
+    const auto own = std::make_shared<Task<R>>(std::move(task));
+    TaskMachine& machine = own->begin(identity_);
+    machine.set_number(calls_->order().begin());
+    machine.set_repeating_line(line_.may_repeat() || client_.duplicate_window.count() != 0);
+    const auto running = std::make_shared<Running>();
+    running->machine = &machine;
+    running->finish = [own, done = std::move(done)] { done(std::move(*own).result()); };
+    running->notices = delivery_.on_notice([&machine](const Notice& one) { machine.notice(one); });
+    running->strays = delivery_.on_frame([&machine](const BoardFrame& one) {
+      if (!one.belongs_to_call) machine.overheard(one.frame.id);
+    });
+    running_.push_back(running);
+    return machine;
+  }
+
+  /// Runs what can run now, and exchanges bytes; returns when to call it again, which is now if
+  /// there is more to do.
+  Instant proceed() {
+    Instant next = Instant::never;
+    const auto tasks = running_;  // a task that ends may start another one
+    for (const auto& running : tasks) next = earlier(next, step(*running));
+    const auto is_over = [](const auto& one) { return one->is_over; };
+    std::erase_if(running_, is_over);
+    next = earlier(next, exchange_bytes());
+    return std::exchange(has_news_, false) ? now() : next;
+  }
+
+  /// Holds a speed until its owner is silent for half a second.
+  std::shared_ptr<detail::HeldSpeed> held_speed() {
+    return std::make_shared<detail::HeldSpeed>(
+        detail::DeadMansSwitch(milliseconds(500), milliseconds(100)),
+        detail::HeldSpeed::Order{
+            .begin = [this] { return calls_->order().begin(); },
+            .is_superseded =
+                [this](TaskNumber one) { return calls_->order().is_superseded(one); }});
+  }
+  Instant now() const noexcept { return board_->now; }
+  emulator::Gimbal& gimbal() { return emulator().board().gimbal(); }
+  emulator::Emulator& emulator() { return board_->emulator; }
   /// Cuts the line from the host to the board.
   void cut_the_line() { is_cut_ = true; }
   std::size_t pending() const { return calls_->size(); }
@@ -98,32 +151,51 @@ class VirtualClient {
   using Way = VirtualLine::Way;
   using Bytes = VirtualLine::Bytes;
 
+  struct Running {
+    TaskMachine* machine{};
+    std::function<void()> finish{};
+    detail::Delivery::Registration notices{};
+    detail::Delivery::Registration strays{};
+    TaskNumber joined{};
+    bool is_over = false;
+  };
+
   static Task<Result<msg::BoardInfo>> introduction() {
     // The board is starting.
     co_return co_await tasks::call(msg::BoardInfoRequest{}, {.retries = 2});
   }
 
-  /// Runs until the task waits, then advances to the next event.
-  bool step(TaskMachine& task) {
-    TaskStep step = task.step(now_);
-    switch (step.kind) {
-      case TaskStep::Kind::done: return true;
-      case TaskStep::Kind::call: begin(task, std::move(step)); return false;
-      case TaskStep::Kind::cancel: cancel(step.call); return false;
-      case TaskStep::Kind::wait: break;
+  /// Runs a task until it waits or ends; returns until when it waits.
+  Instant step(Running& running) {
+    TaskMachine& task = *running.machine;
+    while (true) {
+      TaskStep step = task.step(now());
+      switch (step.kind) {
+        case TaskStep::Kind::done:
+          calls_->order().leave(running.joined);
+          running.is_over = true;
+          running.finish();
+          has_news_ = true;
+          return Instant::never;
+        case TaskStep::Kind::call: begin(running, std::move(step)); break;
+        case TaskStep::Kind::cancel: cancel(step.call); break;
+        case TaskStep::Kind::wait: return step.until;
+      }
     }
-    const Instant next = exchange_bytes();
-    if (!has_news_ && next == Instant::never && step.until == Instant::never) {
-      throw std::runtime_error("nothing will ever happen");
-    }
-    if (!has_news_) now_ = later(now_ + microseconds(1), earlier(next, step.until));
-    has_news_ = false;
-    return false;
   }
 
-  void begin(TaskMachine& task, TaskStep step) {
+  void begin(Running& running, TaskStep step) {
+    TaskMachine& task = *running.machine;
     const CallId id = step.call;
     if (!step.request) return task.replied(id, std::move(step.request).error());
+    if (step.request->is_motion && running.joined != task.number()) {
+      calls_->order().leave(running.joined);
+      running.joined = task.number();
+      calls_->order().join(running.joined, [&task, this](TaskNumber by) {
+        has_news_ = true;
+        task.supersede(by);
+      });
+    }
     step.options.on_confirmation = [&task, this, id](unsigned) {
       has_news_ = true;
       task.confirmed(id);
@@ -133,16 +205,13 @@ class VirtualClient {
       task.received(id, {frame.body.begin(), frame.body.end()});
     };
     const detail::CallPointer call =
-        detail::make_call(id, *std::move(step.request), step.options, client_, now_,
+        detail::make_call(id, *std::move(step.request), step.options, client_, now(),
                           [&task, this, id](Result<Reply> reply) {
                             has_news_ = true;
                             task.replied(id, std::move(reply));
                           });
-    std::vector<detail::CallPointer> older;
-    if (auto refusal = calls_->add(call, older)) return task.replied(id, *std::move(refusal));
-    for (const detail::CallPointer& superseded : older) {
-      calls_.complete(*superseded, detail::superseded_error(*superseded));
-    }
+    call->task = task.number();
+    if (auto refusal = calls_.begin(call)) return task.replied(id, *std::move(refusal));
   }
 
   void cancel(CallId id) {
@@ -151,40 +220,40 @@ class VirtualClient {
 
   /// Transfers bytes in both directions; returns when to call it again.
   Instant exchange_bytes() {
-    const Output output = dialogue_.advance(now_, true);
+    const Output output = dialogue_.advance(now(), true);
     if (!output.bytes.empty()) {
-      if (!is_cut_) line_.send(Way::to_board, output.bytes, now_);
-      dialogue_.written(now_);
+      if (!is_cut_) line_.send(Way::to_board, output.bytes, now());
+      dialogue_.written(now());
       has_news_ = true;
     }
-    const Bytes requests = line_.receive(Way::to_board, now_);
-    if (!requests.empty()) emulator_.from_host(port_, requests, now_);
-    emulator_.advance(now_);
-    const auto sent = emulator_.to_host(port_);
+    const Bytes requests = line_.receive(Way::to_board, now());
+    if (!requests.empty()) emulator().from_host(port_, requests, now());
+    emulator().advance(now());
+    const auto sent = emulator().to_host(port_);
     if (!sent.empty()) {
-      line_.send(Way::to_host, sent, now_);
-      emulator_.take(port_, sent.size(), now_);
+      line_.send(Way::to_host, sent, now());
+      emulator().take(port_, sent.size(), now());
     }
-    const Bytes answers = line_.receive(Way::to_host, now_);
+    const Bytes answers = line_.receive(Way::to_host, now());
     if (!answers.empty()) {
-      dialogue_.feed(answers, now_);
+      dialogue_.feed(answers, now());
       has_news_ = true;
     }
-    return earlier(output.deadline, earlier(emulator_.next(), line_.next()));
+    return earlier(output.deadline, earlier(emulator().next(), line_.next()));
   }
 
-  Instant now_{1'000'000};
+  std::shared_ptr<VirtualBoard> board_;
   bool is_cut_ = false;
   bool has_news_ = false;
   VirtualLine perfect_line_{};
   VirtualLine& line_;
-  emulator::Emulator emulator_;
   std::size_t port_;
   ConnectOptions client_;
   BoardIdentity identity_{};
   detail::SharedCalls calls_{std::size_t{64}};
   detail::Delivery delivery_{};
   detail::Dialogue dialogue_{client_, calls_, delivery_};
+  std::vector<std::shared_ptr<Running>> running_{};
 };
 
 }  // namespace sbgc::test

@@ -154,16 +154,12 @@ TEST_F(VirtualTime, FilesAndVariables) {
 }
 
 TEST_F(VirtualTime, ASilentOwnerStopsTheCamera) {
-  const auto speed = std::make_shared<detail::HeldSpeed>(
-      detail::DeadMansSwitch(milliseconds(500), milliseconds(100)));
+  const auto speed = client.held_speed();
   const Instant start = client.now();
-  ASSERT_TRUE(speed->with([&](detail::DeadMansSwitch& rules) -> Result<void> {
-    rules.set({.yaw = 20_deg_per_s}, start);
-    return {};
-  }));
+  ASSERT_TRUE(speed->set({.yaw = 20_deg_per_s}, start));
   double fastest = 0;
   const detail::BoundedTurn unbounded(MotionBound::none, {});
-  const auto done = client.run(detail::hold_speed(speed, unbounded), [&](TaskMachine& task) {
+  const auto done = client.run(detail::hold_speed(speed, unbounded, false), [&](TaskMachine& task) {
     fastest = std::max(fastest, yaw_speed());
     if (client.now() - start < seconds(3)) return;
     speed->close();

@@ -298,11 +298,15 @@ TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, WhatWasNotSentIsNotAnswered) {
+TEST_F(Bridge, AStopThatDropsMotionIsAnErrorOfItsHost) {
   const std::size_t first = join();
   const std::size_t second = join();
   ask(first, msg::Control{});
   ports.ended(line.sent.back().tag, ErrorCode::superseded);
+  msg::ErrorExt error;
+  error.cmd_id = msg::Control::command;
+  error.error_code = msg::BoardErrorCode::wrong_state;
+  EXPECT_EQ(read(first), frame_of(error));
   ask(second, msg::Control{});
   ports.ended(line.sent.back().tag);
   msg::Confirm confirmation;

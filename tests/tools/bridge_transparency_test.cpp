@@ -202,9 +202,7 @@ class BridgedSite final : public Site, private BridgeLine {
           const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
           posted_.emplace_back([this, tag, failure] { ports_.ended(tag, failure); });
         });
-    std::vector<detail::CallPointer> older;
-    ASSERT_FALSE(calls_->add(call, older));
-    for (const auto& one : older) calls_.complete(*one, detail::superseded_error(*one));
+    ASSERT_FALSE(calls_.begin(call));
   }
   void take_line() override { is_taken_ = true; }
   void write_raw(Bytes bytes) override { raw_.insert(raw_.end(), bytes.begin(), bytes.end()); }

@@ -7,8 +7,10 @@ import pty
 import re
 import resource
 import signal
+import struct
 import subprocess
 import termios
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,7 +22,7 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
 from optical_axis import degrees_down, degrees_right, right_side_down
 from relay import relay_to
-from sbgc_command import MODEL, PROGRAM, run
+from sbgc_command import MODEL, PROGRAM, frame, run
 
 SPEED_STEP = 0.1220740379
 """Degrees per second of a unit of speed."""
@@ -31,6 +33,8 @@ READING = {
     if (message["effect"] or {}).get("does") == ["reads"]
 }
 """Commands that change nothing."""
+
+CONTROL = 67
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -184,7 +188,7 @@ def test_stop_needs_no_arming(gimbal: EmulatedGimbal, observer: Observer) -> Non
 def test_stop_notices_that_something_else_turns_the_camera() -> None:
     with emulated_gimbal() as gimbal, emulated_speed(gimbal):
         result = run("stop", "-p", gimbal.address)
-        assert result.status == 1 and "turns again" in result.error
+        assert result.status == 1 and "the camera still turns: yaw" in result.error
 
 
 def test_a_move_that_something_else_prevents_ends() -> None:
@@ -199,14 +203,21 @@ def test_a_move_that_something_else_prevents_ends() -> None:
 
 @contextmanager
 def emulated_speed(gimbal: EmulatedGimbal) -> Iterator[None]:
-    """Another program that turns the camera all the time."""
-    arguments = ("speed", "--yaw", "5", "--for", "1m", "--yes", "-p", gimbal.address)
-    with subprocess.Popen([PROGRAM, *arguments], stderr=subprocess.DEVNULL) as process:
-        with observer_of(gimbal) as observer:
-            observer.await_motion()
+    """Another program that turns the camera all the time, without a look."""
+    control = frame(CONTROL, struct.pack("<B6h", 1, 0, 0, 0, 0, 41, 0))  # 5 deg/s
+    is_over = threading.Event()
+    with observer_of(gimbal) as other, observer_of(gimbal) as observer:
+
+        def turn() -> None:
+            while not is_over.wait(0.05):
+                other.line.sendall(control)
+
+        thread = threading.Thread(target=turn)
+        thread.start()
+        observer.await_motion()
         yield
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(10) == 130
+        is_over.set()
+        thread.join()
 
 
 def test_a_signal_but_ctrl_c_interrupts_a_speed_without_a_time() -> None:

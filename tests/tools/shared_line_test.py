@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import socket
 import struct
+import subprocess
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import pytest
 
 from bridge import Host, bridge_to
 from emulated_gimbal import emulated_gimbal
+from gimbal_observer import observer_of
 from relay import relay_to
-from sbgc_command import frame, run
+from sbgc_command import PROGRAM, frame, run
 
 READ_PARAMS_3, WRITE_PARAMS_3 = 21, 22
 GET_ADJ_VARS_VAL, SET_ADJ_VARS_VAL = 64, 31
@@ -151,6 +153,31 @@ def test_a_stop_overtakes_queued_motion() -> None:
         sent = [body[12] for _, command, body in line.requests if command == CONTROL]
         assert sent[-1] == 0
         assert len(sent) < 8, "most of the motion is superseded"
+
+
+@pytest.mark.parametrize("is_shared", [False, True])
+@pytest.mark.parametrize(
+    "motion, end",
+    [
+        (("move", "--pitch", "80", "--speed", "10", "--wait"), "its target is no longer 80.00"),
+        (("speed", "--yaw", "10", "--for", "1m"), "the camera no longer turns"),
+    ],
+)
+def test_a_stop_ends_the_motion_of_another_program(
+    motion: tuple[str, ...], end: str, is_shared: bool
+) -> None:
+    with ExitStack() as stack:
+        gimbal = stack.enter_context(emulated_gimbal())
+        observer = stack.enter_context(observer_of(gimbal))
+        place = stack.enter_context(bridge_to(gimbal.address)) if is_shared else gimbal
+        command = [PROGRAM, *motion, "--yes", "-p", place.address]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as moving:
+            observer.await_motion()
+            assert run("stop", "-p", place.address).status == 0
+            stopped_at = observer.angles()
+            _, error = moving.communicate(timeout=20)
+        assert moving.returncode == 1 and end in error
+        assert observer.angles() == pytest.approx(stopped_at, abs=0.3)
 
 
 def test_controls_that_nobody_confirms_keep_their_rate() -> None:

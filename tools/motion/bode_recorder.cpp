@@ -14,6 +14,7 @@
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "motion/axis_values.hpp"
+#include "motion/motor_state.hpp"
 #include "motion/move_time.hpp"
 
 namespace sbgc::tools {
@@ -96,6 +97,7 @@ void BodeRecorder::turn_motors_off() const {
 }
 
 void BodeRecorder::go_to(const RecordingPosition& position) const {
+  require_motors(gimbal_.client());  // somebody may have turned them off during a recording
   const auto state = value_of(Result<msg::GetAngles>(gimbal_.client().get_angles()));
   MoveTarget target;
   target.roll = to_angle(position.roll, "--at");

@@ -216,7 +216,7 @@ int jog(const JogOptions& options, const CommandContext& context) {
   Result<void> ended;
   bool is_interrupted = false;
   {
-    SpeedControl control(gimbal.client());
+    SpeedControl control(gimbal.client(), {.ends_when_stopped = true});
     Jog keyboard(gimbal, control);
     ended = keyboard.run();
     is_interrupted = keyboard.is_interrupted();

@@ -60,6 +60,10 @@ void MovingGimbal::begins_to_move(AfterStop after, const ParameterSet& restored)
 
 void MovingGimbal::give_up(const ClientError& problem) {
   std::string end;
+  if (is_in_other_hands(problem.code) && !must_stop()) {
+    has_stopped();
+    throw CommandError(problem.message);
+  }
   if (motion_ == Motion::maybe) {
     const Result<void> stopped = client_->stop();
     if (stopped) has_stopped();

@@ -47,8 +47,8 @@ class MovingGimbal {
   void begins_to_move(AfterStop after, const ParameterSet& restored = {});
   /// The camera has stopped.
   void has_stopped() noexcept { motion_ = Motion::ended; }
-  /// Ends a motion that went wrong: stops the camera, and ends the command with `problem`, or with
-  /// the reason of must_stop().
+  /// Ends a motion that went wrong: stops the camera, unless it is in other hands, and ends the
+  /// command with `problem`, or with the reason of must_stop().
   [[noreturn]] void give_up(const ClientError& problem);
 
   /// True if a signal asks the command to end, or the guard has ended.

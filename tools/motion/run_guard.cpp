@@ -42,7 +42,9 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   };
   Result<void> ended;
   if (does(AfterStop::end_tuning)) ended = end_tuning(*client);
-  Result<void> stopped = client->stop();
+  StopOptions at_once;
+  at_once.rest = {};
+  Result<void> stopped = client->stop(at_once);
   if (!ended) return ended;
   if (!stopped) return stopped;
   if (!line.restored.all().empty()) {
@@ -50,8 +52,11 @@ Result<void> stop_gimbal(const GuardedLine& line) {
     if (!restored) return restored.outcome;
   }
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
-  if (!does(AfterStop::remove_timeout) || !has_timeouts) return {};
-  return client->set_control_timeout({});
+  if (does(AfterStop::remove_timeout) && has_timeouts) {
+    // Before the timeout is over, which is no longer than the rest of a stop.
+    if (const Result<void> removed = client->set_control_timeout({}); !removed) return removed;
+  }
+  return client->stop();
 }
 
 /// True if no further attempt can succeed.

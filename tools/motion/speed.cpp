@@ -66,7 +66,7 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   const auto end = command.time ? Clock::now() + *command.time : Clock::time_point::max();
   Result<void> turned;
   {
-    SpeedControl control(gimbal.client());
+    SpeedControl control(gimbal.client(), {.ends_when_stopped = true});
     turned = turn(gimbal, control, speed, end);
   }
   if (!turned) gimbal.give_up(turned.error());

@@ -441,6 +441,10 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
     refused(tag, call.mapped());
     refuse_stream(asker, *call.mapped().stream, "the line has no room for it");
   }
+  if (failure == ErrorCode::superseded) {
+    give_error(asker, static_cast<msg::CommandToBoard>(call.mapped().id),
+               roles::ErrorReason::wrong_state);
+  }
   if (room(port) == 0) hosts_[port]->heard = now();
   --hosts_[port]->pending;
   begin_exclusive();

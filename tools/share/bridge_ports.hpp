@@ -64,6 +64,7 @@ class BridgeLine {
 ///   in place of a confirmation. So does one for which the line has no room.
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
+/// - A stop drops the motion of all hosts that waits to be sent; they get an error (WRONG_STATE).
 /// - Another request that fails has no response, as on a line to the board.
 /// - After a request that restarts the board, its host has the line for itself, with all bytes as
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has

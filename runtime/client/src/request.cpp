@@ -87,6 +87,12 @@ std::optional<AnyMessage> later_form_of(const AnyMessage& message, const Availab
   return later;
 }
 
+/// True for a request that commands motion, and neither sets nor stores anything.
+bool is_motion(const ResponsePolicy& policy, Effects effects) {
+  const Effects motion = Effects(Effect::moves) | Effect::restarts;
+  return policy.stops || (policy.moves && (effects.raw() & ~motion.raw()) == 0);
+}
+
 }  // namespace
 
 ResponsePolicy policy_of(const AnyMessage& message) {
@@ -109,6 +115,7 @@ Result<Request> prepare(const AnyMessage& message, const Availability& versions,
   }
   if (auto error = refusal(message, versions, validate)) return *std::move(error);
   Request request{.id = type.info->id, .policy = policy_of(message), .command = type.info->command};
+  request.is_motion = is_motion(request.policy, type.info->effects);
   request.body.resize(max_body_size);
   const WriteResult written = message.encode(request.body);
   if (!written) {

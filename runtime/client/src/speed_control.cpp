@@ -14,6 +14,7 @@
 
 #include "connect.hpp"
 #include "driving/asio_driver.hpp"
+#include "driving/order_of.hpp"
 #include "driving/task_driver.hpp"
 #include "tasks/hold_speed.hpp"
 
@@ -26,10 +27,13 @@ class SpeedControl::Worker {
  public:
   Worker(Client& client, const SpeedControlOptions& options,
          const asio::any_io_executor& executor = {})
-      : speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
-            milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
+      : speed_(std::make_shared<detail::HeldSpeed>(
+            DeadMansSwitch(milliseconds(options.silence.count()),
+                           milliseconds(options.repeat.count())),
+            detail::order_of(detail::ClientMaker::conversation(client)))),
         task_(std::make_shared<Task<Result<void>>>(
-            detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead)))) {
+            detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead),
+                               options.ends_when_stopped))) {
     const detail::Conversation& conversation = detail::ClientMaker::conversation(client);
     TaskMachine& machine = task_->begin(client.identity());
     if (executor) {
@@ -54,12 +58,15 @@ class SpeedControl::Worker {
     if (thread_.joinable()) thread_.join();
   }
 
-  /// Changes the rules with `change(rules)` and wakes the task.
-  template <class Change>
-  Result<void> with(const Change& change) {
-    Result<void> changed = speed_->with(change);
+  Result<void> set(const Axes<msg::ControlSpeed>& speed) {
+    Result<void> set = speed_->set(speed, now());
     wake();
-    return changed;
+    return set;
+  }
+  Result<void> refresh() {
+    Result<void> refreshed = speed_->refresh(now());
+    wake();
+    return refreshed;
   }
   Result<void> stop() {
     Result<void> stopped = speed_->stop();
@@ -123,21 +130,13 @@ Result<void> SpeedControl::renew() {
 Result<void> SpeedControl::set(const Axes<msg::ControlSpeed>& speed) {
   if (auto renewed = renew(); !renewed) return renewed;
   const auto current = worker();
-  return current->with([&](DeadMansSwitch& rules) -> Result<void> {
-    rules.set(speed, current->now());
-    return {};
-  });
+  return current->set(speed);
 }
 
 Result<void> SpeedControl::refresh() {
-  const ClientError stopped{ErrorCode::cancelled, "the camera has been stopped"};
   const auto current = worker();
-  if (!current) return stopped;
-  return current->with([&](DeadMansSwitch& rules) -> Result<void> {
-    if (rules.state() != State::turning) return stopped;
-    rules.refresh(current->now());
-    return {};
-  });
+  if (!current) return ClientError{ErrorCode::cancelled, "the camera does not turn"};
+  return current->refresh();
 }
 
 Result<void> SpeedControl::stop() {

@@ -17,6 +17,7 @@ using ReplyHandler = std::function<void(Result<Reply>)>;
 
 struct Call {
   CallId id{};
+  TaskNumber task{};  ///< that makes it; 0: none
   Request request{};
   SendOptions send{};
   Instant deadline = Instant::never;
@@ -35,7 +36,7 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
                       const ConnectOptions& defaults, Instant now, ReplyHandler handler);
 /// Returns whole milliseconds, rounded up: "150 ms".
 std::string milliseconds_text(Duration duration);
-/// The error of a call that a stop has superseded.
+/// The error of a call that was not sent because of a stop, or of a later motion.
 ClientError superseded_error(const Call& call);
 /// The error of a call whose deadline has passed.
 ClientError overdue_error(const Call& call);

@@ -47,8 +47,9 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
 }
 
 ClientError superseded_error(const Call& call) {
-  return {ErrorCode::superseded, std::string(call.request.command) +
-                                     " was not sent, because a later command stops all motion"};
+  return {ErrorCode::superseded,
+          std::string(call.request.command) +
+              " was not sent, because a later command stops the camera or moves it"};
 }
 
 ClientError overdue_error(const Call& call) {
@@ -58,15 +59,18 @@ ClientError overdue_error(const Call& call) {
                                             : command + " could not be sent" + within};
 }
 
-std::optional<ClientError> PendingCalls::add(const CallPointer& call,
-                                             std::vector<CallPointer>& superseded) {
+std::optional<ClientError> PendingCalls::add(const CallPointer& call, Superseded& superseded) {
   if (refusal_) return refusal_;
   const ResponsePolicy& policy = call->request.policy;
   const std::size_t waiting = waiting_effects_.size() + waiting_reads_.size();
   if (waiting >= most_waiting_ && !policy.stops) {
     return ClientError{ErrorCode::overload, std::to_string(waiting) + " calls are already waiting"};
   }
-  take_superseded(*call, superseded);
+  if (call->request.is_motion) {
+    if (call->task == 0) call->task = order_.begin();
+    if (!order_.admit(call->task, policy.stops, superseded.tasks)) return superseded_error(*call);
+  }
+  take_superseded(*call, superseded.calls);
   calls_.emplace(call->id, call);
   deadlines_.emplace(call->deadline, call->id);
   std::deque<CallPointer>& queue = policy.has_effect ? waiting_effects_ : waiting_reads_;
@@ -108,9 +112,8 @@ std::vector<CallPointer> PendingCalls::take_all(ClientError refusal) {
 void PendingCalls::take_superseded(const Call& later, std::vector<CallPointer>& superseded) {
   for (const CallPointer& call : waiting_effects_) {
     const Request& request = call->request;
-    const bool is_it =
-        request.host == later.request.host && request.policy.is_superseded_by(later.request.policy);
-    if (!is_it || calls_.erase(call->id) == 0) continue;
+    if (!request.policy.is_superseded_by(later.request.policy) || calls_.erase(call->id) == 0)
+      continue;
     deadlines_.erase({call->deadline, call->id});
     superseded.push_back(call);
   }

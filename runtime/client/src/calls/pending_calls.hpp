@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "call.hpp"
+#include "motion_order.hpp"
 
 namespace sbgc::detail {
 
@@ -20,10 +21,16 @@ class PendingCalls {
   /// At most `most_waiting` calls wait for room in the session, besides stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
+  /// What a new call supersedes: calls that were taken out, and how to tell the tasks.
+  struct Superseded {
+    std::vector<CallPointer> calls{};
+    MotionOrder::Calls tasks{};
+  };
+
   /// Adds the call, or returns the reason for rejecting it. In the same
   /// step, takes out the calls that wait for the session and must not follow it: the thread that
   /// sends takes a stop first, and must not find older motion behind it.
-  std::optional<ClientError> add(const CallPointer& call, std::vector<CallPointer>& superseded);
+  std::optional<ClientError> add(const CallPointer& call, Superseded& superseded);
   /// Takes a call out; null if it has already ended.
   CallPointer take(CallId id);
   /// Takes out a call whose deadline has passed; null if there is none.
@@ -36,6 +43,9 @@ class PendingCalls {
   CallPointer next_waiting(const std::function<bool(const Call&)>& has_room);
   /// The earliest deadline of all calls.
   Instant deadline() const;
+
+  /// The tasks of the conversation, and which of them may still move the camera.
+  MotionOrder& order() noexcept { return order_; }
 
   void count_begun() noexcept { ++begun_; }
   void count_failed() noexcept { ++failed_; }
@@ -55,6 +65,7 @@ class PendingCalls {
   std::deque<CallPointer> waiting_effects_;
   std::deque<CallPointer> waiting_reads_;
   std::set<std::pair<Instant, CallId>> deadlines_;
+  MotionOrder order_;
 };
 
 }  // namespace sbgc::detail

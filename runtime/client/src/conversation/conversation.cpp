@@ -49,6 +49,7 @@ Request Conversation::prepare(RawRequest request) {
           .body = std::move(request.body),
           .policy = request.policy,
           .host = request.host,
+          .is_motion = request.policy.moves,
           .command = raw_name,
           .on_frame = std::move(request.on_frame)};
 }

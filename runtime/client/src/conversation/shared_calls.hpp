@@ -18,6 +18,16 @@ class SharedCalls : public Guarded<PendingCalls> {
     if (!result) lock()->count_failed();
     call.handler(std::move(result));
   }
+
+  /// Adds a call, ends what it supersedes, and tells the tasks. Returns the reason for rejecting
+  /// it.
+  std::optional<ClientError> begin(const CallPointer& call) {
+    PendingCalls::Superseded superseded;
+    auto refusal = lock()->add(call, superseded);
+    for (const auto& tell : superseded.tasks) tell();
+    for (const CallPointer& one : superseded.calls) complete(*one, superseded_error(*one));
+    return refusal;
+  }
 };
 
 }  // namespace sbgc::detail

@@ -84,7 +84,7 @@ void Conversation::State::wake() {
 // Calls and subscriptions.
 
 Instant Conversation::State::start(CallId id, Result<Request> request, const CallOptions& options,
-                                   ReplyHandler handler) {
+                                   ReplyHandler handler, TaskNumber task) {
   calls_->count_begun();
   if (!request) {
     calls_->count_failed();
@@ -93,13 +93,10 @@ Instant Conversation::State::start(CallId id, Result<Request> request, const Cal
   }
   const CallPointer call =
       make_call(id, *std::move(request), options, options_, clock_.now(), std::move(handler));
-  std::vector<CallPointer> older;
-  if (auto refusal = calls_->add(call, older)) {
+  call->task = task;
+  if (auto refusal = calls_.begin(call)) {
     calls_.complete(*call, *std::move(refusal));
     return Instant::never;
-  }
-  for (const CallPointer& superseded : older) {
-    calls_.complete(*superseded, superseded_error(*superseded));
   }
   wake();
   return call->deadline;

@@ -53,9 +53,11 @@ class Conversation::State : public Channel::User,
   void set_identity(const BoardIdentity& board) { board_ = board; }
   const BoardIdentity& identity() const noexcept { return board_; }
 
-  /// Starts a call; returns when it ends at the latest.
+  /// Starts a call, of a task unless it is 0; returns when it ends at the latest.
   Instant start(CallId id, Result<Request> request, const CallOptions& options,
-                ReplyHandler handler);
+                ReplyHandler handler, TaskNumber task = 0);
+  /// The pending calls, with the order of tasks; do not wait while you hold them.
+  SharedCalls& calls() noexcept { return calls_; }
   /// Ends a call with this error, unless it has already ended.
   void end(CallId id, ClientError error);
   /// Ends a call whose deadline has passed, unless it has already ended. The thread that waits for

@@ -13,6 +13,7 @@ namespace sbgc::detail {
 TaskDriver::TaskDriver(Conversation conversation, TaskMachine& task)
     : conversation_(std::move(conversation)), task_(task) {
   task_.set_repeating_line(conversation_.state()->may_repeat());
+  task_.set_number(conversation_.state()->calls()->order().begin());
 }
 
 void TaskDriver::put(Input input) {
@@ -80,6 +81,7 @@ void TaskDriver::begin_call(TaskStep step) {
   const CallId id = step.call;
   Conversation::State& state = *conversation_.state();
   if (state.runs_in_this_thread()) return task_.replied(id, handler_waits_error());
+  if (step.request && step.request->is_motion) join_order();
   step.options.on_confirmation = [self = shared_from_this(), id](unsigned) {
     self->put([id](TaskMachine& task) { task.confirmed(id); });
   };
@@ -95,7 +97,24 @@ void TaskDriver::begin_call(TaskStep step) {
       task.replied(id, std::move(reply));
     });
   };
-  deadlines_[id] = state.start(id, std::move(step.request), step.options, std::move(replied));
+  deadlines_[id] =
+      state.start(id, std::move(step.request), step.options, std::move(replied), task_.number());
+}
+
+/// Before its motion can be superseded, the task must be known.
+void TaskDriver::join_order() {
+  const TaskNumber number = task_.number();
+  if (number == joined_) return;
+  leave_order();
+  joined_ = number;
+  conversation_.state()->calls()->order().join(number, [weak = weak_from_this()](TaskNumber by) {
+    const auto self = weak.lock();
+    if (self) self->put([by](TaskMachine& task) { task.supersede(by); });
+  });
+}
+
+void TaskDriver::leave_order() {
+  if (joined_ != 0) conversation_.state()->calls()->order().leave(std::exchange(joined_, 0));
 }
 
 void TaskDriver::wait(const TaskStep& step, Clock& clock) {
@@ -121,6 +140,7 @@ void TaskDriver::wait(const TaskStep& step, Clock& clock) {
 }
 
 void TaskDriver::end() {
+  leave_order();
   notices_.cancel();
   overhearing_.cancel();
   for (const auto& [call, deadline] : std::exchange(deadlines_, {})) conversation_.cancel(call);

@@ -117,17 +117,22 @@ Task<Result<void>> BoundedTurn::renew_timeout() {
   co_return during("limiting the motion", set.error());
 }
 
-Task<Result<void>> BoundedTurn::turn(Axes<msg::ControlSpeed> speed) {
+Task<Result<void>> BoundedTurn::turn(Axes<msg::ControlSpeed> speed, Instant not_after) {
+  const TaskMachine& task = co_await tasks::this_task();
+  const auto is_late = [&task, not_after] { return task.now() > not_after; };
+  const ClientError late{ErrorCode::timeout, "the board answers too late to turn the camera"};
   if (Result<void> begun = co_await begin(); !begun) co_return begun;
   msg::Control command;
   if (bound_ != MotionBound::target || is_still(speed)) {
     command.control_mode.set_mode(msg::ControlModeKind::speed);
     for (std::size_t i = 0; i < speed.size(); ++i) command.axes[i].speed = speed[i];
+    if (is_late()) co_return late;
     co_return co_await tasks::call(command, short_options());
   }
   const Result<msg::GetAngles> state =
       co_await tasks::call(msg::GetAnglesRequest{}, short_options());
   if (!state) co_return during("reading the camera angles", state.error());
+  if (is_late()) co_return late;
   ShortTargets::Angles measured;
   for (std::size_t i = 0; i < measured.size(); ++i) measured[i] = state->axes[i].imu_angle;
   const ShortTargets::Command next = targets_.next(speed, measured);
@@ -138,13 +143,25 @@ Task<Result<void>> BoundedTurn::turn(Axes<msg::ControlSpeed> speed) {
   co_return co_await tasks::call(command, short_options());
 }
 
-Task<Result<void>> BoundedTurn::stop() {
+Task<Result<void>> BoundedTurn::stop(std::function<bool()> turns_again) {
   targets_ = ShortTargets(lookahead_);
-  const Result<void> stopped = co_await tasks::stop();
-  if (!stopped || !timeout_) co_return stopped;
+  StopOptions options;
+  options.goes_on = [&turns_again] { return !turns_again(); };
+  options.rest = {};
+  Result<void> stopped = co_await tasks::stop(options);
+  if (turns_again() || !stopped) co_return stopped;
+  // Before the timeout is over, which is no longer than the rest.
+  Result<void> removed = co_await let_go();
+  options.rest = StopOptions{}.rest;
+  stopped = co_await tasks::stop(options);
+  co_return stopped ? removed : stopped;
+}
+
+Task<Result<void>> BoundedTurn::let_go() {
+  if (!timeout_) co_return Result<void>();
   const Result<void> removed = co_await tasks::set_control_timeout({});
   if (!removed) {
-    co_return during("the camera has stopped; keeping RC from taking over", removed.error());
+    co_return during("keeping RC from taking over half a second after the motion", removed.error());
   }
   timeout_.reset();
   co_return Result<void>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 #include <sbgc/client/motion.hpp>
@@ -38,10 +39,13 @@ class BoundedTurn {
   BoundedTurn(MotionBound bound, std::chrono::milliseconds lookahead) noexcept
       : bound_(bound), lookahead_(lookahead), targets_(lookahead) {}
 
-  /// Commands a speed, which lasts for the lookahead.
-  Task<Result<void>> turn(Axes<msg::ControlSpeed> speed);
-  /// Stops the camera and removes the timeout, so that it stays where it is.
-  Task<Result<void>> stop();
+  /// Commands a speed, which lasts for the lookahead; fails if it cannot before `not_after`.
+  Task<Result<void>> turn(Axes<msg::ControlSpeed> speed, Instant not_after = Instant::never);
+  /// Stops the camera, unless it `turns_again` meanwhile, and removes the timeout, so that it stays
+  /// where it is.
+  Task<Result<void>> stop(std::function<bool()> turns_again);
+  /// Removes the timeout, which also ends motion that others command.
+  Task<Result<void>> let_go();
 
  private:
   Task<Result<void>> begin();

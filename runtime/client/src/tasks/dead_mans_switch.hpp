@@ -45,6 +45,11 @@ class DeadMansSwitch {
     state_ = State::failed;
     must_stop_ = must_stop_ || turned;
   }
+  /// The camera is in other hands: neither turn nor stop it.
+  void let_go() noexcept {
+    state_ = State::idle;
+    must_stop_ = false;
+  }
   /// The camera has stopped, or can never be stopped.
   void stopped() noexcept { must_stop_ = false; }
   /// The camera may still turn: schedule another stop.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,22 +17,26 @@ namespace sbgc::detail {
 /// The wishes of the owner and their results. Thread-safe. Wake the task after each change.
 class HeldSpeed {
  public:
-  explicit HeldSpeed(const DeadMansSwitch& rules) : rules_(rules) {}
+  /// The order of the client's tasks: a new number, and whether one is superseded.
+  struct Order {
+    std::function<TaskNumber()> begin{};
+    std::function<bool(TaskNumber)> is_superseded{};
+  };
+
+  HeldSpeed(const DeadMansSwitch& rules, Order order) : rules_(rules), order_(std::move(order)) {}
 
   // For the owner.
 
-  /// Applies `change(rules)`, unless sending has failed, or the camera is to stop for ever.
-  template <class Change>
-  Result<void> with(const Change& change) {
-    const std::scoped_lock lock(mutex_);
-    if (error_) return *error_;
-    if (is_closing_) return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
-    return change(rules_);
-  }
+  /// Turns with this speed. Fails if sending has failed, if the camera is to stop for ever, and
+  /// once if another task has superseded the motion.
+  Result<void> set(const DeadMansSwitch::Speed& speed, Instant now);
+  /// Keeps the speed. Fails if the camera does not turn.
+  Result<void> refresh(Instant now);
   /// Stops the camera, until it is to turn again.
   Result<void> stop() {
     const std::scoped_lock lock(mutex_);
     if (error_) return *error_;
+    superseded_.reset();
     rules_.stop();
     return {};
   }
@@ -60,27 +65,35 @@ class HeldSpeed {
 
   // For the task.
 
-  struct Order {
+  struct Next {
     DeadMansSwitch::Action action{};
     DeadMansSwitch::Speed speed{};
+    TaskNumber task{};
     bool is_last = false;            ///< nothing remains to be done
     Instant until = Instant::never;  ///< for Action::none: when to call next() again
   };
-  Order next(Instant now);
-  void done(DeadMansSwitch::Action action, Result<void> result, Instant now);
+  Next next(Instant now);
+  void done(const Next& what, Result<void> result, Instant now);
+  /// True if the camera is to turn.
+  bool is_turning() const { return state() == DeadMansSwitch::State::turning; }
 
  private:
+  void note_superseded();
   bool is_settled(Instant now) const { return is_idle_ && rules_.deadline(now) > now; }
 
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   DeadMansSwitch rules_;
+  const Order order_;
+  TaskNumber task_{};  // the motion's place among the client's tasks
   std::optional<ClientError> error_{};
+  std::optional<ClientError> superseded_{};  // for the next set()
   bool is_closing_ = false;
   bool is_idle_ = false;
 };
 
 /// Turns with the speeds of the owner until it closes `speed`.
-Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn motion);
+/// With `yields`, it ends with ErrorCode::interrupted when somebody else has stopped the camera.
+Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn motion, bool yields);
 
 }  // namespace sbgc::detail

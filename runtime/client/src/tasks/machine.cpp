@@ -17,7 +17,7 @@ TaskStep TaskMachine::step(Instant now) {
 }
 
 bool TaskMachine::is_ready() {
-  was_cancelled_ = false;
+  cut_short_.reset();
   if (wait_.until <= now_) return true;
   // Before the cancellation, which would be lost with the reply that the task gets: it ends the
   // next wait.
@@ -26,9 +26,17 @@ bool TaskMachine::is_ready() {
     if (call->second.reply) return true;
     if (wait_.start_is_enough && call->second.has_started()) return true;
   }
-  was_cancelled_ = std::exchange(is_cancelled_, false);
-  if (was_cancelled_) return true;
+  if (std::exchange(is_cancelled_, false)) cut_short_ = ErrorCode::cancelled;
+  if (std::exchange(is_superseded_, false)) cut_short_ = ErrorCode::superseded;
+  if (cut_short_) return true;
   return wait_.for_wake && std::exchange(is_woken_, false);
+}
+
+Result<void> TaskMachine::end_of_wait() const {
+  if (!cut_short_) return {};
+  return ClientError{*cut_short_, *cut_short_ == ErrorCode::superseded
+                                      ? "a later command stops the camera or moves it"
+                                      : "canceled"};
 }
 
 void TaskMachine::replied(CallId id, Result<Reply> reply) {

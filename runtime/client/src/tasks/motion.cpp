@@ -15,21 +15,52 @@
 
 #include "tasks/agreement.hpp"
 #include "tasks/control_timeout.hpp"
+#include "tasks/patience.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
 namespace {
 
 constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
-/// How long a camera may stand still off its target before the command is repeated.
-constexpr Duration patience = milliseconds(500);
-
 /// Returns the signed difference of two angles, which wrap around after two turns in each
 /// direction.
 double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
   const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
   return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
 }
+
+/// How often a target is repeated while nothing shows that the board has it.
+constexpr Duration repetition = milliseconds(100);
+/// Target angles that differ by less, in degrees, are the same.
+constexpr double noise = 0.05;
+
+/// A command that the board need not confirm: whether it did is known later.
+class Sending {
+ public:
+  explicit Sending(TaskMachine& task) : task_(task) {}
+  Sending(const Sending&) = delete;
+  Sending& operator=(const Sending&) = delete;
+  ~Sending() { task_.end(id_); }
+
+  /// Sends a command; forgets the last one.
+  template <Message M>
+  void send(const M& command) {
+    task_.end(id_);
+    CallOptions options;
+    options.expect_confirmation = true;
+    id_ = task_.begin(command, options);
+  }
+  bool is_confirmed() const { return task_.has_started(id_); }
+  std::optional<ClientError> error() const {
+    const Result<Reply>* const reply = task_.reply(id_);
+    if (reply == nullptr || *reply) return std::nullopt;
+    return reply->error();
+  }
+
+ private:
+  TaskMachine& task_;
+  CallId id_{};
+};
 
 /// The state of a running move_to().
 class Move {
@@ -43,69 +74,155 @@ class Move {
 
   bool was_sent() const noexcept { return sent_; }
 
-  /// Sends the target until the camera turns to it or is there.
-  Task<Result<MoveProgress>> begin() {
-    while (true) {
-      const Result<msg::GetAngles> state =
-          co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
-      if (!state && is_cut_short(state.error()))
-        co_return late("begin to turn", "; are the motors on? ");
-      if (!state) co_return detail::during(where(), state.error());
-      if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
-      see(*state, task_.now());
-      if (sent_ && (seen_->is_close || turns(*state))) co_return *seen_;
-      const Result<void> sent = co_await send(*state);
-      if (!sent) co_return detail::during("sending the target", sent.error());
-      sent_ = true;
-      const Instant next = task_.now() + detail::duration_of(options_.interval);
-      const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
-      if (!waited) co_return cancelled();
-      if (deadline_.is_over()) co_return late("begin to turn", "; are the motors on? ");
-    }
-  }
-
-  Task<Result<MoveProgress>> arrive() {
+  /// Sends the target, and waits until the camera turns to it or, `to_the_end`, is there.
+  Task<Result<MoveProgress>> run(bool to_the_end) {
     Instant close_since = Instant::never;
-    Instant sent_at{};
     while (true) {
       // Read the angles first: commands are useless to a silent board, and old firmware needs the
       // current targets of axes that are left alone.
       const Result<msg::GetAngles> state =
-          co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
-      if (!state && is_cut_short(state.error())) co_return late("arrive", ": ");
-      if (!state) co_return detail::during(where(), state.error());
-      if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
+          co_await tasks::call(msg::GetAnglesRequest{}, options_of_poll());
+      if (!state && is_cut_short(state.error())) co_return late(to_the_end);
+      if (!state) co_return ended(state.error());
+      auto refused = refusals_.take();
+      if (!refused) refused = sending_.error();
+      if (refused && sent_) co_return ended(*refused, "sending the target");
       const Instant now = task_.now();
       see(*state, now);
-      if (options_.progress && !options_.progress(*seen_)) co_return cancelled();
-      const bool stands_still = !seen_->is_close && !turns(*state) && now - sent_at >= patience;
-      if (!sent_ || stands_still) {
-        const Result<void> sent = co_await send(*state);
-        if (!sent) co_return detail::during("sending the target", sent.error());
+      if (to_the_end && options_.progress && !options_.progress(*seen_)) {
+        co_return ended({ErrorCode::cancelled, ""});
+      }
+      if (const auto over = follow(*state, now)) co_return *over;
+      const bool is_due =
+          !sent_ || (now - start_ < detail::patience && now - last_sent_ >= repetition);
+      if (!has_begun_ && is_due) {
+        send(*state);
+        last_sent_ = now;
+        if (!sent_) rest_since_ = now;
         sent_ = true;
-        sent_at = now;
+      } else if (!to_the_end && (seen_->is_close || turns(*state))) {
+        co_return *seen_;
       }
       close_since = seen_->is_close ? earlier(close_since, now) : Instant::never;
-      if (seen_->is_close && now - close_since >= detail::duration_of(options_.settle)) {
+      if (to_the_end && seen_->is_close &&
+          now - close_since >= detail::duration_of(options_.settle)) {
         co_return *seen_;
       }
       const Instant next = now + detail::duration_of(options_.interval);
       const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
-      if (!waited) co_return cancelled();
-      if (deadline_.is_over()) co_return late("arrive", ": ");
+      if (!waited) co_return ended(waited.error());
+      if (deadline_.is_over()) co_return late(to_the_end);
     }
   }
 
  private:
+  /// The target is not sent after the patience of its beginning.
+  CallOptions options_of_poll() const {
+    CallOptions options = detail::options_within(deadline_);
+    if (sent_) return options;
+    const auto left = detail::whole_milliseconds(start_ + detail::patience - task_.now());
+    options.timeout = std::min(options.timeout.value_or(left), left);
+    return options;
+  }
   /// True if a call failed because there was no time left for it.
   bool is_cut_short(const ClientError& error) const {
     return error.code == ErrorCode::timeout && seen_ && deadline_.is_over();
   }
-  ClientError late(const char* what, const char* separator) const {
-    return {ErrorCode::timeout, fmt::format("the camera did not {} within {} ms{}{}", what,
-                                            options_.timeout.count(), separator, where())};
+  ClientError late(bool to_the_end) const {
+    const bool never_began = !to_the_end || !has_begun_;
+    return {ErrorCode::timeout,
+            fmt::format("the camera did not {} within {} ms{}{}",
+                        never_began ? "begin to turn" : "arrive", options_.timeout.count(),
+                        never_began ? "; are the motors on? " : ": ", where())};
   }
-  ClientError cancelled() const { return detail::cancelled_error("the move (" + where() + ")"); }
+  ClientError not_begun() const {
+    return {ErrorCode::timeout,
+            fmt::format("the camera did not begin to turn within {} ms; are the "
+                        "motors on? {}",
+                        detail::whole_milliseconds(detail::patience).count(), where())};
+  }
+  /// The error of a move that ends because of another: a cancellation, a later command of this
+  /// client, or what failed.
+  ClientError ended(const ClientError& why, const char* during = nullptr) const {
+    if (why.code == ErrorCode::cancelled) {
+      return detail::cancelled_error("the move (" + where() + ")");
+    }
+    if (why.code == ErrorCode::superseded) {
+      return {
+          why.code,
+          "the move has ended, because a later command stops the camera or moves it; " + where()};
+    }
+    if (why.code == ErrorCode::board_error) return why;
+    return detail::during(during != nullptr ? during : where(), why);
+  }
+  /// The error of a move whose target the board does not have any more.
+  ClientError interrupted() const {
+    std::string text;
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      if (!target_[i]) continue;
+      text += fmt::format("{}{} stands at {:.2f} deg, its target is {} {:.2f}",
+                          text.empty() ? "" : ", ", axis_names[i], seen_->angles[i].degrees(),
+                          is_own(i) ? "still" : "no longer", target_[i]->degrees());
+    }
+    text += has_turned_ ? ": another program, RC, a limit or the control timeout"
+                        : ": are the motors on? Or another program, RC or a limit";
+    return {ErrorCode::interrupted, text};
+  }
+
+  /// Judges what the board does with the target since it was sent: whether it has begun, and
+  /// whether the move is over because somebody else has changed the target.
+  std::optional<ClientError> follow(const msg::GetAngles& state, Instant now) {
+    if (!sent_) {
+      before_ = last_ = state;
+      return std::nullopt;
+    }
+    if (turns(state) || has_other_target(last_, state)) {
+      rest_since_ = now;
+      last_ = state;
+    }
+    has_turned_ = has_turned_ || turns(state) || has_other_target(before_, state);
+    const bool has_own = is_own(0) && is_own(1) && is_own(2);
+    if (!has_begun_) {
+      has_begun_ = has_turned_ || sending_.is_confirmed() || has_left(before_, state);
+      const bool may_repeat = now - start_ < detail::patience;
+      if (!has_begun_ && !may_repeat && now - last_sent_ >= repetition) {
+        if (!has_own && !seen_->is_close) return not_begun();
+        has_begun_ = true;  // the board had this target before
+      }
+    }
+    if (!has_begun_ || seen_->is_close || has_own || now - rest_since_ < detail::rest) {
+      return std::nullopt;
+    }
+    return interrupted();
+  }
+
+  /// True if the axis has no target, or the board has the one of this move. Boards may count turns
+  /// in another way.
+  bool is_own(std::size_t axis) const {
+    if (!target_[axis]) return true;
+    const double off = degrees_between(last_.axes[axis].rc_target_angle, *target_[axis]);
+    return std::abs(std::remainder(off, 360)) <= noise;
+  }
+  bool has_other_target(const msg::GetAngles& before, const msg::GetAngles& now) const {
+    return any_axis([&](std::size_t i) {
+      const double way =
+          degrees_between(before.axes[i].rc_target_angle, now.axes[i].rc_target_angle);
+      return std::abs(way) > noise;
+    });
+  }
+  bool has_left(const msg::GetAngles& before, const msg::GetAngles& now) const {
+    return any_axis([&](std::size_t i) {
+      const double way = degrees_between(before.axes[i].imu_angle, now.axes[i].imu_angle);
+      return std::abs(way) > options_.tolerance;
+    });
+  }
+  template <class Condition>
+  bool any_axis(const Condition& holds) const {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      if (target_[i] && holds(i)) return true;
+    }
+    return false;
+  }
 
   void see(const msg::GetAngles& state, Instant now) {
     MoveProgress& seen = seen_.emplace();
@@ -121,14 +238,10 @@ class Move {
 
   /// True if a target axis has a speed.
   bool turns(const msg::GetAngles& state) const {
-    for (std::size_t i = 0; i < axis_names.size(); ++i) {
-      if (target_[i] && state.axes[i].rc_speed.raw() != 0) return true;
-    }
-    return false;
+    return any_axis([&](std::size_t i) { return state.axes[i].rc_speed.raw() != 0; });
   }
 
-  Task<Result<void>> send(msg::GetAngles state) {
-    const CallOptions options = detail::options_within(deadline_);
+  void send(const msg::GetAngles& state) {
     const bool all = target_.roll && target_.pitch && target_.yaw;
     if (!all && is_supported<msg::ControlExt>(task_.identity().versions())) {
       msg::ControlExt command;
@@ -137,14 +250,14 @@ class Move {
         command.control_mode[i].set_mode(msg::ControlModeKind::angle);
         command.axes[i] = {options_.speed, *target_[i]};
       }
-      co_return co_await tasks::call(command, options);
+      return sending_.send(command);
     }
     msg::Control command;
     command.control_mode.set_mode(msg::ControlModeKind::angle);
     for (std::size_t i = 0; i < axis_names.size(); ++i) {
       command.axes[i] = {options_.speed, target_[i] ? *target_[i] : state.axes[i].rc_target_angle};
     }
-    co_return co_await tasks::call(command, options);
+    sending_.send(command);
   }
 
   /// For example "roll is at 1.50 deg, 3.00 deg from its target, yaw …".
@@ -166,7 +279,14 @@ class Move {
   Instant start_;
   detail::Deadline deadline_;
   detail::Refusals refusals_{task_, msg::CommandToBoard::control};
+  Sending sending_{task_};
   bool sent_ = false;
+  Instant last_sent_{};
+  bool has_begun_ = false;   // something shows that the board has the target
+  bool has_turned_ = false;  // the axes, or their targets
+  msg::GetAngles before_{};  // the first sending
+  msg::GetAngles last_{};    // the last change
+  Instant rest_since_{};     // that change
   std::optional<MoveProgress> seen_{};
 };
 
@@ -195,11 +315,12 @@ std::string turning(const msg::GetAngles& state) {
   return result;
 }
 
-/// Ends a move: stops the camera if it failed.
+/// Ends a move: stops the camera if it failed, unless it is in other hands.
 Task<Result<MoveProgress>> finish(Result<MoveProgress> result, bool was_sent,
                                   bool stop_on_failure) {
   if (result || !was_sent || !stop_on_failure) co_return result;
   ClientError error = result.error();
+  if (is_in_other_hands(error.code)) co_return error;
   const Result<void> stopped = co_await tasks::stop();
   if (!stopped) {
     error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
@@ -218,14 +339,14 @@ namespace tasks {
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
   if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
   Move move(co_await this_task(), target, options);
-  Result<MoveProgress> result = co_await move.arrive();
+  Result<MoveProgress> result = co_await move.run(true);
   co_return co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
 }
 
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options) {
   if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
   Move move(co_await this_task(), target, options);
-  Result<MoveProgress> result = co_await move.begin();
+  Result<MoveProgress> result = co_await move.run(false);
   co_return co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
 }
 
@@ -235,29 +356,44 @@ Task<Result<void>> stop(StopOptions options) {
   halt.control_mode.set_mode(msg::ControlModeKind::speed);
   const detail::Deadline deadline(task, options.timeout);
   detail::Refusals refusals(task, msg::CommandToBoard::control);
+  Instant still_since = Instant::never;
+  std::string turned;  // what turned last
   while (true) {
-    // The board need not confirm the command, so a loss may go unnoticed: repeat it until the board
-    // reports speed 0.
-    const Result<void> sent = co_await call(halt, detail::options_within(deadline));
-    if (!sent) co_return sent;
+    // The board need not confirm the command, so a loss may go unnoticed, and somebody else may
+    // turn the camera: repeat it while the camera turns.
+    if (still_since == Instant::never) {
+      const Result<void> sent = co_await call(halt, detail::options_within(deadline));
+      if (!sent) co_return sent;
+    }
     const Result<msg::GetAngles> state =
         co_await call(msg::GetAnglesRequest{}, detail::options_within(deadline));
+    if (!state && state.error().code == ErrorCode::superseded) co_return state.error();
     const auto unknown = [&] {
       return detail::during("checking whether the camera has stopped", state.error());
     };
     if (!state && state.error().code != ErrorCode::timeout) co_return unknown();
     const std::string still = state ? turning(*state) : "";
-    if (state && still.empty()) co_return Result<void>();
-    if (auto refused = refusals.take()) {
+    const bool is_still = state && still.empty();
+    still_since = is_still ? earlier(still_since, task.now()) : Instant::never;
+    if (is_still && task.now() - still_since >= detail::duration_of(options.rest))
+      co_return Result<void>();
+    if (is_still && options.goes_on && !options.goes_on()) co_return Result<void>();
+    if (!still.empty()) turned = still;
+    if (auto refused = refusals.take(); refused && !is_still) {
       refused->message += "; the camera still turns: " + still;
       co_return *std::move(refused);
     }
     const Instant next = task.now() + detail::duration_of(options.interval);
     const Result<void> waited = co_await wait_until(earlier(next, deadline.end()));
+    if (!waited && waited.error().code == ErrorCode::superseded) co_return waited;
     if (!waited) co_return detail::cancelled_error("stopping the camera");
     if (!deadline.is_over()) continue;
-    co_return state ? ClientError{ErrorCode::timeout, "the camera still turns: " + still}
-                    : unknown();
+    if (!state) co_return unknown();
+    if (is_still && turned.empty()) continue;  // the rest is not over yet
+    co_return ClientError{ErrorCode::timeout,
+                          is_still
+                              ? fmt::format("the camera has not come to rest; at last: {}", turned)
+                              : "the camera still turns: " + still};
   }
 }
 

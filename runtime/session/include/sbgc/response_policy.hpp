@@ -190,7 +190,7 @@ struct ResponsePolicy {
   ConfirmationResult result{};
   StreamChange stream{};
 
-  /// Returns true if this request must not follow a later one of the same host. A stop is never
+  /// Returns true if this request must not follow a later one, of any host. A stop is never
   /// superseded: speed 0 is less than motors off.
   constexpr bool is_superseded_by(const ResponsePolicy& later) const noexcept {
     return moves && !stops && later.stops;

@@ -49,7 +49,7 @@ struct SessionCapacity {
 /// - A request with an effect is never sent, first or again, after a later one of the same host.
 ///   It waits for no response. If several in flight have the same response, that with the fewest
 ///   confirmations gets it, then the oldest.
-/// - A request that stops all motion is sent next. Motion that its host has requested before and
+/// - A request that stops all motion is sent next. Motion that any host has requested before and
 ///   that is still queued is not sent: it completes with `superseded`. Others follow the stop.
 /// - A request that only reads waits while its response could be confused with that of an earlier
 ///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it. Requests
@@ -325,13 +325,15 @@ class BasicSession {
   template <class Sink>
   void end_older(Handle sent, std::uint16_t host, const ResponsePolicy& policy, Sink& sink) {
     for (Request& request : requests_) {
-      const bool is_of_host = request.is_open() && request.host == host;
-      if (!is_of_host || !request.is_older_than(sent) || !request.policy.has_effect) continue;
+      if (!request.is_open() || !request.is_older_than(sent) || !request.policy.has_effect)
+        continue;
+      const bool is_superseded = request.policy.is_superseded_by(policy);
+      if (request.host != host && !is_superseded) continue;
       if (request.state == State::in_flight) {
         request.attempts = 0;
       } else if (request.state == State::resend) {
         complete(request, Outcome::timeout, no_frame, sink);
-      } else if (request.policy.is_superseded_by(policy)) {
+      } else if (is_superseded) {
         complete(request, Outcome::superseded, no_frame, sink);
       }
     }

@@ -25,7 +25,8 @@ enum class ErrorCode : std::uint8_t {
   bad_response,   ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
-  superseded,     ///< not sent, because a later call stops all motion
+  superseded,     ///< ended by a later command of the same client that stops, or moves otherwise
+  interrupted,    ///< the motion was ended by somebody else: another program, RC, a limit
 };
 
 /// The name of a code, such as "link_lost".
@@ -47,8 +48,15 @@ constexpr const char* name(ErrorCode code) noexcept {
     case ErrorCode::bad_file: return "bad_file";
     case ErrorCode::incompatible: return "incompatible";
     case ErrorCode::superseded: return "superseded";
+    case ErrorCode::interrupted: return "interrupted";
   }
   return "unknown_error";
+}
+
+/// True if a motion has ended because the camera obeys somebody else now. Its owner must send
+/// nothing more: no stop, and no way back.
+constexpr bool is_in_other_hands(ErrorCode code) noexcept {
+  return code == ErrorCode::superseded || code == ErrorCode::interrupted;
 }
 
 /// An error of the client. (sbgc::Error is a message of the protocol.)

@@ -33,8 +33,8 @@ struct MoveOptions {
   std::chrono::milliseconds settle{300};
   /// How often to poll the angles.
   std::chrono::milliseconds interval{50};
-  /// Stop the camera if it does not arrive: on a timeout, cancellation or error. This takes up to
-  /// StopOptions::timeout more.
+  /// Stop the camera if it does not arrive: on a timeout, cancellation or error, but not if it is
+  /// in other hands. This takes up to StopOptions::timeout more.
   bool stop_on_failure = true;
   /// Called after each poll. Returning false cancels the move.
   std::function<bool(const MoveProgress&)> progress{};
@@ -43,16 +43,28 @@ struct MoveOptions {
 /// Options of stop().
 struct StopOptions {
   std::chrono::milliseconds timeout{3'000};
-  /// How often to poll the speed and repeat the command.
+  /// How long the board must report speed 0.
+  std::chrono::milliseconds rest{500};
+  /// How often to poll the speed, and to repeat the command while the camera turns.
   std::chrono::milliseconds interval{50};
+  /// Called after each poll that shows a still camera. Returning false ends the wait for its rest.
+  std::function<bool()> goes_on{};
 };
 
 namespace tasks {
 
 /// Moves the camera to `target`, in Euler coordinates, and waits until it arrives. Returns the last
 /// state; the error says how far the move got. Axes without a target stay under, or return to, RC
-/// control; firmware before 2.55b5 holds them at their current targets. The command is repeated if
-/// the measured angle settles off the target.
+/// control; firmware before 2.55b5 holds them at their current targets.
+///
+/// The command is repeated for at most 400 ms, and only while nothing shows that the board has it:
+/// no confirmation, no speed, the same target as before. Then:
+/// - A camera that stands off the target for 500 ms, and whose board no longer has this target, has
+///   been stopped or moved by somebody else: ErrorCode::interrupted.
+/// - A stop, the end of serial control, a reset or another motion of this client, begun later, ends
+///   the move: ErrorCode::superseded.
+/// In both cases the move sends nothing more, not even a stop. A camera that an obstacle keeps off
+/// the target is given until the timeout.
 ///
 /// Angles cover two full turns in each direction: 370 degrees is a different target from 10.
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
@@ -62,8 +74,9 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 /// itself, also if the line is lost.
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {});
 
-/// Stops all axes where they are and waits until the board reports speed 0 for each. Serial control
-/// remains active, with speed 0; see release().
+/// Stops all axes where they are, and succeeds when the board has reported speed 0 for each for
+/// StopOptions::rest; until then, it stops again what turns. A later motion of this client ends it with
+/// ErrorCode::superseded. Serial control remains active, with speed 0; see release().
 Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control and returns control to RC.

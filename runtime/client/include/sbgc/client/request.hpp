@@ -21,6 +21,10 @@ struct Contexts;
 /// Identifies a call, from the task that begins it to its end. Unique in the process, from 1.
 using CallId = std::uint64_t;
 
+/// The place of a task in the order in which the tasks of a client began, from 1. A later motion
+/// supersedes an earlier one.
+using TaskNumber = std::uint64_t;
+
 namespace detail {
 
 CallId next_call_id() noexcept;
@@ -31,6 +35,7 @@ struct Request {
   std::vector<std::uint8_t> body{};
   ResponsePolicy policy{};
   std::uint16_t host{};
+  bool is_motion{};          ///< it commands motion and does nothing else, or stops all
   const char* command = "";  ///< for example "CMD_CONTROL"
   /// Stores the facts of the request that decoding later messages needs; empty for most.
   std::function<void(Contexts&)> teach{};

@@ -42,6 +42,10 @@ struct SpeedControlOptions {
   /// How long the camera may turn without a command, except with MotionBound::none. Several times
   /// `repeat`, so that a lost command does not matter; at most a minute.
   std::chrono::milliseconds lookahead{500};
+  /// Read the speeds before a speed is repeated, and fail with ErrorCode::interrupted when somebody
+  /// else has stopped the camera, or with ErrorCode::timeout when it does not begin to turn. For
+  /// speeds that seldom change; without it, a stop of another program is undone within `repeat`.
+  bool ends_when_stopped = false;
 };
 
 /// Holds a speed as long as its owner refreshes it. Without it, a board keeps turning if its host
@@ -91,7 +95,9 @@ class SpeedControl {
   /// Stops the camera if it turns, and waits until it has stopped.
   ~SpeedControl();
 
-  /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still.
+  /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still. If a
+  /// later command of this client has stopped or moved the camera since the last call, fails once
+  /// with ErrorCode::superseded and sends nothing.
   Result<void> set(const Axes<msg::ControlSpeed>& speed);
   /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none.
   Result<void> refresh();

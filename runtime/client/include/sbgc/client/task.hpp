@@ -81,6 +81,14 @@ class TaskMachine {
   void overheard(std::uint8_t id);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
+  /// Says that the task with this number supersedes the motion of earlier ones: ends the current or
+  /// next wait of these with ErrorCode::superseded, once.
+  void supersede(TaskNumber by) noexcept { is_superseded_ = is_superseded_ || number_ < by; }
+  /// Its place among the tasks of the client, which its calls carry; 0 if there is none.
+  TaskNumber number() const noexcept { return number_; }
+  void set_number(TaskNumber number) noexcept {
+    if (std::exchange(number_, number) != number) is_superseded_ = false;
+  }
   /// Ends a wait of tasks::wait_for_wake().
   void wake() noexcept { is_woken_ = true; }
 
@@ -134,8 +142,8 @@ class TaskMachine {
     coroutine_ = coroutine;
     wait_ = wait;
   }
-  /// True if the last wait was cancelled.
-  bool was_cancelled() const noexcept { return was_cancelled_; }
+  /// Why the last wait ended early; nothing if it did not.
+  Result<void> end_of_wait() const;
 
  private:
   struct Call {
@@ -161,8 +169,10 @@ class TaskMachine {
   std::function<void(std::uint8_t)> overhearing_{};
   bool line_may_repeat_ = false;
   bool is_cancelled_ = false;
-  bool was_cancelled_ = false;
+  bool is_superseded_ = false;
+  std::optional<ErrorCode> cut_short_{};
   bool is_woken_ = false;
+  TaskNumber number_{};
 
   template <class R>
   friend class Task;
@@ -272,10 +282,7 @@ struct Waiting {
     machine = coroutine.promise().machine;
     machine->wait(coroutine, wait);
   }
-  Result<void> await_resume() const {
-    if (!machine->was_cancelled()) return {};
-    return ClientError{ErrorCode::cancelled, "canceled"};
-  }
+  Result<void> await_resume() const { return machine->end_of_wait(); }
 };
 
 /// With a constructor, because g++ 12 copies the bytes of a temporary aggregate.
@@ -298,9 +305,7 @@ struct Calling {
   CallResult<M> await_resume() {
     const Result<Reply>* const reply = machine->reply(id);
     CallResult<M> result =
-        reply != nullptr
-            ? read_response<M>(*reply)
-            : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was canceled"});
+        reply != nullptr ? read_response<M>(*reply) : CallResult<M>(machine->end_of_wait().error());
     machine->end(id);
     return result;
   }
@@ -319,7 +324,7 @@ detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
   return {request, options};
 }
 
-/// Waits until `until`; fails with ErrorCode::cancelled.
+/// Waits until `until`; fails with ErrorCode::cancelled or ErrorCode::superseded.
 inline detail::Waiting wait_until(Instant until) noexcept { return {{.until = until}}; }
 /// Waits for TaskMachine::wake(), at the latest until `until`.
 inline detail::Waiting wait_for_wake(Instant until) noexcept {
