@@ -351,6 +351,10 @@ class Gimbal(Link):
         """Move the camera to these angles, in degrees, and wait until it is there.
 
         Axes without an angle stay under RC control. Speed 0 is that of the parameters.
+
+        Raises a GimbalError with the code "superseded" if a later command of this client stops the
+        camera or moves it, and "interrupted" if another program, RC or a limit has changed the
+        target. In both cases it sends nothing more.
         """
         operation = self._move(roll, pitch, yaw, speed, timeout, tolerance, True)
         tell = None if progress is None else (lambda *found: progress(move_of(found)))
@@ -369,7 +373,11 @@ class Gimbal(Link):
         return move_of(finish(self._move(roll, pitch, yaw, speed, timeout, 0.5, False)))
 
     def stop(self, *, timeout: float = 4.0) -> None:
-        """Stop the camera, and wait until it stands still."""
+        """Stop the camera, and wait until it has stood still for half a second.
+
+        It ends every motion of this client that began before: these raise a GimbalError with the
+        code "superseded", a held speed at its next set(). A motion that begins later ends the wait.
+        """
         finish(self._link.stop(), timeout=timeout)
 
     def release(self, *, timeout: float = 10.0) -> None:
