@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import signal
 from collections.abc import Iterator
@@ -90,17 +91,24 @@ def studio_(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
     broker.kill()
 
 
-def test_what_is_published_fits_the_schema(studio: Studio) -> None:
+@functools.cache
+def gateway_schema() -> Any:
     schema = json.loads(run("gateway", "--schema").out)
     jsonschema.Draft202012Validator.check_schema(schema)
+    return schema
 
-    def check(kind: str, value: Any) -> None:
-        validator = jsonschema.Draft202012Validator(
-            {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
-        )
-        for error in validator.iter_errors(value):
-            raise error
 
+def check(kind: str, value: Any) -> None:
+    """Checks a payload against the schema of the gateway."""
+    schema = gateway_schema()
+    validator = jsonschema.Draft202012Validator(
+        {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
+    )
+    for error in validator.iter_errors(value):
+        raise error
+
+
+def test_what_is_published_fits_the_schema(studio: Studio) -> None:
     assert studio.result("raw", {"message": "BoardInfoRequest"})["status"] == "done"
     assert studio.result("move", {"angles": {"yaw": 1}, "speed": -1})["status"] == "refused"
     eventually(lambda: studio.seen.on("sbgc/studio/front/telemetry/RealtimeData4"))

@@ -168,8 +168,9 @@ class Commander:
         self.count = 0
 
     def publish(self, topic: str, text: str, *options: str, check: bool = True) -> int:
+        source = "-s" if text else "-n"
         done = subprocess.run(
-            [*self.base, *options, "-t", topic, "-s"],
+            [*self.base, *options, "-t", topic, source],
             input=text,
             text=True,
             timeout=60,

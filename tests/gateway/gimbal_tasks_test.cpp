@@ -205,6 +205,30 @@ TEST_F(GimbalTasksTest, AStopGoesFirst) {
   EXPECT_TRUE(is_at_rest_after(2));
 }
 
+TEST_F(GimbalTasksTest, StopsThatComeTogetherAreOne) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  constexpr std::size_t count = 200;
+  for (std::size_t i = 0; i < count; ++i) run({.what = StopOrder()});
+  EXPECT_EQ(ends.wait_for(count + 1).back().second, "done");
+  EXPECT_EQ(speed(), 0);
+  EXPECT_LT(board.count<msg::Control>(), count);
+}
+
+TEST_F(GimbalTasksTest, AMotionThatIsNotConfirmedDoesNotComeAfterAStop) {
+  connect();
+  board.on_lost([](const Packet& request) {
+    return test::is<msg::Control>(request) &&
+           test::message<msg::Control>(request).axes.pitch.speed.raw() != 0;
+  });
+  run(turning_for(Order::forever));
+  EXPECT_EQ(result({.what = StopOrder()}), "done");
+  EXPECT_EQ(end_of(1), "cancelled");
+  board.on_lost({});
+  EXPECT_EQ(result(reading()), "done");
+  EXPECT_EQ(speed(), 0);
+}
+
 TEST_F(GimbalTasksTest, MotorsAreTurnedOffBeforeWhatWaits) {
   connect();
   run(far_move());

@@ -5,7 +5,9 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,6 +113,30 @@ TEST(Payload, a_refusal_knows_where_to_go) {
                Refusal);
   EXPECT_EQ(payload.key, "k");
   EXPECT_EQ(payload.reply, "sbgc/studio/reply/a");
+}
+
+TEST(Payload, a_stop_needs_nothing) {
+  const std::string reply = R"("reply": "sbgc/studio/reply/a")";
+  for (const auto& [text, ignored] :
+       std::initializer_list<std::pair<std::string, std::vector<std::string>>>{
+           {"", {}},
+           {"{}", {}},
+           {R"({"version": 1, "key": "k"})", {}},
+           {"stop", {"the payload is no JSON: this is not JSON, at line 1, column 1"}},
+           {"5", {"the payload must be a JSON object"}},
+           {R"({"version": 2})", {"'version' must be 1"}},
+           {R"({"parameters": {"x": 1}})", {"unknown parameter 'x'"}},
+           {R"({"key": 5, "speed": 1, "parameters": 2})",
+            {"'key' must be a string", "unknown key 'speed'", "'parameters' must be an object"}}}) {
+    CommandPayload payload;
+    EXPECT_EQ(read_stop_payload(text, topics, payload), ignored) << text;
+  }
+  CommandPayload payload;
+  EXPECT_EQ(read_stop_payload(R"({"x": 0, "key": "", )" + reply + '}', topics, payload).size(), 2U);
+  EXPECT_EQ(payload.reply, "sbgc/studio/reply/a");
+  std::string many = "{";
+  for (int i = 0; i < 1000; ++i) many += fmt::format(R"("{}": 0, )", i);
+  EXPECT_LT(read_stop_payload(many + reply + '}', topics, payload).size(), 20U);
 }
 
 TEST(Newest, the_newest_of_each_topic_wins) {

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from broker_test import check
 from brokers import Commander, Mosquitto, Subscriber
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
@@ -169,6 +170,52 @@ def test_a_stop_is_no_repetition(stage: Stage) -> None:
             # Neither a key that is known nor a deadline matters.
             stage.say.command("front", "stop", key="the same", deadline=9223372036854)
             eventually(stage.stands)
+
+
+def ignored(stage: Stage) -> int:
+    return int(stage.seen.on("sbgc/studio/gateway/heartbeat")[-1].json["ignored"])
+
+
+@pytest.mark.parametrize(
+    "payload, complains",
+    [
+        ("", False),
+        ("{}", False),
+        ("stop", True),
+        ("\x01\xff", True),
+        ('{"version": 2, "key": {}, "deadline": "now", "parameters": {"x": 1}}', True),
+        ("9" * 70_000, True),
+    ],
+)
+def test_any_payload_stops(stage: Stage, payload: str, complains: bool) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        start_turning(stage)
+        # Nothing is guessed from another topic.
+        for topic in ("cmd/move", "cmd/stop/", "cmd/STOP", "raw"):
+            stage.say.publish(f"sbgc/studio/front/{topic}", "stop")
+        eventually(lambda: len(stage.seen.events("front", "result")) == 3)  # "cmd/stop/" is none
+        assert stage.turns()
+        stage.say.publish("sbgc/studio/front/cmd/stop", payload)
+        event = eventually(lambda: stage.seen.events("front", "result")[3:])[0]
+        assert event["result"]["status"] == "done" and stage.stands()
+        assert bool(event["result"].get("ignored")) == complains, event
+        check("event", event)
+        eventually(lambda: ignored(stage) == int(complains))
+
+
+def test_stops_that_are_refused_or_not_answered(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
+        start_turning(stage)
+        stage.say.publish("sbgc/studio/front/cmd/stop", "stop", "-V", "5", "-r")
+        refused = eventually(lambda: stage.seen.events("front", "result"))[0]["result"]
+        assert refused["error"]["code"] == "retained" and stage.turns()
+        stage.say.remove_retained("sbgc/studio/front/cmd/stop")
+        broken = stage.say.publish_many("sbgc/studio/front/cmd/stop", [{"version": 9}] * 2000)
+        broken.wait(60)
+        eventually(lambda: ignored(stage) == 2000 and stage.accepts_motion())
+        answered = len(stage.seen.events("front", "result"))
+        heartbeat = stage.seen.on("sbgc/studio/gateway/heartbeat")[-1].json
+        assert 500 <= answered < 2000 and heartbeat["dropped"] > 0
 
 
 def test_garbage_does_not_delay_a_stop(stage: Stage) -> None:

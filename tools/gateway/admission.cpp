@@ -62,28 +62,38 @@ void Admission::take(const std::vector<MqttMessage>& messages) {
   }
 }
 
-/// Stops a gimbal, whatever waits or was commanded before. Returns null if the message is no `stop`
-/// or is refused, which take_one() does.
+/// Stops a gimbal, whatever waits or was commanded before, and whatever is wrong with the payload.
+/// Returns null if the message is no `stop` or is refused, which take_one() does.
 const Station* Admission::stop_at_once(const MqttMessage& message) {
   const std::optional<CommandTopic> topic = topics_.command(message.topic);
   if (!topic || topic->task != stop_task) return nullptr;
-  CommandPayload payload = addressed_payload(message);
   try {
-    read_payload(message.payload, topics_, payload);
     const Station& station = station_for(*topic, message.is_retained);
-    Order order = read_order(stop_task, payload.parameters, {});
-    const auto done =
-        [this, gimbal = topic->gimbal, key = payload.key,
-         reply = ReplyAddress{payload.reply, payload.correlation}](const TaskOutcome& outcome) {
-          outbox_.notify(
-              answer_to(topics_, gimbal, reply, result_json(gimbal, stop_task, key, outcome)));
-          outbox_.count(outcome.status);
-        };
-    station.tasks->run({.order = std::move(order), .done = done});
+    station.tasks->run({.order = {.what = StopOrder()}, .done = answer_of_stop(*topic, message)});
     return &station;
   } catch (const Refusal&) {
     return nullptr;
   }
+}
+
+/// Broken ones get as many answers as what is refused.
+GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const MqttMessage& message) {
+  CommandPayload payload = addressed_payload(message);
+  const auto ignored = read_stop_payload(message.payload, topics_, payload);
+  if (!ignored.empty()) {
+    outbox_.count_ignored();
+    if (!refusals_.take(GimbalTasks::Clock::now())) {
+      outbox_.count_dropped();
+      return [this](const TaskOutcome& outcome) { outbox_.count(outcome.status); };
+    }
+  }
+  return [this, gimbal = topic.gimbal, key = payload.key, ignored,
+          reply = ReplyAddress{payload.reply, payload.correlation}](const TaskOutcome& outcome) {
+    Json result = result_json(gimbal, stop_task, key, outcome);
+    if (!ignored.empty()) result["ignored"] = ignored;
+    outbox_.notify(answer_to(topics_, gimbal, reply, std::move(result)));
+    outbox_.count(outcome.status);
+  };
 }
 
 std::optional<Admission::Admitted> Admission::take_one(const MqttMessage& message,
@@ -95,7 +105,11 @@ std::optional<Admission::Admitted> Admission::take_one(const MqttMessage& messag
   if (!topic) return {};
   CommandPayload payload = addressed_payload(message);
   try {
-    read_payload(message.payload, topics_, payload);
+    if (topic->task == stop_task) {
+      read_stop_payload(message.payload, topics_, payload);
+    } else {
+      read_payload(message.payload, topics_, payload);
+    }
     const Station& station = station_for(*topic, message.is_retained);
     return admit(*topic, payload, station, is_overtaken(station));
   } catch (const Refusal& refusal) {

@@ -85,6 +85,7 @@ class Admission {
   using IsOvertaken = std::function<bool(const Station&)>;
 
   const Station* stop_at_once(const MqttMessage& message);
+  GimbalTasks::Done answer_of_stop(const CommandTopic& topic, const MqttMessage& message);
   std::optional<Admitted> take_one(const MqttMessage& message, const IsOvertaken& is_overtaken);
   CommandPayload addressed_payload(const MqttMessage& message) const;
   const Station& station_for(const CommandTopic& topic, bool is_retained) const;

@@ -118,7 +118,7 @@ void GimbalTasks::add(Job job) {
 }
 
 void GimbalTasks::begin_next() {
-  while (!current_ && stopping_ == 0 && !waiting_.empty()) {
+  while (!current_ && stops_.empty() && !waiting_.empty()) {
     Job job = std::move(waiting_.front());
     waiting_.pop_front();
     const Order& order = job.order;
@@ -278,27 +278,29 @@ void GimbalTasks::turn_motors_off(Job job) {
 void GimbalTasks::end_motion() {
   if (std::exchange(is_turning_, false)) moves_until_ = Clock::time_point::max();
   if (speed_) static_cast<void>(speed_->stop());
-  if (current_ && !is_preparing_ && std::holds_alternative<MoveOrder>(current_->order.what)) {
+  // Nor does a request that is not confirmed yet come again.
+  if (current_ && !is_preparing_ && current_->order.sets_in_motion()) {
     cancel_->emit(asio::cancellation_type::terminal);
   }
 }
 
+/// Stops that come together, or while one runs, are one: nothing has begun since it did.
 void GimbalTasks::confirm_stop(std::function<void(const Result<void>&)> then) {
-  ++stopping_;
+  stops_.push_back(std::move(then));
+  if (stops_.size() == 1) run_stop();
+}
+
+void GimbalTasks::run_stop() {
   gimbal_.client().async_run(
-      tasks::stop(),
-      asio::bind_executor(gimbal_.executor(), [self = shared_from_this(), then = std::move(then)](
-                                                  const Result<void>& stopped) {
-        --self->stopping_;
+      tasks::stop(), asio::bind_executor(gimbal_.executor(), [self = shared_from_this()](
+                                                                 const Result<void>& stopped) {
         // What the speed was sending can have come after this stop, or can still come.
-        if (stopped && self->speed_ && !self->speed_->has_settled()) {
-          return self->confirm_stop(then);
-        }
+        if (stopped && self->speed_ && !self->speed_->has_settled()) return self->run_stop();
         if (stopped) {
           self->moves_until_.reset();
           self->halt_reason_.clear();
         }
-        then(stopped);
+        for (const auto& then : std::exchange(self->stops_, {})) then(stopped);
         self->report_rest();
         self->begin_next();
       }));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <asio/cancellation_signal.hpp>
 #include <asio/steady_timer.hpp>
@@ -28,7 +29,8 @@ struct TaskOutcome {
 };
 
 /// Runs one command after the other, on the strand of the gimbal. `stop` goes first: it ends the
-/// motion, and the motions that wait. Motors are turned off before what waits, too.
+/// motion, and the motions that wait; one that comes while another runs joins it. Motors are turned
+/// off before what waits, too.
 ///
 /// A speed ends after `longest_silence` without the next one. A camera that commands may have set
 /// in motion is stopped when the broker is gone, when its line is back after a loss, and at the end
@@ -83,6 +85,7 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   void turn_motors_off(Job job);
   void end_motion();
   void confirm_stop(std::function<void(const Result<void>&)> then);
+  void run_stop();
   void must_halt(const char* reason);
   void halt();
   void end_waiting_motions(const char* code, const char* message);
@@ -110,7 +113,8 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   bool moved_before_ = false;                       // the current command
   std::string halt_reason_{};                       // of a stop as soon as the gimbal is online
   bool is_halting_ = false;
-  std::size_t stopping_ = 0;      // stops that run; nothing begins meanwhile
+  /// Of all that wait for the stop that runs; nothing begins meanwhile.
+  std::vector<std::function<void(const Result<void>&)>> stops_{};
   bool is_preparing_ = false;     // the current command waits until the speed has ended
   std::int64_t last_motion_ = 0;  // the last command that may have moved the camera
   std::int64_t reported_ = 0;     // of these, at rest

@@ -92,6 +92,7 @@ std::string Outbox::gateway_state(const char* state) const {
   json["most_waiting"] = figures.most_waiting;
   json["dropped"] = figures.dropped;
   json["thinned"] = figures.thinned;
+  json["ignored"] = figures.ignored;
   return payload_text(json);
 }
 
@@ -108,6 +109,7 @@ OutboxStatistics Outbox::statistics() const {
   };
   return {.thinned = telemetry_.thinned(),
           .dropped = gave_way_ + overflowed_,
+          .ignored = ignored_,
           .acknowledged = acknowledged_,
           .waiting = waiting_,
           .most_waiting = settings_.most_waiting,

@@ -30,6 +30,7 @@ namespace sbgc::tools {
 struct OutboxStatistics {
   std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
   std::uint64_t dropped{};       ///< events and refusals for which there was no room
+  std::uint64_t ignored{};       ///< stops with something wrong that was ignored
   std::uint64_t acknowledged{};  ///< results, events and refusals
   std::size_t waiting{};         ///< results, events and refusals on the disk
   std::size_t most_waiting{};
@@ -64,6 +65,7 @@ class Outbox {
   std::string gateway_state(const char* state) const;
   void count(const std::string& status);
   void count_dropped() noexcept { ++overflowed_; }
+  void count_ignored() noexcept { ++ignored_; }
   OutboxStatistics statistics() const;
   /// Commands of the journal that have not ended.
   std::size_t running() const noexcept { return running_; }
@@ -125,6 +127,7 @@ class Outbox {
   std::atomic<std::size_t> waiting_{0};
   std::atomic<std::uint64_t> gave_way_{0};    // notices on the disk
   std::atomic<std::uint64_t> overflowed_{0};  // notices that never came there
+  std::atomic<std::uint64_t> ignored_{0};
   std::atomic<std::size_t> running_{0};
 
   // Of the thread of the connection:

@@ -53,8 +53,11 @@ CommandPayload::Time time_member(const Json& value, const std::string& name) {
 
 void read_member(const std::string& name, const Json& value, const Topics& topics,
                  CommandPayload& payload) {
-  if (name == "version") return;  // checked before
-  if (name == "key") {
+  if (name == "version") {
+    if (value != payload_version) {
+      throw Refusal("version", fmt::format("'version' must be {}", payload_version));
+    }
+  } else if (name == "key") {
     payload.key = text_member(value, name, longest_key);
   } else if (name == "correlation") {
     payload.correlation = text_member(value, name, longest_correlation);
@@ -77,6 +80,18 @@ void read_member(const std::string& name, const Json& value, const Topics& topic
   } else {
     throw Refusal("invalid", fmt::format("unknown key '{}'", clipped(name)));
   }
+}
+
+/// Returns the members of a payload.
+Json payload_members(std::string_view text) {
+  ParsedJson parsed = parse_json(text, {.size = longest_payload, .depth = deepest_payload});
+  if (!parsed) {
+    throw Refusal("invalid", fmt::format("the payload is no JSON: {}, at line {}, column {}",
+                                         parsed.problem->reason, parsed.problem->line,
+                                         parsed.problem->column));
+  }
+  if (!parsed.value.is_object()) throw Refusal("invalid", "the payload must be a JSON object");
+  return std::move(parsed.value);
 }
 
 }  // namespace
@@ -108,23 +123,41 @@ bool is_key(std::string_view text) {
 }
 
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload) {
-  const ParsedJson parsed = parse_json(text, {.size = longest_payload, .depth = deepest_payload});
-  if (!parsed) {
-    throw Refusal("invalid", fmt::format("the payload is no JSON: {}, at line {}, column {}",
-                                         parsed.problem->reason, parsed.problem->line,
-                                         parsed.problem->column));
-  }
-  if (!parsed.value.is_object()) throw Refusal("invalid", "the payload must be a JSON object");
+  const Json members = payload_members(text);
   // Where the result goes comes first: it also gets the refusal of the rest.
   for (const char* const name : {"reply", "correlation", "key"}) {
-    const auto found = parsed.value.find(name);
-    if (found != parsed.value.end()) read_member(name, *found, topics, payload);
+    const auto found = members.find(name);
+    if (found != members.end()) read_member(name, *found, topics, payload);
   }
-  const auto version = parsed.value.find("version");
-  if (version == parsed.value.end() || *version != payload_version) {
-    throw Refusal("version", fmt::format("'version' must be {}", payload_version));
+  const char* const version = "version";
+  read_member(version, members.contains(version) ? members[version] : Json(), topics, payload);
+  for (const auto& [name, value] : members.items()) read_member(name, value, topics, payload);
+}
+
+std::vector<std::string> read_stop_payload(std::string_view text, const Topics& topics,
+                                           CommandPayload& payload) {
+  std::vector<std::string> ignored;
+  const auto attempt = [&](auto read) {
+    try {
+      read();
+    } catch (const Refusal& refusal) {
+      ignored.emplace_back(refusal.what());
+    }
+  };
+  Json members = Json::object();
+  if (!text.empty()) attempt([&] { members = payload_members(text); });
+  for (const auto& item : members.items()) {
+    attempt([&] { read_member(item.key(), item.value(), topics, payload); });
   }
-  for (const auto& [name, value] : parsed.value.items()) read_member(name, value, topics, payload);
+  for (const auto& item : payload.parameters.items()) {
+    ignored.push_back(fmt::format("unknown parameter '{}'", clipped(item.key())));
+  }
+  constexpr std::size_t most = 8;
+  if (ignored.size() > most) {
+    ignored.resize(most);
+    ignored.emplace_back("and more");
+  }
+  return ignored;
 }
 
 }  // namespace sbgc::tools

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <sbgc/json_dom.hpp>
 
@@ -83,5 +84,9 @@ bool is_key(std::string_view text);
 
 /// Reads into `payload`, so that what comes before a problem is known. Throws Refusal.
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload);
+
+/// The same for a `stop`, which needs nothing: returns what is wrong, and is ignored.
+std::vector<std::string> read_stop_payload(std::string_view text, const Topics& topics,
+                                           CommandPayload& payload);
 
 }  // namespace sbgc::tools

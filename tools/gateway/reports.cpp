@@ -79,7 +79,8 @@ WaitingMessage answer_to(const Topics& topics, const std::string& gimbal,
 std::optional<std::string> shortened(const std::string& payload) {
   Json json = Json::parse(payload);
   Json& result = json.contains("event") && json.contains("result") ? json["result"] : json;
-  const std::size_t erased = json.erase("report") + result.erase("result");
+  const std::size_t erased =
+      json.erase("report") + result.erase("result") + result.erase("ignored");
   if (erased == 0) return {};
   json["shortened"] = true;
   return payload_text(json);

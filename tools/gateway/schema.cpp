@@ -203,8 +203,8 @@ Json command_schema(std::string_view task) {
     return Json{{"type", "string"}, {"minLength", 1}, {"maxLength", longest}};
   };
   Json parameters = parameters_schema(task);
-  std::vector<std::string> required{"version"};
-  if (task != "stop") required.insert(required.end(), {"key", "deadline"});
+  std::vector<std::string> required;
+  if (task != "stop") required = {"version", "key", "deadline"};
   // Of `raw`, some messages need it.
   if (task != "stop" && task != "get" && task != "raw") required.emplace_back("sent");
   if (parameters.contains("oneOf") || !parameters["required"].empty()) {
@@ -235,6 +235,8 @@ Json result_schema() {
   properties["error"] =
       object_schema({{"code", text_schema()}, {"message", text_schema()}}, {"code", "message"});
   properties["result"] = {{"type", "object"}};
+  properties["ignored"] = {
+      {"type", "array"}, {"items", text_schema()}, {"description", "What was wrong with a `stop`"}};
   properties["repeated"] = {{"const", true}};
   properties["shortened"] = shortened_schema();
   return object_schema(std::move(properties), {"version", "time", "gimbal", "task", "status"});
@@ -258,7 +260,7 @@ Json gateway_state_schema() {
   properties["state"] = one_of_texts({"offline", "online"});
   properties["since"] = time_schema("Unix time in milliseconds, at which the gateway has started");
   properties["process"] = text_schema();
-  for (const char* const name : {"waiting", "most_waiting", "dropped", "thinned"}) {
+  for (const char* const name : {"waiting", "most_waiting", "dropped", "thinned", "ignored"}) {
     properties[name] = {{"type", "integer"}, {"minimum", 0}};
   }
   return object_schema(std::move(properties), {"version", "state", "since", "process"});
