@@ -144,7 +144,7 @@ class Player {
         if (id != 0) {
           ports_.arrived({.frame = {.id = id, .body = body},
                           .is_late = (how & 1) != 0,
-                          .may_be_sample = (how & 2) != 0});
+                          .sample = static_cast<Sample>((how >> 1U) & 3U)});
         }
         break;
       }

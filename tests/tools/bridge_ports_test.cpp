@@ -298,6 +298,35 @@ TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
+TEST_F(Bridge, TheEndOfATaskIsForTheLastHostThatHasBegunOne) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  msg::Control task;
+  task.control_mode.set_mode(msg::ControlModeKind::angle);
+  task.control_mode.set_flags(msg::ControlFlag::auto_task);
+  msg::Confirm confirmation;
+  confirmation.cmd = msg::Control::command;
+  const auto confirmed = [&] {
+    send(confirmation);
+    const std::size_t count = read(first).empty() ? 0 : 1;
+    return read(second).empty() ? count : count + 10;
+  };
+  const auto begin = [&](std::size_t host, const msg::Control& request) {
+    ask(host, request);
+    ports.ended(line.sent.back().tag);
+    time = time + milliseconds(100);
+    return confirmed();
+  };
+  EXPECT_EQ(begin(first, task), 1U);
+  EXPECT_EQ(begin(second, msg::Control{}), 10U);
+  EXPECT_EQ(begin(second, msg::Control{}), 10U);
+  time = time + seconds(11);
+  EXPECT_EQ(confirmed(), 1U);
+  EXPECT_EQ(begin(first, task), 1U);
+  EXPECT_EQ(begin(second, task), 10U);
+  EXPECT_EQ(confirmed(), 10U) << "the first task has no end";
+}
+
 TEST_F(Bridge, WhatWasNotSentIsNotAnswered) {
   const std::size_t first = join();
   const std::size_t second = join();
@@ -531,10 +560,37 @@ TEST_F(Bridge, AnAnswerThatMayBeASampleIsBoth) {
   const Sent& sent = line.sent.back();
   const Bytes bytes = frame_of(msg::RealtimeData3{});
   ports.answered(sent.tag, frame_at(bytes.data()));
-  ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .may_be_sample = true});
+  ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .sample = Sample::yes});
   ports.ended(sent.tag);
   EXPECT_EQ(read(asking), bytes);
   EXPECT_EQ(read(listening), bytes);
+}
+
+TEST_F(Bridge, WhatIsNoSampleIsNotForThoseWhoStream) {
+  const std::size_t asking = join();
+  const std::size_t listening = join();
+  ask(listening, stream(20));
+  ask(asking, msg::RealtimeData3Request{});
+  const Bytes bytes = frame_of(msg::RealtimeData3{});
+  ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::doubtful});
+  EXPECT_THAT(read(asking), IsEmpty());
+  ports.arrived({.frame = frame_at(bytes.data()), .is_late = true, .sample = Sample::no});
+  EXPECT_EQ(read(asking), bytes);
+  EXPECT_THAT(read(listening), IsEmpty());
+  ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::yes});
+  EXPECT_EQ(read(listening), bytes);
+  EXPECT_THAT(read(asking), IsEmpty());
+}
+
+TEST_F(Bridge, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
+  const std::size_t host = join();
+  ask(host, msg::RealtimeDataCustomRequest{});
+  ports.ended(line.sent.at(0).tag, ErrorCode::overload);
+  msg::ErrorExt error;
+  error.cmd_id = msg::RealtimeDataCustomRequest::command;
+  error.error_code = msg::BoardErrorCode::temporary;
+  EXPECT_EQ(read(host), frame_of(error));
+  EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("leaves no time")));
 }
 
 TEST_F(Bridge, AHostThatDoesNotReadDisturbsNoOther) {

@@ -27,7 +27,7 @@ std::span<const std::uint8_t> body_of(const RawRequest& request) {
 }
 
 std::optional<Received<roles::StreamRequest>> as_stream_request(const RawRequest& request) {
-  if (request.policy.stream.command == 0 ||
+  if (!request.policy.changes_stream() ||
       request.id != static_cast<std::uint8_t>(roles::StreamRequest::command)) {
     return std::nullopt;
   }
@@ -400,6 +400,19 @@ void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
   begin_exclusive();
 }
 
+void BridgePorts::refused_by_line(std::uint64_t tag, const Call& call) {
+  if (call.stream) {
+    refused(tag, call);
+    return refuse_stream(call.asker, *call.stream, "the line has no room for it");
+  }
+  const auto command = static_cast<msg::CommandToBoard>(call.id);
+  give_error(call.asker, command, roles::ErrorReason::temporary);
+  log(
+      fmt::format("host {}: {} is refused, because a stream of the same message leaves no time for "
+                  "it, or the line is overloaded",
+                  call.asker.port, to_string(command)));
+}
+
 /// The board does not make this change of a stream.
 void BridgePorts::refused(std::uint64_t tag, const Call& call) {
   const auto stream = streams_.find(*call.stream);
@@ -437,10 +450,7 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
   if (call.empty()) return;
   const Asker asker = call.mapped().asker;
   const std::size_t port = asker.port;
-  if (failure == ErrorCode::overload && call.mapped().stream) {
-    refused(tag, call.mapped());
-    refuse_stream(asker, *call.mapped().stream, "the line has no room for it");
-  }
+  if (failure == ErrorCode::overload) refused_by_line(tag, call.mapped());
   if (room(port) == 0) hosts_[port]->heard = now();
   --hosts_[port]->pending;
   begin_exclusive();
@@ -459,10 +469,12 @@ void BridgePorts::arrived(const BoardFrame& message) {
   heard_ = now();
   unanswered_ = 0;
   if (message.belongs_to_call) {
-    if (message.may_be_sample) give_sample(frame, true);
+    if (message.sample == Sample::yes) give_sample(frame);
     return;
   }
-  if (is_streamed(frame.id)) return give_sample(frame, false);
+  if (message.sample == Sample::doubtful) return;
+  const bool is_answer = message.sample == Sample::no || message.is_late;
+  if (!is_answer && is_streamed(frame.id)) return give_sample(frame);
   const auto ended = ended_streams_.find(frame.id);
   if (ended != ended_streams_.end() && now() - ended->second < end_of_stream_time) return;
   give_unclaimed(frame);
@@ -473,7 +485,8 @@ void BridgePorts::give_unclaimed(const Frame& frame) {
   const Askers::Claim claim = askers_.claim(frame, now());
   // What nobody waits for may be dropped, as what nobody has asked for.
   if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
-  if (!claim.is_answer) give_all(frame);
+  if (claim.is_answer) return;
+  is_streamed(frame.id) ? give_sample(frame) : give_all(frame);
 }
 
 void BridgePorts::restart_streams() {
@@ -504,13 +517,7 @@ bool BridgePorts::is_streamed(std::uint8_t id) const {
   return std::ranges::any_of(streams_, [&](const auto& one) { return one.first.first == id; });
 }
 
-bool BridgePorts::awaits(std::size_t port, std::uint8_t id) const {
-  return std::ranges::any_of(calls_, [&](const auto& one) {
-    return one.second.asker.port == port && one.second.id == id;
-  });
-}
-
-void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
+void BridgePorts::give_sample(const Frame& frame) {
   const auto is_of = [&](const auto& one) {
     return one.first.first == frame.id && one.second.size == frame.body.size();
   };
@@ -532,8 +539,7 @@ void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
     }
   }
   for (std::size_t port = 0; port < is_due.size(); ++port) {
-    // The one who asked gets it as its response.
-    if (is_due[port] && !(is_answer && awaits(port, frame.id))) give(port, frame, true);
+    if (is_due[port]) give(port, frame, true);
   }
 }
 

@@ -62,6 +62,9 @@ class BridgeLine {
 /// - The messages of a stream do not say with which configuration they were requested. Therefore a
 ///   stream has one configuration at a time: while it runs, a request for another one gets an error
 ///   in place of a confirmation. So does one for which the line has no room.
+/// - A single answer goes only to the host that asked, also while others stream the same message;
+///   the session tells it from the samples. If a stream leaves no time for that, the request gets
+///   an error.
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
 /// - Another request that fails has no response, as on a line to the board.
@@ -217,6 +220,7 @@ class BridgePorts final : public hosts::HostPorts {
   /// Notes what the host wants; returns the request that the board gets instead.
   RawRequest merged(std::size_t port, const RawRequest& request);
   void refused(std::uint64_t tag, const Call& call);
+  void refused_by_line(std::uint64_t tag, const Call& call);
   void refuse_stream(const Asker& asker, const StreamKey& key, const char* reason);
   bool may_pass(std::size_t port, const Frame& request);
   void give_error(const Asker& asker, msg::CommandToBoard command, roles::ErrorReason reason);
@@ -226,10 +230,9 @@ class BridgePorts final : public hosts::HostPorts {
   void give(std::size_t port, const Frame& frame, bool may_be_dropped);
   void give(const Asker& to, const Frame& frame, bool may_be_dropped);
   void give_all(const Frame& frame);
-  void give_sample(const Frame& frame, bool is_answer);
+  void give_sample(const Frame& frame);
   void wake(std::size_t port);
   bool is_streamed(std::uint8_t id) const;
-  bool awaits(std::size_t port, std::uint8_t id) const;
   void give_unclaimed(const Frame& frame);
 
   BridgeLine& line_;
