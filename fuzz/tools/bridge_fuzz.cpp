@@ -75,6 +75,7 @@ class Board final : public sbgc::tools::BridgeLine {
     waiting += bytes.size();
   }
   std::size_t raw_waiting() const override { return waiting; }
+  void release_line() override { give_line_back(); }
   void give_line_back() override {
     require(is_taken);
     is_taken = false;

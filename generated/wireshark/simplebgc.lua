@@ -312,11 +312,11 @@ local protocol = (function()
     {name = "delay_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
   }
 
-  messages[13] = {name = "BootMode3", filter = "boot_mode3", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 0, max = 0, tail = 255, does = {"restarts"}, answers = {{timeout = 0.5}}}
+  messages[13] = {name = "BootMode3", filter = "boot_mode3", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 0, max = 0, tail = 255, does = {"restarts", "disconnects"}, answers = {{timeout = 0.5}}}
   messages[13].fields = {
   }
 
-  messages[14] = {name = "BootMode3Ext", filter = "boot_mode3ext", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 3, max = 3, open = true, takes_surplus = true, tail = 252, does = {"restarts"}, answers = {{when = {steps = {"confirm"}, all = 1}, messages = {"Reset"}, certain = true, timeout = 0.5, repeated = {}}, {timeout = 0.5}}}
+  messages[14] = {name = "BootMode3Ext", filter = "boot_mode3ext", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 3, max = 3, open = true, takes_surplus = true, tail = 252, does = {"restarts", "disconnects"}, answers = {{when = {steps = {"confirm"}, all = 1}, messages = {"Reset"}, certain = true, timeout = 0.5, repeated = {}}, {timeout = 0.5}}}
   messages[14].fields = {
     {name = "confirm", type = "u8", enum = "ResetOptions", count = 1, fixed = 1},
     {name = "delay_ms", type = "u16", unit = "ms", count = 1, fixed = 2},

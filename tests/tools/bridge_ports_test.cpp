@@ -44,10 +44,15 @@ class Line final : public BridgeLine {
   }
   std::size_t raw_waiting() const override { return waiting; }
   void check() override { ++checks; }
-  void give_line_back() override { is_taken = false; }
+  void give_line_back() override {
+    is_taken = false;
+    ++reopened;
+  }
+  void release_line() override { is_taken = false; }
 
   std::vector<Sent> sent;
   bool is_taken = false;
+  int reopened = 0;
   Bytes raw;
   std::size_t waiting = 0;  // bytes that have not been sent; a test says when they are
   int checks = 0;
@@ -715,16 +720,46 @@ TEST_F(Bridge, WhatArrivesTogetherWithARestartIsNotLost) {
   EXPECT_EQ(line.raw, bytes);
 }
 
-TEST_F(Bridge, AfterAPlainRestartTheLineIsGivenBackSoon) {
+TEST_F(Bridge, AfterAPlainRestartALineThatWorksIsNotOpenedAgain) {
+  for (const bool works : {true, false}) {
+    const std::size_t host = join();
+    line.waiting = 0;
+    line.reopened = 0;
+    ask(host, msg::ResetRequest{});
+    EXPECT_TRUE(line.is_taken);
+    line.raw.clear();
+    line.waiting = 0;
+    for (int i = 0; i < 49; ++i) {
+      time = time + sbgc::milliseconds(100);
+      ports.tick();
+    }
+    EXPECT_THAT(line.raw, IsEmpty()) << "no other host can be waiting";
+    for (int i = 0; i < 60 && line.is_taken; ++i) {
+      time = time + sbgc::milliseconds(100);
+      ports.tick();
+      line.waiting = 0;
+      if (works && !line.raw.empty()) ports.raw_arrived(frame_of(msg::BoardInfo{}));
+    }
+    EXPECT_FALSE(line.is_taken);
+    EXPECT_EQ(line.reopened, works ? 0 : 1);
+    EXPECT_THAT(read(host), IsEmpty()) << "it has not asked";
+    ports.disconnect(host);
+  }
+}
+
+TEST_F(Bridge, NothingIsSentIntoRawBytesAfterARestart) {
   const std::size_t host = join();
+  join();
   ask(host, msg::ResetRequest{});
+  ports.receive(host, Bytes{0x7F});
+  line.raw.clear();
+  line.waiting = 0;
+  for (int i = 0; i < 100; ++i) {
+    time = time + sbgc::milliseconds(100);
+    ports.tick();
+  }
+  EXPECT_THAT(line.raw, IsEmpty());
   EXPECT_TRUE(line.is_taken);
-  time = time + seconds(4);
-  ports.tick();
-  EXPECT_TRUE(line.is_taken);
-  time = time + seconds(2);
-  ports.tick();
-  EXPECT_FALSE(line.is_taken);
 }
 
 TEST_F(Bridge, ABootloaderMayTakeItsTime) {

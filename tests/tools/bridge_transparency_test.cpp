@@ -123,6 +123,8 @@ class BridgedSite final : public Site, private BridgeLine {
   void send_from_other(const Bytes& bytes) { hosts_[1].to_bridge = bytes; }
   Bytes received() override { return take_from(hosts_[0].port); }
   Bytes overheard() { return take_from(hosts_[1].port); }
+  /// How often the line was opened again.
+  int reopened() const { return reopened_; }
   /// From now on, the line delays what the board sends differently, up to this.
   void delay_up_to(Duration longest) { longest_delay_ = longest; }
 
@@ -231,7 +233,9 @@ class BridgedSite final : public Site, private BridgeLine {
   void take_line() override { is_taken_ = true; }
   void write_raw(Bytes bytes) override { raw_.insert(raw_.end(), bytes.begin(), bytes.end()); }
   std::size_t raw_waiting() const override { return raw_.size(); }
+  void release_line() override { is_taken_ = false; }
   void give_line_back() override {
+    ++reopened_;
     is_taken_ = false;
     static_cast<void>(ports_.line_lost());
     ports_.restart_streams();
@@ -244,6 +248,7 @@ class BridgedSite final : public Site, private BridgeLine {
   std::mt19937 random_{7};
   Bytes raw_;
   bool is_taken_ = false;
+  int reopened_ = 0;
   std::deque<std::function<void()>> posted_;
   BridgePorts ports_{*this, [this] { return now_; }, {}, true};  // passwords pass as well
   std::array<Host, 2> hosts_{};
@@ -563,6 +568,46 @@ TEST(BridgeTransparency, TheEndOfATaskIsConfirmedToTheHostThatBeganIt) {
     site.run_for(seconds(30));
     EXPECT_THAT(outline_of(site.received()), SizeIs(2));
     EXPECT_THAT(outline_of(site.overheard()), SizeIs(3));
+  }
+}
+
+TEST(BridgeTransparency, AfterARestartOthersAreServedAsSoonAsTheBoardAnswers) {
+  const Bytes question = frame_of(msg::GetAnglesRequest{});
+  msg::ResetRequestExt later;
+  later.delay_ms = msg::Milliseconds(1000);
+  for (const Bytes& reset : {frame_of(msg::ResetRequest{}), frame_of(later)}) {
+    for (const int at : {10, 300, 700, 900, 1300, 1900, 5100}) {
+      SCOPED_TRACE(std::to_string(reset.size()) + " bytes, " + std::to_string(at) + " ms");
+      // Directly, the host asks until the board answers.
+      DirectSite direct;
+      direct.send(reset);
+      direct.run_for(milliseconds(at));
+      int expected = at;
+      while (outline_of(direct.ask(question, milliseconds(20))).empty()) expected += 20;
+      BridgedSite site;
+      site.send_from_other(frame_of(stream(msg::RealtimeData3::command, 50)));
+      site.run_for(milliseconds(200));
+      static_cast<void>(site.overheard());
+      site.send(reset);
+      site.run_for(milliseconds(at));
+      static_cast<void>(site.overheard());
+      site.send_from_other(question);
+      int passed = at;
+      std::vector<std::string> answers;
+      const auto is_sample = [](const std::string& one) { return one == "23"; };
+      while (answers.empty() && passed < 10'000) {
+        site.run_for(milliseconds(20));
+        passed += 20;
+        answers = outline_of(site.overheard());
+        std::erase_if(answers, is_sample);
+      }
+      EXPECT_LE(passed, expected + 500);
+      EXPECT_THAT(answers, SizeIs(1));
+      site.run_for(seconds(6));
+      EXPECT_THAT(outline_of(site.received()), IsEmpty()) << "it has asked for nothing";
+      EXPECT_THAT(outline_of(site.overheard()), Contains("23")) << "the stream goes on";
+      EXPECT_EQ(site.reopened(), 0);
+    }
   }
 }
 

@@ -36,6 +36,20 @@ std::optional<Received<roles::StreamRequest>> as_stream_request(const RawRequest
   return message;
 }
 
+/// True if the board speaks the same protocol after the restart.
+bool is_plain_restart(const RawRequest& request) {
+  const MessageType* const type =
+      find_message(Direction::to_board, request.id, request.body.size());
+  return request.policy.restarts_board && type != nullptr &&
+         !type->info->effects.has(Effect::disconnects);
+}
+
+std::vector<std::uint8_t> question_of_introduction() {
+  std::vector<std::uint8_t> bytes(max_frame_size);
+  bytes.resize(encode_frame(basic_framing, msg::BoardInfoRequest{}, bytes).size);
+  return bytes;
+}
+
 bool was_not_sent(ErrorCode failure) {
   return failure == ErrorCode::superseded || failure == ErrorCode::overload ||
          failure == ErrorCode::not_connected;
@@ -93,7 +107,9 @@ void BridgePorts::disconnect(std::size_t port) {
     if (had_share && before != after) send(std::nullopt, with_interval(stream.request, after));
     place = end_if_unused(place);
   }
-  if (exclusive_ && exclusive_->port == port) {
+  if (exclusive_ && exclusive_->port == port && exclusive_->is_watched()) {
+    exclusive_->port = max_hosts;
+  } else if (exclusive_ && exclusive_->port == port) {
     end_exclusive();
   } else {
     begin_exclusive();
@@ -115,8 +131,8 @@ std::size_t BridgePorts::queued_bytes(std::size_t port) const {
 std::size_t BridgePorts::room(std::size_t port) const {
   const Host& host = *hosts_[port];
   if (host.must_leave) return 0;
-  if (exclusive_ && (exclusive_->port != port || !exclusive_->is_active)) return 0;
-  if (exclusive_) {
+  if (must_wait(port)) return 0;
+  if (exclusive_ && exclusive_->port == port) {
     const std::size_t waiting = line_.raw_waiting();
     if (host.output.size() >= max_output || waiting >= max_raw) return 0;
     return std::min(room_of_exclusive_host, max_raw - waiting);
@@ -128,7 +144,9 @@ std::size_t BridgePorts::room(std::size_t port) const {
 
 bool BridgePorts::is_quiet(std::size_t port) const {
   const Host& host = *hosts_[port];
-  return host.pending == 0 && host.output.empty() && !askers_.awaits_answer(port, now());
+  const bool is_restarting = exclusive_ && exclusive_->port == port && !exclusive_->is_active;
+  return host.pending == 0 && host.output.empty() && !is_restarting &&
+         !askers_.awaits_answer(port, now());
 }
 
 void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
@@ -160,6 +178,7 @@ void BridgePorts::tick() {
     line_.check();
   }
   if (!exclusive_ || !exclusive_->is_active) return;
+  if (exclusive_->is_watched()) return watch_restart();
   const bool is_only_restart = !exclusive_->is_raw && now() - exclusive_->begin > restart_time;
   if (exclusive_->is_back || is_only_restart || now() - exclusive_->last > longest_silence)
     end_exclusive();
@@ -168,8 +187,66 @@ void BridgePorts::tick() {
 // A host that has the line for itself.
 
 std::optional<std::size_t> BridgePorts::exclusive_host() const {
-  if (!exclusive_ || !exclusive_->is_active) return std::nullopt;
+  if (!exclusive_ || !exclusive_->is_active || exclusive_->port == max_hosts) return std::nullopt;
   return exclusive_->port;
+}
+
+/// A board that still answers soon goes down: what is asked then gets an error at once.
+bool BridgePorts::must_wait(std::size_t port) const {
+  if (!exclusive_) return false;
+  if (exclusive_->port == port) return !exclusive_->is_active;
+  return !exclusive_->is_watched() || !exclusive_->is_alive;
+}
+
+/// Asks the board for a sign of life if another host can be waiting for it, or after a while.
+void BridgePorts::watch_restart() {
+  Exclusive& restart = *exclusive_;
+  const Duration passed = now() - restart.begin;
+  const bool is_silent = restart.unanswered_since != Instant::never &&
+                         now() - restart.unanswered_since >= longest_answer;
+  if (is_silent) {
+    restart.was_down = true;
+    restart.is_alive = false;
+    restart.introductions.clear();
+  }
+  if (passed > restart_time + restart_time) return end_exclusive();
+  const bool is_alone = std::ranges::none_of(
+      hosts_, [&](const auto& host) { return host && host->counters.port != restart.port; });
+  const bool is_due = !is_alone || restart.port == max_hosts || passed > restart_time;
+  if (!is_due || line_.raw_waiting() != 0) return;
+  if (restart.unanswered_since == Instant::never) restart.unanswered_since = now();
+  restart.introductions.push_back(true);
+  line_.write_raw(question_of_introduction());
+}
+
+/// Takes bytes of a board that restarts; the host gets all but the answers to the bridge.
+void BridgePorts::take_sign_of_life(std::span<const std::uint8_t> bytes) {
+  Exclusive& restart = *exclusive_;
+  bool is_back = false;
+  restart.from_board.feed(bytes, [&](const Frame& frame) {
+    restart.unanswered_since = Instant::never;
+    restart.is_alive = true;
+    is_back = is_back || restart.was_down || now() - restart.begin > restart_time ||
+              (roles::is_error(frame) && roles::failed_command(frame) == restart.command);
+    if (roles::is_introduction(frame) && !restart.introductions.empty()) {
+      const bool is_of_bridge = restart.introductions.front();
+      restart.introductions.pop_front();
+      if (is_of_bridge) return;
+    }
+    if (is_streamed(frame.id)) {
+      give_sample(frame);
+    } else if (restart.port != max_hosts) {
+      give({restart.port, frame.framing}, frame, false);
+    }
+  });
+  const bool is_between_requests =
+      line_.raw_waiting() == 0 &&
+      (restart.port == max_hosts || hosts_[restart.port]->parser.waiting_bytes() == 0);
+  if (!is_back || !is_between_requests) return wake_all();
+  log("the board has restarted: all hosts have the line again");
+  line_.release_line();
+  forget_exclusive();
+  restart_streams();
 }
 
 void BridgePorts::begin_exclusive() {
@@ -184,6 +261,15 @@ void BridgePorts::begin_exclusive() {
   wake(exclusive_->port);
 }
 
+/// Notes a request of the host that restarts the board.
+void BridgePorts::note_exclusive(const RawRequest& request) {
+  if (request.id == static_cast<std::uint8_t>(msg::BoardInfoRequest::command)) {
+    exclusive_->introductions.push_back(false);
+  }
+  if (!request.policy.restarts_board) return;
+  exclusive_->is_plain = exclusive_->is_plain && is_plain_restart(request);
+}
+
 void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   Host& host = *hosts_[exclusive_->port];
   const std::uint64_t skipped = host.parser.counters().skipped_bytes;
@@ -191,6 +277,7 @@ void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   host.parser.feed(bytes, [&](const Frame& frame) {
     ++host.counters.requests;
     is_allowed = may_pass(exclusive_->port, frame) && is_allowed;
+    if (const auto request = raw_request(frame.id, frame.body)) note_exclusive(*request);
   });
   if (host.parser.counters().skipped_bytes != skipped) exclusive_->is_raw = true;
   exclusive_->last = now();
@@ -200,6 +287,7 @@ void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
 
 void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
   if (!exclusive_ || !exclusive_->is_active) return;
+  if (exclusive_->is_watched()) return take_sign_of_life(bytes);
   Host& host = *hosts_[exclusive_->port];
   exclusive_->last = now();
   if (host.output.size() + bytes.size() > max_raw_output) return expel_exclusive();
@@ -215,7 +303,7 @@ void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
 }
 
 void BridgePorts::raw_sent() {
-  if (exclusive_) wake(exclusive_->port);
+  if (exclusive_host()) wake(exclusive_->port);
 }
 
 bool BridgePorts::line_lost() {
@@ -234,9 +322,9 @@ void BridgePorts::end_exclusive() {
 }
 
 void BridgePorts::forget_exclusive() {
-  const auto& host = hosts_[exclusive_->port];
+  Host* const host = exclusive_->port == max_hosts ? nullptr : hosts_[exclusive_->port].get();
   // The rest of its raw bytes is no request.
-  if (host && exclusive_->is_active) host->parser.flush([](const Frame&) {});
+  if (host != nullptr && exclusive_->is_active) host->parser.flush([](const Frame&) {});
   exclusive_.reset();
   wake_all();
 }
@@ -265,8 +353,15 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
   Result<RawRequest> request = raw_request(frame.id, frame.body);
   if (!request) return;
   const bool is_exclusive = exclusive_ && exclusive_->port == port;
+  if (exclusive_ && exclusive_->is_watched() && !is_exclusive) {
+    const auto command = static_cast<msg::CommandToBoard>(frame.id);
+    return give_error({port, host.framing}, command, roles::ErrorReason::temporary);
+  }
   if (is_exclusive || (!exclusive_ && request->policy.restarts_board)) {
-    if (!exclusive_) exclusive_ = Exclusive{.port = port};
+    if (!exclusive_) {
+      exclusive_ = Exclusive{.port = port, .is_plain = true, .command = request->id};
+    }
+    note_exclusive(*request);
     std::array<std::uint8_t, max_frame_size> bytes{};
     const std::size_t size = write_frame(host.framing, frame.id, frame.body, bytes).size;
     const auto whole = std::span(bytes).first(size);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -45,6 +46,8 @@ class BridgeLine {
   virtual std::size_t raw_waiting() const = 0;
   /// Ends this when they have been sent: connects to the board again.
   virtual void give_line_back() = 0;
+  /// Ends this at once; the connection goes on. Precondition: no bytes wait.
+  virtual void release_line() = 0;
 
   /// Asks the board for a sign of life; without one, connects again.
   virtual void check() = 0;
@@ -72,6 +75,11 @@ class BridgeLine {
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
 ///   left, the board introduces itself again, or nothing of that kind happens. The board does not
 ///   wait: a host that has the line for itself and does not read must leave.
+/// - After a plain restart, until the host sends other bytes than requests, the bridge asks the
+/// board
+///   for a sign of life: the others wait only while it does not answer, also after the host has
+///   left, and the connection goes on. A request that comes before the board goes down gets an
+///   error.
 class BridgePorts final : public hosts::HostPorts {
  public:
   static constexpr std::size_t max_hosts = 32;
@@ -82,8 +90,10 @@ class BridgePorts final : public hosts::HostPorts {
   /// Silence of a host that ends an incomplete frame.
   static constexpr Duration idle = sbgc::milliseconds(100);
   /// How long a host that restarts the board has the line for itself without using it for raw
-  /// bytes, and how long both sides may be silent.
+  /// bytes; for how much longer a board may be silent after a plain restart.
   static constexpr Duration restart_time = sbgc::seconds(5);
+  /// A board that does not answer for this long is down.
+  static constexpr Duration longest_answer = sbgc::milliseconds(200);
   /// A board that has announced its restart still responds for this long.
   static constexpr Duration restart_delay = sbgc::milliseconds(roles::reset_delay_ms + 500);
   /// Samples may still arrive for this long after a stream was ended.
@@ -197,20 +207,33 @@ class BridgePorts final : public hosts::HostPorts {
 
   /// A host that has the line for itself, or waits until the others have their answers.
   struct Exclusive {
-    std::size_t port{};
+    std::size_t port{};  // max_hosts after it has left
     bool is_active = false;
+    bool is_plain = false;              // the board speaks the same protocol afterwards
     bool is_raw = false;                // it has sent bytes that are no requests
     bool is_back = false;               // the board has introduced itself
     std::vector<std::uint8_t> first{};  // what it sends before it has the line
     Instant begin{};
     Instant last{};  // when bytes passed
     ParserOfAll from_board{};
+    // Of a plain restart.
+    std::uint8_t command{};
+    std::deque<bool> introductions{};           // that were asked for; true: by the bridge
+    Instant unanswered_since = Instant::never;  // the first request for a sign of life
+    bool is_alive = false;
+    bool was_down = false;
+
+    bool is_watched() const { return is_active && is_plain && !is_raw; }
   };
 
   void take_request(std::size_t port, const Frame& frame);
   void take_stream_request(std::size_t port, const RawRequest& request);
   void start_silent_streams();
+  void note_exclusive(const RawRequest& request);
   void receive_raw(std::span<const std::uint8_t> bytes);
+  void watch_restart();
+  void take_sign_of_life(std::span<const std::uint8_t> bytes);
+  bool must_wait(std::size_t port) const;
   void log(const std::string& text) const;
   void begin_exclusive();
   void end_exclusive();
