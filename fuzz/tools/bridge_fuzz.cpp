@@ -75,6 +75,7 @@ class Board final : public sbgc::tools::BridgeLine {
     waiting += bytes.size();
   }
   std::size_t raw_waiting() const override { return waiting; }
+  void release_line() override { give_line_back(); }
   void give_line_back() override {
     require(is_taken);
     is_taken = false;
@@ -144,7 +145,7 @@ class Player {
         if (id != 0) {
           ports_.arrived({.frame = {.id = id, .body = body},
                           .is_late = (how & 1) != 0,
-                          .may_be_sample = (how & 2) != 0});
+                          .sample = static_cast<Sample>((how >> 1U) & 3U)});
         }
         break;
       }

@@ -312,11 +312,11 @@ local protocol = (function()
     {name = "delay_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
   }
 
-  messages[13] = {name = "BootMode3", filter = "boot_mode3", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 0, max = 0, tail = 255, does = {"restarts"}, answers = {{timeout = 0.5}}}
+  messages[13] = {name = "BootMode3", filter = "boot_mode3", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 0, max = 0, tail = 255, does = {"restarts", "disconnects"}, answers = {{timeout = 0.5}}}
   messages[13].fields = {
   }
 
-  messages[14] = {name = "BootMode3Ext", filter = "boot_mode3ext", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 3, max = 3, open = true, takes_surplus = true, tail = 252, does = {"restarts"}, answers = {{when = {steps = {"confirm"}, all = 1}, messages = {"Reset"}, certain = true, timeout = 0.5, repeated = {}}, {timeout = 0.5}}}
+  messages[14] = {name = "BootMode3Ext", filter = "boot_mode3ext", command = "CMD_BOOT_MODE_3", id = 51, to_board = true, min = 3, max = 3, open = true, takes_surplus = true, tail = 252, does = {"restarts", "disconnects"}, answers = {{when = {steps = {"confirm"}, all = 1}, messages = {"Reset"}, certain = true, timeout = 0.5, repeated = {}}, {timeout = 0.5}}}
   messages[14].fields = {
     {name = "confirm", type = "u8", enum = "ResetOptions", count = 1, fixed = 1},
     {name = "delay_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
@@ -1169,19 +1169,19 @@ local protocol = (function()
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[69] = {name = "Control", filter = "control", command = "CMD_CONTROL", id = 67, to_board = true, min = 13, max = 13, tail = 242, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[69] = {name = "Control", filter = "control", command = "CMD_CONTROL", id = 67, to_board = true, min = 13, max = 13, tail = 242, does = {"moves"}, answers = {{when = {joined = "all", terms = {{steps = {"control_mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
   messages[69].fields = {
     {name = "control_mode", type = "u8", packed = "ControlMode", count = 1, fixed = 1},
     {name = "axes", struct = "ControlAxis18", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
   }
 
-  messages[70] = {name = "ControlExt", filter = "control_ext", command = "CMD_CONTROL", id = 67, to_board = true, min = 15, max = 15, open = true, takes_surplus = true, tail = 240, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[70] = {name = "ControlExt", filter = "control_ext", command = "CMD_CONTROL", id = 67, to_board = true, min = 15, max = 15, open = true, takes_surplus = true, tail = 240, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"control_mode", "roll"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "roll"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "pitch"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "pitch"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "yaw"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "yaw"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
   messages[70].fields = {
     {name = "control_mode", type = "u8", packed = "ControlMode", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
     {name = "axes", struct = "ControlAxis18", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
   }
 
-  messages[71] = {name = "ControlExtCommand", filter = "control_ext_command", command = "CMD_CONTROL_EXT", id = 121, to_board = true, min = 2, max = 32, open = true, takes_surplus = true, tail = 253, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[71] = {name = "ControlExtCommand", filter = "control_ext_command", command = "CMD_CONTROL_EXT", id = 121, to_board = true, min = 2, max = 32, open = true, takes_surplus = true, tail = 253, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"axes", "roll", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "roll", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "pitch", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "pitch", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "yaw", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "yaw", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
   messages[71].fields = {
     {name = "data_set", type = "u16", enum = "ControlExtFields", count = 1, fixed = 2},
     {name = "axes", struct = "ControlExtAxis19", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3},
@@ -1696,7 +1696,7 @@ local protocol = (function()
     {name = "params", blob = "bytes", dim = "rest", count = 1, capacity = 253},
   }
 
-  messages[145] = {name = "SelectImu3CalibrateShort", filter = "select_imu3calibrate_short", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 11, max = 11, tail = 244, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
+  messages[145] = {name = "SelectImu3CalibrateShort", filter = "select_imu3calibrate_short", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 11, max = 11, tail = 244, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
   messages[145].fields = {
     {name = "imu_type", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
@@ -1704,7 +1704,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 7, count = 1, fixed = 7, reserved = true},
   }
 
-  messages[146] = {name = "SelectImu3Calibrate", filter = "select_imu3calibrate", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
+  messages[146] = {name = "SelectImu3Calibrate", filter = "select_imu3calibrate", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
   messages[146].fields = {
     {name = "imu_type", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},

@@ -1,5 +1,8 @@
 // Tests of the timing on the line: pauses between commands, and the share of data streams.
 
+#include <algorithm>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,10 +19,13 @@ using sbgc::Handle;
 using sbgc::milliseconds;
 using sbgc::Outcome;
 using sbgc::Parity;
+using sbgc::Sample;
 using sbgc::SendStatus;
 using simulation::body_of;
+using simulation::Record;
 using simulation::Simulation;
 using simulation::Written;
+using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
 /// Returns the time between the frames of `first` and of another request.
@@ -357,17 +363,138 @@ TEST(Streams, SamplesAreTold) {
   EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(1));
 }
 
-TEST(Streams, TheAnswerToARequestForTheSameMessageMayBeASample) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
-  line.run();
-  const Handle handle = line.send(sbgc::msg::RealtimeData3Request{});
-  line.run_for(milliseconds(20));
-  line.say(23, body_of(63));
-  line.run_for(milliseconds(10));
+/// A running stream of live data: one angle, and the same number of bytes of another kind on
+/// request.
+class Sampled : public ::testing::Test {
+ protected:
+  using Flag = sbgc::msg::RealtimeDataCustomFlag;
+  static constexpr std::uint8_t custom = 88;
+
+  /// Starts the stream, of which `count` samples arrive.
+  void start(std::uint16_t interval, int count, std::size_t size = 8) {
+    line.board = [&](const Written& frame) { line.confirm(frame.id); };
+    line.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags{Flag::imu_angles}, interval));
+    line.run_for(milliseconds(3));
+    line.board = [](const Written&) {};
+    line.written.clear();
+    for (int i = 1; i <= count; ++i) {
+      line.say(custom, body_of(size, {i}), milliseconds(i * interval));
+    }
+  }
+  Handle ask(Flag what, std::uint16_t host = 0) {
+    sbgc::msg::RealtimeDataCustomRequest request;
+    request.flags.set(what);
+    return line.send(request, {.host = host, .attempts = 1});
+  }
+  /// What the frames of the board were.
+  std::vector<Sample> samples() const {
+    std::vector<Sample> result;
+    for (const Record& record : line.events) {
+      if (record.event.frame.id == custom) result.push_back(record.event.sample);
+    }
+    return result;
+  }
+
+  Simulation line{at(115200)};
+};
+
+TEST_F(Sampled, ASampleThatIsDueAnswersAllWhoAskForIt) {
+  start(100, 2);
+  const Handle first = ask(Flag::imu_angles, 1);
+  const Handle second = ask(Flag::imu_angles, 2);
+  line.run_for(milliseconds(250));
+  EXPECT_THAT(line.written, SizeIs(0));
+  for (const Handle handle : {first, second}) {
+    ASSERT_EQ(line.outcome(handle), Outcome::answered);
+    EXPECT_EQ(line.completion(handle)->body, body_of(8, {1}));
+  }
+  EXPECT_THAT(samples(), ElementsAre(Sample::yes, Sample::no, Sample::yes));
+}
+
+TEST_F(Sampled, AStreamThatIsSlowOrSilentAnswersNothing) {
+  for (const std::uint16_t interval : {std::uint16_t{2000}, std::uint16_t{50}}) {
+    line.session.abandon(line.sink());
+    start(interval, interval == 2000 ? 2 : 0);
+    line.board = [&](const Written&) { line.say(custom, body_of(8, {9})); };
+    const Handle handle = ask(Flag::imu_angles);
+    line.run_for(sbgc::seconds(3));
+    EXPECT_THAT(line.written, SizeIs(1));
+    ASSERT_EQ(line.outcome(handle), Outcome::answered);
+    EXPECT_EQ(line.completion(handle)->body, body_of(8, {9}));
+    line.run();
+  }
+}
+
+TEST_F(Sampled, OtherContentIsAskedForAfterASample) {
+  start(20, 10);
+  line.board = [&](const Written&) { line.say(custom, body_of(8, {99}), milliseconds(5)); };
+  line.run_for(milliseconds(50));
+  const Handle handle = ask(Flag::acc_data);
+  line.run_for(milliseconds(60));
+  ASSERT_THAT(line.written, SizeIs(1));
+  EXPECT_EQ((line.written[0].at - simulation::start).us % 20'000, 3000) << "right after a sample";
   ASSERT_EQ(line.outcome(handle), Outcome::answered);
-  EXPECT_TRUE(line.completion(handle)->event.may_be_sample);
+  EXPECT_EQ(line.completion(handle)->body, body_of(8, {99}));
+  EXPECT_EQ(line.completion(handle)->event.sample, Sample::no);
+  line.run();
+  EXPECT_EQ(std::ranges::count(samples(), Sample::yes), 10);
+}
+
+TEST_F(Sampled, AFrameThatCanBeBothIsForNobodyUntilThereIsOneTooMany) {
+  for (const int delay : {17, 50, 390}) {
+    line.session.abandon(line.sink());
+    line.events.clear();
+    start(20, 60);
+    line.run_for(milliseconds(30));
+    line.board = [&](const Written&) { line.say(custom, body_of(8, {99}), milliseconds(delay)); };
+    const Handle handle = ask(Flag::acc_data);
+    line.run();
+    EXPECT_EQ(line.outcome(handle), Outcome::timeout);
+    for (const Record& record : line.events) {
+      const bool is_answer = record.body == body_of(8, {99});
+      EXPECT_FALSE(is_answer && record.event.sample == Sample::yes) << delay;
+    }
+    // All samples in doubt, the answer, and at most one more.
+    EXPECT_LE(std::ranges::count(samples(), Sample::doubtful), delay / 20 + 2) << delay;
+  }
+}
+
+TEST_F(Sampled, AnAnswerThatNeverComesCostsNoMoreThanItsTime) {
+  start(20, 200);
+  line.run_for(milliseconds(30));
+  ask(Flag::acc_data);
+  line.run();
+  EXPECT_LE(std::ranges::count(samples(), Sample::doubtful), 51) << "for 500 ms, and late 500 ms";
+  EXPECT_GE(std::ranges::count(samples(), Sample::yes), 148);
+}
+
+TEST_F(Sampled, ARefusalEndsTheDoubt) {
+  start(20, 10);
+  line.board = [&](const Written& frame) { line.say(255, {frame.id, 1, 0, 0, 0, 0}); };
+  line.run_for(milliseconds(30));
+  const Handle handle = ask(Flag::acc_data);
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::board_error);
+  EXPECT_EQ(std::ranges::count(samples(), Sample::yes), 10);
+}
+
+TEST_F(Sampled, WithoutTimeBetweenSamplesOtherContentIsRefusedAtOnce) {
+  start(15, 10);
+  const Handle handle = ask(Flag::acc_data);
+  line.run_for({});
+  EXPECT_EQ(line.outcome(handle), Outcome::indistinct);
+  EXPECT_THAT(line.written, SizeIs(0));
+}
+
+TEST_F(Sampled, TheFirstSampleSaysItsSize) {
+  start(20, 10, 10);  // of other firmware
+  line.board = [&](const Written&) { line.say(custom, body_of(8, {99}), milliseconds(30)); };
+  line.run_for(milliseconds(30));
+  const Handle handle = ask(Flag::acc_data);
+  line.run();
+  ASSERT_EQ(line.outcome(handle), Outcome::answered);
+  EXPECT_EQ(line.completion(handle)->body, body_of(8, {99}));
+  EXPECT_EQ(std::ranges::count(samples(), Sample::yes), 10);
 }
 
 TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
@@ -379,7 +506,6 @@ TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
   line.board = [&](const Written&) {
     line.say(88, body_of(38), milliseconds(1));  // a sample
     line.say(88, body_of(8), milliseconds(2));
-    line.say(88, body_of(2), milliseconds(1));  // too short for the response
   };
   sbgc::msg::RealtimeDataCustomRequest request;
   request.flags.set(sbgc::msg::RealtimeDataCustomFlag::imu_angles);

@@ -106,12 +106,12 @@ TEST(Streams, AStoppedOneIsUnknown) {
   ASSERT_TRUE(streams.ask(change));
   streams.settle(change, true);
   EXPECT_TRUE(streams.has(25));
-  EXPECT_TRUE(streams.has_size_of_sample(sample));
+  EXPECT_EQ(streams.take(sample), sbgc::Sample::yes);
   change.interval_us = 0;
   ASSERT_TRUE(streams.ask(change));
   streams.settle(change, true);
   EXPECT_FALSE(streams.has(25));
-  EXPECT_FALSE(streams.has_size_of_sample(sample));
+  EXPECT_EQ(streams.take(sample), sbgc::Sample::no);
   EXPECT_EQ(streams.used(), 0U);
 }
 

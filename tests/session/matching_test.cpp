@@ -140,26 +140,6 @@ TEST(Session, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
   EXPECT_EQ(line.outcome(silent), Outcome::timeout);
 }
 
-TEST(Session, ASampleOfAnySizeIsNoAnswer) {
-  Simulation line;
-  sbgc::msg::DataStreamInterval stream;
-  stream.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;
-  stream.interval_ms = sbgc::msg::Milliseconds(20);
-  stream.config.flags = read_encoders().flags;
-  line.board = [&](const Written& frame) {
-    if (frame.id == stream_interval) return line.confirm(stream_interval);
-    line.say(realtime_data_custom, body_of(26), milliseconds(2));  // of the stream, without a block
-    line.say(realtime_data_custom, body_of(35), milliseconds(4));
-  };
-  line.send(stream);
-  line.run();
-  const Handle handle = line.send(read_encoders());
-  line.run();
-  ASSERT_EQ(line.outcome(handle), Outcome::answered);
-  EXPECT_EQ(line.completion(handle)->body, body_of(35));
-  EXPECT_THAT(line.of(EventKind::stream), SizeIs(1));
-}
-
 TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   Simulation line;
   line.board = [&](const Written& frame) {

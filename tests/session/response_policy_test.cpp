@@ -125,7 +125,9 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
 TEST(ResponsePolicy, CalibrationsConfirmTwice) {
   for_each_request([&]<class M>(const M& message) {
     const bool twice = M::command == sbgc::msg::CommandToBoard::calib_acc ||
-                       M::command == sbgc::msg::CommandToBoard::calib_gyro;
+                       M::command == sbgc::msg::CommandToBoard::calib_gyro ||
+                       std::same_as<M, sbgc::msg::SelectImu3Calibrate> ||
+                       std::same_as<M, sbgc::msg::SelectImu3CalibrateShort>;
     const ResponsePolicy policy = response_policy(message);
     EXPECT_EQ(policy.confirmations == 2, twice);
     EXPECT_EQ(policy.finish_ms > policy.timeout_ms, twice || policy.series != 0);

@@ -44,10 +44,15 @@ class Line final : public BridgeLine {
   }
   std::size_t raw_waiting() const override { return waiting; }
   void check() override { ++checks; }
-  void give_line_back() override { is_taken = false; }
+  void give_line_back() override {
+    is_taken = false;
+    ++reopened;
+  }
+  void release_line() override { is_taken = false; }
 
   std::vector<Sent> sent;
   bool is_taken = false;
+  int reopened = 0;
   Bytes raw;
   std::size_t waiting = 0;  // bytes that have not been sent; a test says when they are
   int checks = 0;
@@ -298,6 +303,35 @@ TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
+TEST_F(Bridge, TheEndOfATaskIsForTheLastHostThatHasBegunOne) {
+  const std::size_t first = join();
+  const std::size_t second = join();
+  msg::Control task;
+  task.control_mode.set_mode(msg::ControlModeKind::angle);
+  task.control_mode.set_flags(msg::ControlFlag::auto_task);
+  msg::Confirm confirmation;
+  confirmation.cmd = msg::Control::command;
+  const auto confirmed = [&] {
+    send(confirmation);
+    const std::size_t count = read(first).empty() ? 0 : 1;
+    return read(second).empty() ? count : count + 10;
+  };
+  const auto begin = [&](std::size_t host, const msg::Control& request) {
+    ask(host, request);
+    ports.ended(line.sent.back().tag);
+    time = time + milliseconds(100);
+    return confirmed();
+  };
+  EXPECT_EQ(begin(first, task), 1U);
+  EXPECT_EQ(begin(second, msg::Control{}), 10U);
+  EXPECT_EQ(begin(second, msg::Control{}), 10U);
+  time = time + seconds(11);
+  EXPECT_EQ(confirmed(), 1U);
+  EXPECT_EQ(begin(first, task), 1U);
+  EXPECT_EQ(begin(second, task), 10U);
+  EXPECT_EQ(confirmed(), 10U) << "the first task has no end";
+}
+
 TEST_F(Bridge, AStopThatDropsMotionIsAnErrorOfItsHost) {
   const std::size_t first = join();
   const std::size_t second = join();
@@ -535,10 +569,37 @@ TEST_F(Bridge, AnAnswerThatMayBeASampleIsBoth) {
   const Sent& sent = line.sent.back();
   const Bytes bytes = frame_of(msg::RealtimeData3{});
   ports.answered(sent.tag, frame_at(bytes.data()));
-  ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .may_be_sample = true});
+  ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .sample = Sample::yes});
   ports.ended(sent.tag);
   EXPECT_EQ(read(asking), bytes);
   EXPECT_EQ(read(listening), bytes);
+}
+
+TEST_F(Bridge, WhatIsNoSampleIsNotForThoseWhoStream) {
+  const std::size_t asking = join();
+  const std::size_t listening = join();
+  ask(listening, stream(20));
+  ask(asking, msg::RealtimeData3Request{});
+  const Bytes bytes = frame_of(msg::RealtimeData3{});
+  ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::doubtful});
+  EXPECT_THAT(read(asking), IsEmpty());
+  ports.arrived({.frame = frame_at(bytes.data()), .is_late = true, .sample = Sample::no});
+  EXPECT_EQ(read(asking), bytes);
+  EXPECT_THAT(read(listening), IsEmpty());
+  ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::yes});
+  EXPECT_EQ(read(listening), bytes);
+  EXPECT_THAT(read(asking), IsEmpty());
+}
+
+TEST_F(Bridge, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
+  const std::size_t host = join();
+  ask(host, msg::RealtimeDataCustomRequest{});
+  ports.ended(line.sent.at(0).tag, ErrorCode::overload);
+  msg::ErrorExt error;
+  error.cmd_id = msg::RealtimeDataCustomRequest::command;
+  error.error_code = msg::BoardErrorCode::temporary;
+  EXPECT_EQ(read(host), frame_of(error));
+  EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("leaves no time")));
 }
 
 TEST_F(Bridge, AHostThatDoesNotReadDisturbsNoOther) {
@@ -663,16 +724,46 @@ TEST_F(Bridge, WhatArrivesTogetherWithARestartIsNotLost) {
   EXPECT_EQ(line.raw, bytes);
 }
 
-TEST_F(Bridge, AfterAPlainRestartTheLineIsGivenBackSoon) {
+TEST_F(Bridge, AfterAPlainRestartALineThatWorksIsNotOpenedAgain) {
+  for (const bool works : {true, false}) {
+    const std::size_t host = join();
+    line.waiting = 0;
+    line.reopened = 0;
+    ask(host, msg::ResetRequest{});
+    EXPECT_TRUE(line.is_taken);
+    line.raw.clear();
+    line.waiting = 0;
+    for (int i = 0; i < 49; ++i) {
+      time = time + sbgc::milliseconds(100);
+      ports.tick();
+    }
+    EXPECT_THAT(line.raw, IsEmpty()) << "no other host can be waiting";
+    for (int i = 0; i < 60 && line.is_taken; ++i) {
+      time = time + sbgc::milliseconds(100);
+      ports.tick();
+      line.waiting = 0;
+      if (works && !line.raw.empty()) ports.raw_arrived(frame_of(msg::BoardInfo{}));
+    }
+    EXPECT_FALSE(line.is_taken);
+    EXPECT_EQ(line.reopened, works ? 0 : 1);
+    EXPECT_THAT(read(host), IsEmpty()) << "it has not asked";
+    ports.disconnect(host);
+  }
+}
+
+TEST_F(Bridge, NothingIsSentIntoRawBytesAfterARestart) {
   const std::size_t host = join();
+  join();
   ask(host, msg::ResetRequest{});
+  ports.receive(host, Bytes{0x7F});
+  line.raw.clear();
+  line.waiting = 0;
+  for (int i = 0; i < 100; ++i) {
+    time = time + sbgc::milliseconds(100);
+    ports.tick();
+  }
+  EXPECT_THAT(line.raw, IsEmpty());
   EXPECT_TRUE(line.is_taken);
-  time = time + seconds(4);
-  ports.tick();
-  EXPECT_TRUE(line.is_taken);
-  time = time + seconds(2);
-  ports.tick();
-  EXPECT_FALSE(line.is_taken);
 }
 
 TEST_F(Bridge, ABootloaderMayTakeItsTime) {

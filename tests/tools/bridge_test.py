@@ -139,7 +139,7 @@ def test_a_host_that_restarts_the_board_has_the_line_for_itself() -> None:
         bridge.process.send_signal(signal.SIGINT)
         _, log = bridge.process.communicate(timeout=20)
     assert "has the line for itself while the board restarts" in log
-    assert "the line is opened again for all hosts" in log
+    assert "all hosts have the line again" in log
     assert "unplugged" not in log
 
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -57,6 +58,7 @@ class Site {
   /// What the host has received since the last call.
   virtual Bytes received() = 0;
 
+  Instant now() const { return now_; }
   void run_for(Duration time) {
     const Instant end = now_ + time;
     while (now_ < end) {
@@ -121,6 +123,10 @@ class BridgedSite final : public Site, private BridgeLine {
   void send_from_other(const Bytes& bytes) { hosts_[1].to_bridge = bytes; }
   Bytes received() override { return take_from(hosts_[0].port); }
   Bytes overheard() { return take_from(hosts_[1].port); }
+  /// How often the line was opened again.
+  int reopened() const { return reopened_; }
+  /// From now on, the line delays what the board sends differently, up to this.
+  void delay_up_to(Duration longest) { longest_delay_ = longest; }
 
  private:
   struct Host {
@@ -144,7 +150,8 @@ class BridgedSite final : public Site, private BridgeLine {
       feed_bridge();
       exchange_bytes();
     } while (run_posted());
-    return earlier(earlier(deadline_, emulator_.next()), next_tick_);
+    const Instant next = earlier(earlier(deadline_, emulator_.next()), next_tick_);
+    return under_way_.empty() ? next : earlier(next, under_way_.front().first);
   }
 
   void feed_bridge() {
@@ -167,11 +174,28 @@ class BridgedSite final : public Site, private BridgeLine {
     }
     emulator_.from_host(port_, std::exchange(raw_, {}), now_);
     emulator_.advance(now_);
-    const Bytes answers = take_output(port_);
+    const Bytes answers = delayed(take_output(port_));
     if (answers.empty()) return;
     if (is_taken_) return ports_.raw_arrived(answers);
     dialogue_.feed(answers, now_);
     deadline_ = now_;
+  }
+
+  Bytes delayed(Bytes sent) {
+    if (longest_delay_ == Duration{}) return sent;
+    if (!sent.empty()) {
+      const auto most = static_cast<int>(longest_delay_.us);
+      const Instant at = now_ + microseconds(std::uniform_int_distribution<int>(0, most)(random_));
+      const Instant before = under_way_.empty() ? at : under_way_.back().first;
+      under_way_.emplace_back(std::max(at, before), std::move(sent));
+    }
+    Bytes arrived;
+    while (!under_way_.empty() && under_way_.front().first <= now_) {
+      const Bytes& bytes = under_way_.front().second;
+      arrived.insert(arrived.end(), bytes.begin(), bytes.end());
+      under_way_.pop_front();
+    }
+    return arrived;
   }
 
   /// Returns true if the dialogue may have more to do.
@@ -207,7 +231,9 @@ class BridgedSite final : public Site, private BridgeLine {
   void take_line() override { is_taken_ = true; }
   void write_raw(Bytes bytes) override { raw_.insert(raw_.end(), bytes.begin(), bytes.end()); }
   std::size_t raw_waiting() const override { return raw_.size(); }
+  void release_line() override { is_taken_ = false; }
   void give_line_back() override {
+    ++reopened_;
     is_taken_ = false;
     static_cast<void>(ports_.line_lost());
     ports_.restart_streams();
@@ -215,8 +241,12 @@ class BridgedSite final : public Site, private BridgeLine {
   void check() override {}
 
   std::size_t port_;
+  Duration longest_delay_{};
+  std::deque<std::pair<Instant, Bytes>> under_way_;
+  std::mt19937 random_{7};
   Bytes raw_;
   bool is_taken_ = false;
+  int reopened_ = 0;
   std::deque<std::function<void()>> posted_;
   BridgePorts ports_{*this, [this] { return now_; }, {}, true};  // passwords pass as well
   std::array<Host, 2> hosts_{};
@@ -381,6 +411,202 @@ TEST(BridgeTransparency, StreamsStartAndStopAsTheBoardSays) {
   EXPECT_THAT(ask(stops), Contains("23")) << "a sample that comes before the confirmation";
   EXPECT_THAT(ask(stops), SizeIs(2));
   EXPECT_THAT(ask(starts + stops + starts), SizeIs(Ge(6 + 16)));
+}
+
+/// What the board sends, apart from bytes that change from one message to the next.
+class Content {
+ public:
+  explicit Content(const std::vector<Bytes>& bodies)
+      : bytes_(bodies.at(0)), counts_(bytes_.size()) {
+    for (std::size_t i = 0; i < bytes_.size(); ++i) {
+      counts_[i] = std::ranges::all_of(bodies, [&](const Bytes& one) {
+        return one.size() == bytes_.size() && one[i] == bytes_[i];
+      });
+    }
+  }
+
+  bool holds(const Bytes& body) const {
+    if (body.size() != bytes_.size()) return false;
+    for (std::size_t i = 0; i < bytes_.size(); ++i) {
+      if (counts_[i] && body[i] != bytes_[i]) return false;
+    }
+    return true;
+  }
+
+ private:
+  Bytes bytes_;
+  std::vector<bool> counts_;
+};
+
+std::vector<Bytes> bodies_with(std::uint8_t id, const Bytes& bytes) {
+  std::vector<Bytes> bodies;
+  ParserOfAll parser;
+  parser.feed(bytes, [&](const Frame& frame) {
+    if (frame.id == id) bodies.emplace_back(frame.body.begin(), frame.body.end());
+  });
+  return bodies;
+}
+
+/// A stream of a message, and a request for the same message.
+struct Pair {
+  std::uint8_t message{};
+  std::array<std::uint8_t, max_stream_config> config{};
+  Request request{};
+
+  Bytes stream(std::uint16_t interval) const {
+    Request start{.id = static_cast<std::uint8_t>(msg::DataStreamInterval::command),
+                  .body = Bytes(21)};
+    start.body[0] = message;
+    start.body[1] = static_cast<std::uint8_t>(interval);
+    start.body[2] = static_cast<std::uint8_t>(interval >> 8);
+    std::ranges::copy(config, start.body.begin() + 3);
+    return start.bytes();
+  }
+};
+
+/// All requests for messages that boards also stream, with streams of the same and of other
+/// content.
+std::vector<Pair> all_pairs() {
+  std::set<std::uint8_t> streamed;
+  roles::StreamMessages::for_each(
+      [&]<class M>(Type<M>) { streamed.insert(static_cast<std::uint8_t>(M::command)); });
+  std::vector<Pair> pairs;
+  for (const Request& request : all_requests()) {
+    const ResponsePolicy policy = request.policy();
+    const std::uint8_t message = policy.responses.forms[0].id;
+    const bool is_typical = request.name.find(',') == std::string::npos;
+    if (!is_typical || policy.has_effect || !streamed.contains(message)) continue;
+    pairs.push_back({message, policy.stream.config, request});
+    // Other IMUs or motors, and other blocks of the same size and of another one.
+    for (const int other : {0, 1, 2, 8, 0x20, 0x40}) {
+      Pair pair{message, {static_cast<std::uint8_t>(other)}, request};
+      if (pair.config != policy.stream.config) pairs.push_back(pair);
+    }
+    Pair acceleration{message, {0, 2}, request};  // ACC_DATA
+    pairs.push_back(acceleration);
+  }
+  return pairs;
+}
+
+TEST(BridgeTransparency, ASingleAnswerIsOnlyForTheHostThatAsked) {
+  std::mt19937 random(1);
+  const auto upto = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  std::set<std::uint8_t> tested;
+  int answers = 0;
+  int refusals = 0;
+  for (const Pair& pair : all_pairs()) {
+    DirectSite direct;
+    const Bytes begun = direct.ask(pair.stream(20), seconds(1));
+    std::vector<Bytes> asked;
+    DirectSite other;
+    for (int i = 0; i < 3; ++i) {
+      for (Bytes& body :
+           bodies_with(pair.message, other.ask(pair.request.bytes(), milliseconds(77))))
+        asked.push_back(std::move(body));
+    }
+    const auto streamed = bodies_with(pair.message, begun);
+    if (streamed.size() < 40 || asked.size() != 3) continue;  // this board has no such stream
+    const Content sample(streamed), answer(asked);
+    tested.insert(pair.message);
+    for (const int interval : {2, 15, 20, 100, 400, 1500}) {
+      for (const bool is_even : {true, false}) {
+        SCOPED_TRACE(pair.request.name + " " + std::to_string(pair.config[0]) + " every " +
+                     std::to_string(interval) + (is_even ? "" : ", delayed"));
+        BridgedSite site;
+        if (!is_even) site.delay_up_to(microseconds(interval * 250));
+        site.send_from_other(pair.stream(static_cast<std::uint16_t>(interval)));
+        site.run_for(milliseconds(50 + upto(interval)));
+        constexpr int questions = 5;
+        int given = 0;
+        for (int i = 0; i < questions; ++i) {
+          const Bytes bytes =
+              site.ask(pair.request.bytes(), milliseconds(1000 + 2 * interval + upto(interval)));
+          const auto bodies = bodies_with(pair.message, bytes);
+          const auto outline = outline_of(bytes);
+          EXPECT_LE(outline.size(), 1U);
+          for (const Bytes& body : bodies) EXPECT_TRUE(answer.holds(body));
+          given += static_cast<int>(outline.size());
+          answers += static_cast<int>(bodies.size());
+          refusals += static_cast<int>(outline.size() - bodies.size());
+        }
+        const auto samples = bodies_with(pair.message, site.overheard());
+        for (const Bytes& body : samples) EXPECT_TRUE(sample.holds(body));
+        const auto time = (site.now() - Instant{2'000'000}).us / 1000;
+        EXPECT_LE(std::ssize(samples), time / interval);
+        if (!is_even) continue;
+        EXPECT_EQ(given, questions);
+        EXPECT_GE(std::ssize(samples), (time - 10) / interval - 1);
+      }
+    }
+  }
+  EXPECT_THAT(tested, SizeIs(Ge(5U)));
+  EXPECT_GT(answers, 10 * refusals);
+  EXPECT_GT(refusals, 0);
+}
+
+TEST(BridgeTransparency, TheEndOfATaskIsConfirmedToTheHostThatBeganIt) {
+  msg::Control turn;
+  turn.control_mode.set_mode(msg::ControlModeKind::angle);
+  turn.control_mode.set_flags(msg::ControlFlag::auto_task);
+  turn.axes.pitch.angle = 20_deg;
+  msg::SelectImu3Calibrate calibrate;
+  msg::SelectImu3 select;
+  select.imu_type = msg::SelectedImu::main;
+  const std::array<std::pair<Bytes, Bytes>, 2> cases{
+      {{frame_of(turn), frame_of(msg::Control{})}, {frame_of(calibrate), frame_of(select)}}};
+  for (const auto& [task, other] : cases) {
+    BridgedSite site;
+    site.ask(frame_of(msg::MotorsOn{}), milliseconds(100));
+    site.send(task);
+    site.run_for(milliseconds(50));
+    for (int i = 0; i < 3; ++i) {
+      site.send_from_other(other);
+      site.run_for(milliseconds(20));
+    }
+    site.run_for(seconds(30));
+    EXPECT_THAT(outline_of(site.received()), SizeIs(2));
+    EXPECT_THAT(outline_of(site.overheard()), SizeIs(3));
+  }
+}
+
+TEST(BridgeTransparency, AfterARestartOthersAreServedAsSoonAsTheBoardAnswers) {
+  const Bytes question = frame_of(msg::GetAnglesRequest{});
+  msg::ResetRequestExt later;
+  later.delay_ms = msg::Milliseconds(1000);
+  for (const Bytes& reset : {frame_of(msg::ResetRequest{}), frame_of(later)}) {
+    for (const int at : {10, 300, 700, 900, 1300, 1900, 5100}) {
+      SCOPED_TRACE(std::to_string(reset.size()) + " bytes, " + std::to_string(at) + " ms");
+      // Directly, the host asks until the board answers.
+      DirectSite direct;
+      direct.send(reset);
+      direct.run_for(milliseconds(at));
+      int expected = at;
+      while (outline_of(direct.ask(question, milliseconds(20))).empty()) expected += 20;
+      BridgedSite site;
+      site.send_from_other(frame_of(stream(msg::RealtimeData3::command, 50)));
+      site.run_for(milliseconds(200));
+      static_cast<void>(site.overheard());
+      site.send(reset);
+      site.run_for(milliseconds(at));
+      static_cast<void>(site.overheard());
+      site.send_from_other(question);
+      int passed = at;
+      std::vector<std::string> answers;
+      const auto is_sample = [](const std::string& one) { return one == "23"; };
+      while (answers.empty() && passed < 10'000) {
+        site.run_for(milliseconds(20));
+        passed += 20;
+        answers = outline_of(site.overheard());
+        std::erase_if(answers, is_sample);
+      }
+      EXPECT_LE(passed, expected + 500);
+      EXPECT_THAT(answers, SizeIs(1));
+      site.run_for(seconds(6));
+      EXPECT_THAT(outline_of(site.received()), IsEmpty()) << "it has asked for nothing";
+      EXPECT_THAT(outline_of(site.overheard()), Contains("23")) << "the stream goes on";
+      EXPECT_EQ(site.reopened(), 0);
+    }
+  }
 }
 
 TEST(BridgeTransparency, AResetWaitsForNoCalibration) {

@@ -32,6 +32,7 @@ auto Askers::find(std::uint64_t tag) -> Entry* {
 }
 
 void Askers::Entry::take(const Frame& frame, Instant now) {
+  if (roles::is_confirmation(frame)) ++confirmed;
   if (missing != 0) missing = roles::is_error(frame) ? 0 : missing - 1;
   if (missing == 0) due = now + lateness;
 }
@@ -87,7 +88,7 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
   if (roles::is_reset(frame)) return {};
   const bool is_error = roles::is_error(frame);
   const bool is_anonymous = is_error && roles::failed_command(frame) == 0;
-  Entry* oldest = nullptr;         // of those without an answer
+  Entry* next = nullptr;           // of those without an answer
   Entry* last_answered = nullptr;  // a moment ago
   Entry* last = nullptr;
   bool is_of_one = true;
@@ -97,7 +98,8 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
     // Whoever has left does not make it another's.
     if (is_anonymous && !entry.asker && !entry.is_due(now)) continue;
     if (entry.is_due(now)) {
-      if (oldest == nullptr) oldest = &entry;
+      // A later task ends the one before.
+      if (next == nullptr || next->confirmed != 0) next = &entry;
     } else if (entry.missing == 0 && now < entry.due) {
       last_answered = &entry;
     }
@@ -108,12 +110,12 @@ auto Askers::claim(const Frame& frame, Instant now) -> Claim {
   // Confirmations and errors are counted, and the only answer to a request without documented
   // ones; other answers can be several.
   const bool is_counted = is_error || roles::is_confirmation(frame) ||
-                          (oldest != nullptr && !oldest->responses.are_possible());
+                          (next != nullptr && !next->responses.are_possible());
   Entry* owner = nullptr;
   if (is_anonymous && !is_of_one) {
     // It can be any.
-  } else if (oldest != nullptr && (is_counted || last_answered == nullptr)) {
-    owner = oldest;
+  } else if (next != nullptr && (is_counted || last_answered == nullptr)) {
+    owner = next;
   } else if (last_answered != nullptr) {
     owner = last_answered;
   } else if (is_of_one) {

@@ -24,8 +24,9 @@ struct Asker {
 /// must not wait for what may never come.
 ///
 /// Such a frame answers the oldest request without an answer, because the board answers in order;
-/// without one, the request that was answered a moment ago, because some have several answers. An
-/// answer that comes much too late goes to the host that has asked, or to nobody if several have.
+/// without one, it confirms the end of the last task that has begun. Without a task, it answers the
+/// request that was answered a moment ago, because some have several answers. An answer that comes
+/// much too late goes to the host that has asked, or to nobody if several have.
 class Askers {
  public:
   /// An answer can be so late, after the time that the policy of its request allows.
@@ -62,7 +63,8 @@ class Askers {
     std::uint64_t tag{};
     std::optional<Asker> asker{};
     Responses responses{};
-    unsigned missing{};  // answers
+    unsigned missing{};    // answers
+    unsigned confirmed{};  // how often
     Duration patience{};
     Instant at{};
     Instant due = Instant::never;  // when an answer, or a further one, is too late

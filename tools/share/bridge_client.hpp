@@ -36,6 +36,7 @@ class BridgeClient final : public BridgeLine {
   void write_raw(std::vector<std::uint8_t> bytes) override { gate_.write(std::move(bytes)); }
   std::size_t raw_waiting() const override { return gate_.waiting(); }
   void give_line_back() override { gate_.give_back(); }
+  void release_line() override { gate_.release(); }
   void check() override { client_.check(); }
 
   ReconnectingClient& client() { return client_; }

@@ -27,13 +27,27 @@ std::span<const std::uint8_t> body_of(const RawRequest& request) {
 }
 
 std::optional<Received<roles::StreamRequest>> as_stream_request(const RawRequest& request) {
-  if (request.policy.stream.command == 0 ||
+  if (!request.policy.changes_stream() ||
       request.id != static_cast<std::uint8_t>(roles::StreamRequest::command)) {
     return std::nullopt;
   }
   Received<roles::StreamRequest> message{};
   if (!decode(body_of(request), message)) return std::nullopt;
   return message;
+}
+
+/// True if the board speaks the same protocol after the restart.
+bool is_plain_restart(const RawRequest& request) {
+  const MessageType* const type =
+      find_message(Direction::to_board, request.id, request.body.size());
+  return request.policy.restarts_board && type != nullptr &&
+         !type->info->effects.has(Effect::disconnects);
+}
+
+std::vector<std::uint8_t> question_of_introduction() {
+  std::vector<std::uint8_t> bytes(max_frame_size);
+  bytes.resize(encode_frame(basic_framing, msg::BoardInfoRequest{}, bytes).size);
+  return bytes;
 }
 
 bool was_not_sent(ErrorCode failure) {
@@ -93,7 +107,9 @@ void BridgePorts::disconnect(std::size_t port) {
     if (had_share && before != after) send(std::nullopt, with_interval(stream.request, after));
     place = end_if_unused(place);
   }
-  if (exclusive_ && exclusive_->port == port) {
+  if (exclusive_ && exclusive_->port == port && exclusive_->is_watched()) {
+    exclusive_->port = max_hosts;
+  } else if (exclusive_ && exclusive_->port == port) {
     end_exclusive();
   } else {
     begin_exclusive();
@@ -115,8 +131,8 @@ std::size_t BridgePorts::queued_bytes(std::size_t port) const {
 std::size_t BridgePorts::room(std::size_t port) const {
   const Host& host = *hosts_[port];
   if (host.must_leave) return 0;
-  if (exclusive_ && (exclusive_->port != port || !exclusive_->is_active)) return 0;
-  if (exclusive_) {
+  if (must_wait(port)) return 0;
+  if (exclusive_ && exclusive_->port == port) {
     const std::size_t waiting = line_.raw_waiting();
     if (host.output.size() >= max_output || waiting >= max_raw) return 0;
     return std::min(room_of_exclusive_host, max_raw - waiting);
@@ -128,7 +144,9 @@ std::size_t BridgePorts::room(std::size_t port) const {
 
 bool BridgePorts::is_quiet(std::size_t port) const {
   const Host& host = *hosts_[port];
-  return host.pending == 0 && host.output.empty() && !askers_.awaits_answer(port, now());
+  const bool is_restarting = exclusive_ && exclusive_->port == port && !exclusive_->is_active;
+  return host.pending == 0 && host.output.empty() && !is_restarting &&
+         !askers_.awaits_answer(port, now());
 }
 
 void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
@@ -160,6 +178,7 @@ void BridgePorts::tick() {
     line_.check();
   }
   if (!exclusive_ || !exclusive_->is_active) return;
+  if (exclusive_->is_watched()) return watch_restart();
   const bool is_only_restart = !exclusive_->is_raw && now() - exclusive_->begin > restart_time;
   if (exclusive_->is_back || is_only_restart || now() - exclusive_->last > longest_silence)
     end_exclusive();
@@ -168,8 +187,66 @@ void BridgePorts::tick() {
 // A host that has the line for itself.
 
 std::optional<std::size_t> BridgePorts::exclusive_host() const {
-  if (!exclusive_ || !exclusive_->is_active) return std::nullopt;
+  if (!exclusive_ || !exclusive_->is_active || exclusive_->port == max_hosts) return std::nullopt;
   return exclusive_->port;
+}
+
+/// A board that still answers soon goes down: what is asked then gets an error at once.
+bool BridgePorts::must_wait(std::size_t port) const {
+  if (!exclusive_) return false;
+  if (exclusive_->port == port) return !exclusive_->is_active;
+  return !exclusive_->is_watched() || !exclusive_->is_alive;
+}
+
+/// Asks the board for a sign of life if another host can be waiting for it, or after a while.
+void BridgePorts::watch_restart() {
+  Exclusive& restart = *exclusive_;
+  const Duration passed = now() - restart.begin;
+  const bool is_silent = restart.unanswered_since != Instant::never &&
+                         now() - restart.unanswered_since >= longest_answer;
+  if (is_silent) {
+    restart.was_down = true;
+    restart.is_alive = false;
+    restart.introductions.clear();
+  }
+  if (passed > restart_time + restart_time) return end_exclusive();
+  const bool is_alone = std::ranges::none_of(
+      hosts_, [&](const auto& host) { return host && host->counters.port != restart.port; });
+  const bool is_due = !is_alone || restart.port == max_hosts || passed > restart_time;
+  if (!is_due || line_.raw_waiting() != 0) return;
+  if (restart.unanswered_since == Instant::never) restart.unanswered_since = now();
+  restart.introductions.push_back(true);
+  line_.write_raw(question_of_introduction());
+}
+
+/// Takes bytes of a board that restarts; the host gets all but the answers to the bridge.
+void BridgePorts::take_sign_of_life(std::span<const std::uint8_t> bytes) {
+  Exclusive& restart = *exclusive_;
+  bool is_back = false;
+  restart.from_board.feed(bytes, [&](const Frame& frame) {
+    restart.unanswered_since = Instant::never;
+    restart.is_alive = true;
+    is_back = is_back || restart.was_down || now() - restart.begin > restart_time ||
+              (roles::is_error(frame) && roles::failed_command(frame) == restart.command);
+    if (roles::is_introduction(frame) && !restart.introductions.empty()) {
+      const bool is_of_bridge = restart.introductions.front();
+      restart.introductions.pop_front();
+      if (is_of_bridge) return;
+    }
+    if (is_streamed(frame.id)) {
+      give_sample(frame);
+    } else if (restart.port != max_hosts) {
+      give({restart.port, frame.framing}, frame, false);
+    }
+  });
+  const bool is_between_requests =
+      line_.raw_waiting() == 0 &&
+      (restart.port == max_hosts || hosts_[restart.port]->parser.waiting_bytes() == 0);
+  if (!is_back || !is_between_requests) return wake_all();
+  log("the board has restarted: all hosts have the line again");
+  line_.release_line();
+  forget_exclusive();
+  restart_streams();
 }
 
 void BridgePorts::begin_exclusive() {
@@ -184,6 +261,15 @@ void BridgePorts::begin_exclusive() {
   wake(exclusive_->port);
 }
 
+/// Notes a request of the host that restarts the board.
+void BridgePorts::note_exclusive(const RawRequest& request) {
+  if (request.id == static_cast<std::uint8_t>(msg::BoardInfoRequest::command)) {
+    exclusive_->introductions.push_back(false);
+  }
+  if (!request.policy.restarts_board) return;
+  exclusive_->is_plain = exclusive_->is_plain && is_plain_restart(request);
+}
+
 void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   Host& host = *hosts_[exclusive_->port];
   const std::uint64_t skipped = host.parser.counters().skipped_bytes;
@@ -191,6 +277,7 @@ void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   host.parser.feed(bytes, [&](const Frame& frame) {
     ++host.counters.requests;
     is_allowed = may_pass(exclusive_->port, frame) && is_allowed;
+    if (const auto request = raw_request(frame.id, frame.body)) note_exclusive(*request);
   });
   if (host.parser.counters().skipped_bytes != skipped) exclusive_->is_raw = true;
   exclusive_->last = now();
@@ -200,6 +287,7 @@ void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
 
 void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
   if (!exclusive_ || !exclusive_->is_active) return;
+  if (exclusive_->is_watched()) return take_sign_of_life(bytes);
   Host& host = *hosts_[exclusive_->port];
   exclusive_->last = now();
   if (host.output.size() + bytes.size() > max_raw_output) return expel_exclusive();
@@ -215,7 +303,7 @@ void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
 }
 
 void BridgePorts::raw_sent() {
-  if (exclusive_) wake(exclusive_->port);
+  if (exclusive_host()) wake(exclusive_->port);
 }
 
 bool BridgePorts::line_lost() {
@@ -234,9 +322,9 @@ void BridgePorts::end_exclusive() {
 }
 
 void BridgePorts::forget_exclusive() {
-  const auto& host = hosts_[exclusive_->port];
+  Host* const host = exclusive_->port == max_hosts ? nullptr : hosts_[exclusive_->port].get();
   // The rest of its raw bytes is no request.
-  if (host && exclusive_->is_active) host->parser.flush([](const Frame&) {});
+  if (host != nullptr && exclusive_->is_active) host->parser.flush([](const Frame&) {});
   exclusive_.reset();
   wake_all();
 }
@@ -265,8 +353,15 @@ void BridgePorts::take_request(std::size_t port, const Frame& frame) {
   Result<RawRequest> request = raw_request(frame.id, frame.body);
   if (!request) return;
   const bool is_exclusive = exclusive_ && exclusive_->port == port;
+  if (exclusive_ && exclusive_->is_watched() && !is_exclusive) {
+    const auto command = static_cast<msg::CommandToBoard>(frame.id);
+    return give_error({port, host.framing}, command, roles::ErrorReason::temporary);
+  }
   if (is_exclusive || (!exclusive_ && request->policy.restarts_board)) {
-    if (!exclusive_) exclusive_ = Exclusive{.port = port};
+    if (!exclusive_) {
+      exclusive_ = Exclusive{.port = port, .is_plain = true, .command = request->id};
+    }
+    note_exclusive(*request);
     std::array<std::uint8_t, max_frame_size> bytes{};
     const std::size_t size = write_frame(host.framing, frame.id, frame.body, bytes).size;
     const auto whole = std::span(bytes).first(size);
@@ -400,6 +495,19 @@ void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
   begin_exclusive();
 }
 
+void BridgePorts::refused_by_line(std::uint64_t tag, const Call& call) {
+  if (call.stream) {
+    refused(tag, call);
+    return refuse_stream(call.asker, *call.stream, "the line has no room for it");
+  }
+  const auto command = static_cast<msg::CommandToBoard>(call.id);
+  give_error(call.asker, command, roles::ErrorReason::temporary);
+  log(
+      fmt::format("host {}: {} is refused, because a stream of the same message leaves no time for "
+                  "it, or the line is overloaded",
+                  call.asker.port, to_string(command)));
+}
+
 /// The board does not make this change of a stream.
 void BridgePorts::refused(std::uint64_t tag, const Call& call) {
   const auto stream = streams_.find(*call.stream);
@@ -437,10 +545,7 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
   if (call.empty()) return;
   const Asker asker = call.mapped().asker;
   const std::size_t port = asker.port;
-  if (failure == ErrorCode::overload && call.mapped().stream) {
-    refused(tag, call.mapped());
-    refuse_stream(asker, *call.mapped().stream, "the line has no room for it");
-  }
+  if (failure == ErrorCode::overload) refused_by_line(tag, call.mapped());
   if (failure == ErrorCode::superseded) {
     give_error(asker, static_cast<msg::CommandToBoard>(call.mapped().id),
                roles::ErrorReason::wrong_state);
@@ -463,10 +568,12 @@ void BridgePorts::arrived(const BoardFrame& message) {
   heard_ = now();
   unanswered_ = 0;
   if (message.belongs_to_call) {
-    if (message.may_be_sample) give_sample(frame, true);
+    if (message.sample == Sample::yes) give_sample(frame);
     return;
   }
-  if (is_streamed(frame.id)) return give_sample(frame, false);
+  if (message.sample == Sample::doubtful) return;
+  const bool is_answer = message.sample == Sample::no || message.is_late;
+  if (!is_answer && is_streamed(frame.id)) return give_sample(frame);
   const auto ended = ended_streams_.find(frame.id);
   if (ended != ended_streams_.end() && now() - ended->second < end_of_stream_time) return;
   give_unclaimed(frame);
@@ -477,7 +584,8 @@ void BridgePorts::give_unclaimed(const Frame& frame) {
   const Askers::Claim claim = askers_.claim(frame, now());
   // What nobody waits for may be dropped, as what nobody has asked for.
   if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
-  if (!claim.is_answer) give_all(frame);
+  if (claim.is_answer) return;
+  is_streamed(frame.id) ? give_sample(frame) : give_all(frame);
 }
 
 void BridgePorts::restart_streams() {
@@ -508,13 +616,7 @@ bool BridgePorts::is_streamed(std::uint8_t id) const {
   return std::ranges::any_of(streams_, [&](const auto& one) { return one.first.first == id; });
 }
 
-bool BridgePorts::awaits(std::size_t port, std::uint8_t id) const {
-  return std::ranges::any_of(calls_, [&](const auto& one) {
-    return one.second.asker.port == port && one.second.id == id;
-  });
-}
-
-void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
+void BridgePorts::give_sample(const Frame& frame) {
   const auto is_of = [&](const auto& one) {
     return one.first.first == frame.id && one.second.size == frame.body.size();
   };
@@ -536,8 +638,7 @@ void BridgePorts::give_sample(const Frame& frame, bool is_answer) {
     }
   }
   for (std::size_t port = 0; port < is_due.size(); ++port) {
-    // The one who asked gets it as its response.
-    if (is_due[port] && !(is_answer && awaits(port, frame.id))) give(port, frame, true);
+    if (is_due[port]) give(port, frame, true);
   }
 }
 

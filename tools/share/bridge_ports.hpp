@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -45,6 +46,8 @@ class BridgeLine {
   virtual std::size_t raw_waiting() const = 0;
   /// Ends this when they have been sent: connects to the board again.
   virtual void give_line_back() = 0;
+  /// Ends this at once; the connection goes on. Precondition: no bytes wait.
+  virtual void release_line() = 0;
 
   /// Asks the board for a sign of life; without one, connects again.
   virtual void check() = 0;
@@ -62,6 +65,9 @@ class BridgeLine {
 /// - The messages of a stream do not say with which configuration they were requested. Therefore a
 ///   stream has one configuration at a time: while it runs, a request for another one gets an error
 ///   in place of a confirmation. So does one for which the line has no room.
+/// - A single answer goes only to the host that asked, also while others stream the same message;
+///   the session tells it from the samples. If a stream leaves no time for that, the request gets
+///   an error.
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
 /// - A stop drops the motion of all hosts that waits to be sent; they get an error (WRONG_STATE).
@@ -70,6 +76,11 @@ class BridgeLine {
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
 ///   left, the board introduces itself again, or nothing of that kind happens. The board does not
 ///   wait: a host that has the line for itself and does not read must leave.
+/// - After a plain restart, until the host sends other bytes than requests, the bridge asks the
+/// board
+///   for a sign of life: the others wait only while it does not answer, also after the host has
+///   left, and the connection goes on. A request that comes before the board goes down gets an
+///   error.
 class BridgePorts final : public hosts::HostPorts {
  public:
   static constexpr std::size_t max_hosts = 32;
@@ -80,8 +91,10 @@ class BridgePorts final : public hosts::HostPorts {
   /// Silence of a host that ends an incomplete frame.
   static constexpr Duration idle = sbgc::milliseconds(100);
   /// How long a host that restarts the board has the line for itself without using it for raw
-  /// bytes, and how long both sides may be silent.
+  /// bytes; for how much longer a board may be silent after a plain restart.
   static constexpr Duration restart_time = sbgc::seconds(5);
+  /// A board that does not answer for this long is down.
+  static constexpr Duration longest_answer = sbgc::milliseconds(200);
   /// A board that has announced its restart still responds for this long.
   static constexpr Duration restart_delay = sbgc::milliseconds(roles::reset_delay_ms + 500);
   /// Samples may still arrive for this long after a stream was ended.
@@ -195,20 +208,33 @@ class BridgePorts final : public hosts::HostPorts {
 
   /// A host that has the line for itself, or waits until the others have their answers.
   struct Exclusive {
-    std::size_t port{};
+    std::size_t port{};  // max_hosts after it has left
     bool is_active = false;
+    bool is_plain = false;              // the board speaks the same protocol afterwards
     bool is_raw = false;                // it has sent bytes that are no requests
     bool is_back = false;               // the board has introduced itself
     std::vector<std::uint8_t> first{};  // what it sends before it has the line
     Instant begin{};
     Instant last{};  // when bytes passed
     ParserOfAll from_board{};
+    // Of a plain restart.
+    std::uint8_t command{};
+    std::deque<bool> introductions{};           // that were asked for; true: by the bridge
+    Instant unanswered_since = Instant::never;  // the first request for a sign of life
+    bool is_alive = false;
+    bool was_down = false;
+
+    bool is_watched() const { return is_active && is_plain && !is_raw; }
   };
 
   void take_request(std::size_t port, const Frame& frame);
   void take_stream_request(std::size_t port, const RawRequest& request);
   void start_silent_streams();
+  void note_exclusive(const RawRequest& request);
   void receive_raw(std::span<const std::uint8_t> bytes);
+  void watch_restart();
+  void take_sign_of_life(std::span<const std::uint8_t> bytes);
+  bool must_wait(std::size_t port) const;
   void log(const std::string& text) const;
   void begin_exclusive();
   void end_exclusive();
@@ -218,6 +244,7 @@ class BridgePorts final : public hosts::HostPorts {
   /// Notes what the host wants; returns the request that the board gets instead.
   RawRequest merged(std::size_t port, const RawRequest& request);
   void refused(std::uint64_t tag, const Call& call);
+  void refused_by_line(std::uint64_t tag, const Call& call);
   void refuse_stream(const Asker& asker, const StreamKey& key, const char* reason);
   bool may_pass(std::size_t port, const Frame& request);
   void give_error(const Asker& asker, msg::CommandToBoard command, roles::ErrorReason reason);
@@ -227,10 +254,9 @@ class BridgePorts final : public hosts::HostPorts {
   void give(std::size_t port, const Frame& frame, bool may_be_dropped);
   void give(const Asker& to, const Frame& frame, bool may_be_dropped);
   void give_all(const Frame& frame);
-  void give_sample(const Frame& frame, bool is_answer);
+  void give_sample(const Frame& frame);
   void wake(std::size_t port);
   bool is_streamed(std::uint8_t id) const;
-  bool awaits(std::size_t port, std::uint8_t id) const;
   void give_unclaimed(const Frame& frame);
 
   BridgeLine& line_;

@@ -78,6 +78,10 @@ class LineGate::State : public std::enable_shared_from_this<LineGate::State> {
     write_next();
   }
 
+  void release() {
+    if (raw_.empty() && !is_given_back_) is_taken_ = false;
+  }
+
   void close() {
     end_.cancel();
     inner->close();
@@ -183,6 +187,10 @@ void LineGate::write(Bytes bytes) {
 
 void LineGate::give_back() {
   post([](State& state) { state.give_back(); });
+}
+
+void LineGate::release() {
+  post([](State& state) { state.release(); });
 }
 
 }  // namespace sbgc::tools

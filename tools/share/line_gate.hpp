@@ -37,6 +37,8 @@ class LineGate {
   /// Gives the line back: closes it when all bytes have been sent, but no later than after two
   /// seconds, so that the client connects again.
   void give_back();
+  /// Gives the line back without closing it, unless bytes of write() wait.
+  void release();
 
  private:
   class State;

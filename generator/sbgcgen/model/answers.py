@@ -37,7 +37,11 @@ class OptionalPart:
 
 @dataclass(frozen=True)
 class Response:
-    """One message of the board that answers a request or belongs to a stream that it starts."""
+    """One message of the board that answers a request or belongs to a stream that it starts.
+
+    `config` are the fields of the request that make up the configuration of the stream whose samples
+    have the same content; None if there is no such stream.
+    """
 
     message: str
     id: int
@@ -47,6 +51,7 @@ class Response:
     is_open: bool
     correlation: tuple[CorrelationField, ...] = ()
     growth: tuple[OptionalPart, ...] = ()
+    config: tuple[CorrelationField, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -97,6 +102,12 @@ class Answer:
     def messages(self) -> tuple[str, ...]:
         """All messages that may answer the request."""
         return tuple(dict.fromkeys(name for case in self.cases for name in case.messages))
+
+    @property
+    def alike(self) -> Response | None:
+        """The only answer, if it has the content of a stream's samples."""
+        found = [r for case in self.cases for r in case.responses]
+        return found[0] if len(found) == 1 and found[0].config is not None else None
 
     @property
     def confirm(self) -> str:

@@ -261,7 +261,7 @@ EFFECTS_KNOWN = {
     "UseDefaults": ("stores", "moves", "erases"),
     "FsClearAll": ("erases",),
     "ResetRequest": ("restarts",),
-    "BootMode3": ("restarts",),
+    "BootMode3": ("restarts", "disconnects"),
     "SystemStateRequest": ("unknown",),
     "ExecuteMenu": ("sets", "stores", "moves", "restarts"),
     "CalibAccExt": ("stores", "restarts", "erases"),

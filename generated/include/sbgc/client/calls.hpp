@@ -228,7 +228,7 @@ class Calls {
   }
 
   /// Enter the bootloader immediately, without notification.
-  /// Effect: restarts.
+  /// Effect: restarts, disconnects.
   /// Since board 3.0.
   template <class M = msg::BootMode3>
   CallResult<M> boot_mode_3(
@@ -237,7 +237,7 @@ class Calls {
   }
 
   /// Enter the bootloader after a delay, with an optional notification.
-  /// Effect: restarts.
+  /// Effect: restarts, disconnects.
   /// Since board 3.0.
   template <class M = msg::BootMode3Ext>
   CallResult<M> boot_mode_3_ext(

@@ -359,8 +359,8 @@ struct ResetRequestExt {
 /// none of these commands, and the motors have no power. The board may not return on its own: send
 /// this only with new firmware at hand.
 ///
-/// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes. Effect: restarts. Since board 3.0.
-/// Source: Outgoing commands L679-L686.
+/// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes. Effect: restarts, disconnects. Since
+/// board 3.0. Source: Outgoing commands L679-L686.
 struct BootMode3 {
   static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;
@@ -377,8 +377,8 @@ struct BootMode3 {
 /// firmware and none of these commands, and the motors have no power. The board may not return on
 /// its own: send this only with new firmware at hand.
 ///
-/// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes. Effect: restarts. Since board 3.0.
-/// Source: Outgoing commands L679-L686.
+/// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes. Effect: restarts, disconnects. Since
+/// board 3.0. Source: Outgoing commands L679-L686.
 struct BootMode3Ext {
   static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;

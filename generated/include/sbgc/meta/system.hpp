@@ -473,7 +473,7 @@ struct Meta<msg::BootMode3> {
       .min_size = 0,
       .max_size = 0,
       .since = {.board = 30},
-      .effects = Effects(Effect::restarts)};
+      .effects = Effects(Effect::restarts) | Effect::disconnects};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -494,7 +494,7 @@ struct Meta<msg::BootMode3Ext> {
       .max_size = 3,
       .since = {.board = 30},
       .answers = answers,
-      .effects = Effects(Effect::restarts)};
+      .effects = Effects(Effect::restarts) | Effect::disconnects};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm",
        .spec_name = "CONFIRM",

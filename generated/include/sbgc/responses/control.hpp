@@ -11,6 +11,20 @@
 namespace sbgc::msg {
 
 constexpr ResponsePolicy response_policy(const Control& request) noexcept {
+  if ((request.control_mode.flags().has(ControlFlag::auto_task)) && (request.control_mode.mode() == ControlModeKind::angle || request.control_mode.mode() == ControlModeKind::angle_rel_frame)) {
+    return {.responses = {.command = 67,
+              .confirmed = Confirmed::possible},
+      .confirmations = 2,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.control_mode.raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed.raw() == 0 &&
+          request.axes.pitch.speed.raw() == 0 &&
+          request.axes.yaw.speed.raw() == 0,
+      .timeout_ms = 500,
+      .finish_ms = 12000};
+  }
   return {.responses = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
@@ -25,6 +39,22 @@ constexpr ResponsePolicy response_policy(const Control& request) noexcept {
 }
 
 constexpr ResponsePolicy response_policy(const ControlExt& request) noexcept {
+  if (((request.control_mode.roll.flags().has(ControlFlag::auto_task)) && (request.control_mode.roll.mode() == ControlModeKind::angle || request.control_mode.roll.mode() == ControlModeKind::angle_rel_frame)) || ((request.control_mode.pitch.flags().has(ControlFlag::auto_task)) && (request.control_mode.pitch.mode() == ControlModeKind::angle || request.control_mode.pitch.mode() == ControlModeKind::angle_rel_frame)) || ((request.control_mode.yaw.flags().has(ControlFlag::auto_task)) && (request.control_mode.yaw.mode() == ControlModeKind::angle || request.control_mode.yaw.mode() == ControlModeKind::angle_rel_frame))) {
+    return {.responses = {.command = 67,
+              .confirmed = Confirmed::possible},
+      .confirmations = 2,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.control_mode.roll.raw() & 0x0F) == 0x01 &&
+          (request.control_mode.pitch.raw() & 0x0F) == 0x01 &&
+          (request.control_mode.yaw.raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed.raw() == 0 &&
+          request.axes.pitch.speed.raw() == 0 &&
+          request.axes.yaw.speed.raw() == 0,
+      .timeout_ms = 500,
+      .finish_ms = 12000};
+  }
   return {.responses = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
@@ -41,6 +71,28 @@ constexpr ResponsePolicy response_policy(const ControlExt& request) noexcept {
 }
 
 constexpr ResponsePolicy response_policy(const ControlExtCommand& request) noexcept {
+  if (((request.axes.roll.mode && request.axes.roll.mode->flags().has(ControlFlag::auto_task)) && (request.axes.roll.mode && (request.axes.roll.mode->mode() == ControlModeKind::angle || request.axes.roll.mode->mode() == ControlModeKind::angle_rel_frame))) || ((request.axes.pitch.mode && request.axes.pitch.mode->flags().has(ControlFlag::auto_task)) && (request.axes.pitch.mode && (request.axes.pitch.mode->mode() == ControlModeKind::angle || request.axes.pitch.mode->mode() == ControlModeKind::angle_rel_frame))) || ((request.axes.yaw.mode && request.axes.yaw.mode->flags().has(ControlFlag::auto_task)) && (request.axes.yaw.mode && (request.axes.yaw.mode->mode() == ControlModeKind::angle || request.axes.yaw.mode->mode() == ControlModeKind::angle_rel_frame)))) {
+    return {.responses = {.command = 121,
+              .confirmed = Confirmed::possible},
+      .confirmations = 2,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .stops = (request.axes.roll.mode && (request.axes.roll.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.pitch.mode && (request.axes.pitch.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.yaw.mode && (request.axes.yaw.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed && request.axes.roll.speed->raw() == 0 &&
+          request.axes.pitch.speed && request.axes.pitch.speed->raw() == 0 &&
+          request.axes.yaw.speed && request.axes.yaw.speed->raw() == 0) ||
+          (request.axes.roll.mode && (request.axes.roll.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.pitch.mode && (request.axes.pitch.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.yaw.mode && (request.axes.yaw.mode->raw() & 0x0F) == 0x01 &&
+          request.axes.roll.speed_32 && request.axes.roll.speed_32->raw() == 0 &&
+          request.axes.pitch.speed_32 && request.axes.pitch.speed_32->raw() == 0 &&
+          request.axes.yaw.speed_32 && request.axes.yaw.speed_32->raw() == 0),
+      .timeout_ms = 500,
+      .finish_ms = 12000};
+  }
   return {.responses = {.command = 121,
               .confirmed = Confirmed::possible},
       .confirmations = 1,

@@ -40,14 +40,26 @@ constexpr ResponsePolicy response_policy(const SelectImu3CalibrateShort& request
           request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
-  return {.responses = {.command = 24,
+  if (request.action == CalibAction::temperature) {
+    return {.responses = {.command = 24,
               .confirmed = Confirmed::possible},
-      .confirmations = 1,
+      .confirmations = 2,
       .has_effect = true,
       .moves = request.action == CalibAction::reset ||
           request.action == CalibAction::enable_temperature ||
           request.action == CalibAction::disable_temperature,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .finish_ms = 3600000};
+  }
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
 }
 
 constexpr ResponsePolicy response_policy(const SelectImu3Calibrate& request) noexcept {
@@ -62,14 +74,26 @@ constexpr ResponsePolicy response_policy(const SelectImu3Calibrate& request) noe
           request.action == CalibAction::disable_temperature,
       .timeout_ms = 500};
   }
-  return {.responses = {.command = 24,
+  if (request.action == CalibAction::temperature) {
+    return {.responses = {.command = 24,
               .confirmed = Confirmed::possible},
-      .confirmations = 1,
+      .confirmations = 2,
       .has_effect = true,
       .moves = request.action == CalibAction::reset ||
           request.action == CalibAction::enable_temperature ||
           request.action == CalibAction::disable_temperature,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .finish_ms = 3600000};
+  }
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 2,
+      .has_effect = true,
+      .moves = request.action == CalibAction::reset ||
+          request.action == CalibAction::enable_temperature ||
+          request.action == CalibAction::disable_temperature,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
 }
 
 constexpr ResponsePolicy response_policy(const AhrsHelperRequest&) noexcept {

@@ -103,7 +103,8 @@ constexpr ResponsePolicy response_policy(const RealtimeData&) noexcept {
                .size = 63}}}},
       .response_required = true,
       .retry_is_safe = true,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .stream = {.command = 23, .size = 0, .interval_us = 0, .config = {}}};
 }
 
 constexpr ResponsePolicy response_policy(const RealtimeData3Request&) noexcept {
@@ -115,7 +116,8 @@ constexpr ResponsePolicy response_policy(const RealtimeData3Request&) noexcept {
                .size = 63}}}},
       .response_required = true,
       .retry_is_safe = true,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .stream = {.command = 23, .size = 0, .interval_us = 0, .config = {}}};
 }
 
 constexpr ResponsePolicy response_policy(const RealtimeData4Request&) noexcept {
@@ -127,7 +129,8 @@ constexpr ResponsePolicy response_policy(const RealtimeData4Request&) noexcept {
                .size = 124}}}},
       .response_required = true,
       .retry_is_safe = true,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .stream = {.command = 25, .size = 0, .interval_us = 0, .config = {}}};
 }
 
 constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& request) noexcept {
@@ -205,7 +208,8 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               (request.flags.has(RealtimeDataCustomFlag::main_imu_state) ? 11 : 0))}}}},
       .response_required = true,
       .retry_is_safe = true,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .stream = {.command = 88, .size = 0, .interval_us = 0, .config = {{static_cast<std::uint8_t>(request.flags.raw() >> 0), static_cast<std::uint8_t>(request.flags.raw() >> 8), static_cast<std::uint8_t>(request.flags.raw() >> 16), static_cast<std::uint8_t>(request.flags.raw() >> 24)}}}};
 }
 
 constexpr ResponsePolicy response_policy(const RealtimeDataCustom2Request& request) noexcept {
@@ -233,7 +237,8 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustom2Request& reque
               (request.flags.has(RealtimeDataCustom2Flag::stab_err_ampl) ? 6 : 0))}}}},
       .response_required = true,
       .retry_is_safe = true,
-      .timeout_ms = 500};
+      .timeout_ms = 500,
+      .stream = {.command = 139, .size = 0, .interval_us = 0, .config = {{static_cast<std::uint8_t>(request.flags.raw() >> 0), static_cast<std::uint8_t>(request.flags.raw() >> 8), static_cast<std::uint8_t>(request.flags.raw() >> 16), static_cast<std::uint8_t>(request.flags.raw() >> 24)}}}};
 }
 
 constexpr ResponsePolicy response_policy(const DataStreamInterval& request) noexcept {

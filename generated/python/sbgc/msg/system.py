@@ -464,8 +464,8 @@ class BootMode3(Message):
     The bootloader accepts new firmware and none of these commands, and the motors have no
     power. The board may not return on its own: send this only with new firmware at hand.
 
-    CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes. Effect: restarts. Since board 3.0.
-    Source: Outgoing commands L679-L686.
+    CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes. Effect: restarts, disconnects.
+    Since board 3.0. Source: Outgoing commands L679-L686.
     """
 
     __slots__ = ()
@@ -481,8 +481,8 @@ class BootMode3Ext(Message):
     The bootloader accepts new firmware and none of these commands, and the motors have no
     power. The board may not return on its own: send this only with new firmware at hand.
 
-    CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes. Effect: restarts. Since board
-    3.0. Source: Outgoing commands L679-L686.
+    CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes. Effect: restarts, disconnects.
+    Since board 3.0. Source: Outgoing commands L679-L686.
     """
 
     __slots__ = ()

@@ -94,19 +94,22 @@ class AnswerResolver:
         board = {m.name: m for m in messages if m.direction == "from_board"}
         confirmations = [m for m in messages if m.role and m.role.kind == "confirmation"]
         confirmation = confirmations[0] if confirmations else None
+        streams = [m for m in messages if m.role and m.role.kind == "stream_request"]
         result = []
         for message in messages:
             answer, role = message.answer, message.role
             if answer is not None:
                 cases = [self._settle(c, message, board, confirmation) for c in answer.cases]
+                for stream in streams:
+                    cases = [_with_configs(c, message, board, stream) for c in cases]
                 answer = Answer(tuple(cases))
             if role is not None and role.messages:
                 known = [
                     self._board(n, board, self.roles.nodes[role.at].at("messages"))
                     for n in role.messages
                 ]
-                streams = tuple(_response(message, m) for m in known if m is not None)
-                role = replace(role, streams=streams)
+                samples = tuple(_response(message, m) for m in known if m is not None)
+                role = replace(role, streams=samples)
             if answer is not message.answer or role is not message.role:
                 message = replace(message, answer=answer, role=role)
             result.append(message)
@@ -258,6 +261,41 @@ def _response(request: Message, message: Message) -> Response:
         is_open=message.keeps_tail or message.is_open,
         growth=tuple(growth),
     )
+
+
+def _with_configs(
+    case: AnswerCase, request: Message, board: dict[str, Message], stream: Message
+) -> AnswerCase:
+    responses = [
+        replace(r, config=_config(request, board[r.message], stream)) for r in case.responses
+    ]
+    return replace(case, responses=tuple(responses))
+
+
+def _config(
+    request: Message, message: Message, stream: Message
+) -> tuple[CorrelationField, ...] | None:
+    """The fields of the request that configure the stream with samples like its answer, `message`."""
+    role = stream.role
+    assert role is not None
+    whole = role.parts["config"]
+    if message.name not in role.messages or not isinstance(whole.type, Struct):
+        return None
+    origin = {(name, path): c.name for c in message.contexts for name, path in c.sources}
+    own = {origin[request.name, f.name]: f for f in request.fields if (request.name, f.name) in origin}
+    found: list[CorrelationField] = []
+    offset = 0
+    for field in whole.type.fields:
+        is_rest = field.when is None and field.dim == "rest"
+        if is_rest or (field.when and message.command not in [v.name for v in field.when.values]):
+            continue
+        same = own.get(origin.get((stream.name, f"{whole.name}.{field.name}"), ""))
+        if same is None or same.size is None or same.size != field.size:
+            return None
+        found.append(CorrelationField(same, offset, same.size))
+        offset += same.size
+    used = [f.field for f in found]
+    return tuple(found) if all(f in used or f.reserved for f in request.fields) else None
 
 
 def _is_optional(path: str, fields: tuple[Field, ...]) -> bool:

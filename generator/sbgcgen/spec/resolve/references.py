@@ -290,7 +290,7 @@ def _source(
 def _at(field: Field, wanted: str) -> _Source:
     """The number at a path that begins with a field: NAME, NAME[2], NAME.yaw, each with .part."""
     path, is_element = field.name, field.dim == "one"
-    steps = re.findall(r"[\w]+", wanted)[1:]
+    steps = re.findall(r"\w+", wanted[len(field.spec_name) :])
     for step in steps:
         type_ = field.type
         if not is_element:
@@ -301,7 +301,7 @@ def _at(field: Field, wanted: str) -> _Source:
             else:
                 break
         elif isinstance(type_, Struct) and not type_.is_region:
-            inner = next((f for f in type_.fields if f.spec_name == step), None)
+            inner = next((f for f in type_.fields if step in (f.spec_name, f.name)), None)
             if inner is None or field.may_be_absent:
                 break
             field, path, is_element = inner, f"{path}.{inner.name}", inner.dim == "one"

@@ -77,8 +77,7 @@ void Dialogue::send_waiting() {
       call->handle = sent.handle;
       call->was_sent = true;
       in_session_.emplace(sent.handle.number, call);
-      const bool starts_stream = request.policy.stream.command != 0;
-      if (starts_stream && request.teach) request.teach(delivery_.contexts());
+      if (request.policy.changes_stream() && request.teach) request.teach(delivery_.contexts());
     } else if (calls_->take(call->id)) {
       calls_.complete(*call, refusal(*call, sent));
     }
@@ -135,17 +134,21 @@ void Dialogue::show(const Event& event) {
   const auto place = in_session_.find(event.handle.number);
   const CallPointer call = place == in_session_.end() ? nullptr : place->second;
   if (call && call->request.on_frame) call->request.on_frame(frame);
-  delivery_.show({frame, call != nullptr, event.is_late, event.may_be_sample});
+  delivery_.show({frame, call != nullptr, event.is_late, event.sample});
 }
 
 void Dialogue::handle(const Event& event) {
   const Frame& frame = event.frame;
   show(event);
+  // What is no sample of a running stream may have other contents than its samples.
+  const bool is_for_all = event.sample == Sample::none || event.sample == Sample::yes;
   switch (event.kind) {
-    case EventKind::completed:
+    case EventKind::completed: {
       // Confirmations and resets are delivered with their own events.
-      if (!roles::is_confirmation(frame) && !roles::is_reset(frame)) delivery_.deliver(frame);
+      const bool is_told = roles::is_confirmation(frame) || roles::is_reset(frame);
+      if (is_for_all && !is_told) delivery_.deliver(frame);
       return handle_completion(event);
+    }
     case EventKind::confirmation: {
       delivery_.deliver(frame);
       const auto place = in_session_.find(event.handle.number);
@@ -174,7 +177,9 @@ void Dialogue::handle(const Event& event) {
       delivery_.deliver(frame);
       return delivery_.notify({NoticeKind::board_reset, "the board is restarting"});
     case EventKind::stream:
-    case EventKind::unsolicited: return delivery_.deliver(frame);
+    case EventKind::unsolicited:
+      if (is_for_all) delivery_.deliver(frame);
+      return;
   }
 }
 
@@ -213,6 +218,11 @@ Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {
     case Outcome::board_error: return refused(refused_words);
     case Outcome::timeout: return no_answer(call);
     case Outcome::superseded: return superseded_error(call);
+    case Outcome::indistinct:
+      return ClientError{ErrorCode::overload,
+                         command +
+                             ": a data stream of the same message leaves no time to tell its "
+                             "answer from the samples"};
     case Outcome::reset:
       return ClientError{ErrorCode::board_reset,
                          "the board restarted before " + command + " was done"};

@@ -153,7 +153,7 @@ Instant Conversation::State::start_stream(CallId id, StreamRequests requests, Me
     return start_polling(id, std::move(requests), key, std::move(handler), options,
                          std::move(done));
   }
-  if (start && start->policy.stream.command == 0) {
+  if (start && !start->policy.changes_stream()) {
     start = ClientError{ErrorCode::invalid,
                         std::string(start->command) + " does not start a data stream"};
   }

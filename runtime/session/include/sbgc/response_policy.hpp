@@ -162,7 +162,7 @@ struct ConfirmationResult {
 inline constexpr std::size_t max_stream_config = 8;
 
 /// The start, change or end of a data stream by a request. `command` and `config` identify the
-/// stream.
+/// stream. Of a request without an effect, they identify that whose samples are like its answer.
 struct StreamChange {
   std::uint8_t command{};       ///< id of its messages; 0: the request concerns no stream
   std::uint8_t size{};          ///< of their bodies
@@ -195,6 +195,9 @@ struct ResponsePolicy {
   constexpr bool is_superseded_by(const ResponsePolicy& later) const noexcept {
     return moves && !stops && later.stops;
   }
+
+  /// Returns true if it starts, changes or ends `stream`.
+  constexpr bool changes_stream() const noexcept { return stream.command != 0 && has_effect; }
 
   /// Returns true if the response comes when what takes long is done. Meanwhile, the board answers
   /// other requests, and refuses another one of this kind at once.

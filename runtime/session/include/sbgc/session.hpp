@@ -9,6 +9,7 @@
 #include <new>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/line.hpp>
@@ -54,6 +55,10 @@ struct SessionCapacity {
 /// - A request that only reads waits while its response could be confused with that of an earlier
 ///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it. Requests
 ///   of the same host, if it is not 0, do not wait for each other, and reads do not overtake.
+/// - While a data stream runs, a request for the same message and content is not sent if a sample
+/// is
+///   due in time: that is the answer. If only the content differs, it is sent after a sample, and
+///   the answer must arrive before the next one can; a frame that can be both belongs to nobody.
 /// - The pause after a request whose response nobody waits for begins with its first byte, and a
 ///   pause that a late poll() has extended shortens the next one: so requests at an even rate stay
 ///   even.
@@ -146,6 +151,7 @@ class BasicSession {
     advance_and_flush(now, sink);
     late_replies_.expire();
     end_overdue(sink);
+    if constexpr (has_streams) end_indistinct(sink);
     std::size_t size = 0;
     if (pause_left_ == 0) {
       if (Request* const next = next_request()) size = transmit(*next, sink);
@@ -173,6 +179,7 @@ class BasicSession {
             detail::longer(request.attempt_left, sent_.response_time + request.timeout);
       }
       request.late_left = detail::longer(request.late_left, late_left);
+      if constexpr (has_streams) streams_.prolong(request.policy, request.late_left);
       return;
     }
     late_replies_.extend(sent_.handle, late_left);
@@ -230,6 +237,7 @@ class BasicSession {
 
   /// A session for one request at a time needs neither order nor hosts, and knows no series.
   static constexpr bool is_shared = capacity.requests > 1;
+  static constexpr bool has_streams = capacity.streams != 0;
 
   // Accepting requests
 
@@ -251,12 +259,12 @@ class BasicSession {
     const Ticks timeout = detail::ticks_of(options.timeout, detail::never);
     if (timeout > detail::longest_response) return refuse(SendStatus::timeout_too_long);
     StreamChange& stream = slot.policy.stream;
-    if (stream.command != 0) {
+    if (has_streams ? slot.policy.changes_stream() : stream.command != 0) {
       const std::uint32_t limit = options.ignore_budget ? 0 : settings_.stream_limit;
       const SendStatus status = streams_.check(stream, limit);
       if (status != SendStatus::ok) return refuse(status);
       const bool is_noted = streams_.ask(stream);
-      if (capacity.streams != 0 && !is_noted) stream = {};
+      if (has_streams && !is_noted) stream = {};
     }
     slot.open({++last_handle_}, id, size, options, timeout, settings_.attempts);
     return {slot.handle, SendStatus::ok, {}};
@@ -289,6 +297,12 @@ class BasicSession {
     if (is_trial(other) && is_older) return true;
     if (is_trial(request) && other.is_in_flight()) return true;
     if (request.policy.has_effect) return false;
+    if constexpr (has_streams) {
+      // Whether a frame is a sample is known when the change is confirmed.
+      const bool changes = other.policy.changes_stream() && (other.is_in_flight() || is_older);
+      if (changes && other.policy.stream.command == request.policy.responses.forms[0].id)
+        return true;
+    }
     if (knows_its_own(request, other.host)) return is_older && !other.is_in_flight();
     return (other.is_in_flight() || is_older) &&
            (other.awaits_response || request.awaits_response) &&
@@ -302,6 +316,26 @@ class BasicSession {
   }
 
   bool may_be_sent(const Request& request) const noexcept {
+    if constexpr (has_streams) {
+      if (gate_for(request) != detail::Gate::open) return false;
+    }
+    return is_free(request);
+  }
+
+  /// Returns what the samples of running streams allow.
+  detail::Gate gate_for(const Request& request) const noexcept {
+    const Responses& responses = request.policy.responses;
+    if (request.policy.has_effect || !streams_.has(responses.forms[0].id)) {
+      return detail::Gate::open;
+    }
+    const Ticks request_time = settings_.frame_time(frame_size(framing(), request.size));
+    const Ticks response_time = settings_.frame_time(response_size(responses));
+    return streams_.gate(request.policy, request_time + response_time + board_time,
+                         request.timeout);
+  }
+
+  /// Returns true if the request need not wait for others.
+  bool is_free(const Request& request) const noexcept {
     if (request.state != State::queued) return request.state == State::resend;
     if (request.policy.stops) return true;
     const Responses& responses = request.policy.responses;
@@ -372,6 +406,7 @@ class BasicSession {
     ++request.transmissions;
     request.attempt_left = response_left + request.timeout;
     request.late_left = late_after(response_left, request.finish);
+    if constexpr (has_streams) streams_.expect(request.policy, request.late_left);
     const bool is_done = !request.awaits_response;
     if (is_shared && request.policy.has_effect) {
       const Handle sent = request.handle;
@@ -416,6 +451,7 @@ class BasicSession {
       if (request.is_in_flight()) request.pass(elapsed);  // others have no timers
     }
     late_replies_.pass(elapsed);
+    streams_.pass(elapsed);
   }
 
   /// Advances the time. Flushes the parser after a silence: an incomplete candidate is not a frame,
@@ -436,6 +472,19 @@ class BasicSession {
         complete(request, Outcome::timeout, no_frame, sink);
       } else if (request.attempt_left == 0) {
         end_attempt(request, sink);
+      }
+    }
+  }
+
+  /// Ends the requests whose answers could not be told from samples.
+  template <class Sink>
+  void end_indistinct(Sink& sink) {
+    const Handle next = next_handle();
+    for (Request& request : requests_) {
+      const bool is_waiting = request.is_open() && request.state != State::in_flight;
+      if (!is_waiting || !request.is_older_than(next)) continue;
+      if (gate_for(request) == detail::Gate::closed) {
+        complete(request, Outcome::indistinct, no_frame, sink);
       }
     }
   }
@@ -467,7 +516,9 @@ class BasicSession {
         is_blocked = true;
       }
     }
-    return is_blocked ? detail::shorter(left, late_replies_.next_end()) : left;
+    if (!is_blocked) return left;
+    if constexpr (has_streams) left = detail::shorter(left, streams_.next_change());
+    return detail::shorter(left, late_replies_.next_end());
   }
 
   // Receiving
@@ -488,8 +539,18 @@ class BasicSession {
     if (is_error) count(&SessionStatistics::board_errors);
     if (is_reset) count(&SessionStatistics::resets);
     if (is_reset) forget_streams();
-    const auto [late, meant, candidates] = found_for(meaning);
     Event event{.kind = meaning.kind, .command = meaning.command, .frame = frame};
+    if constexpr (has_streams) {
+      if (meaning.kind == EventKind::stream) {
+        event.sample = streams_.take(frame);
+        if (event.sample == Sample::yes && answer_with_sample(frame, sink, next)) return;
+        if (event.sample != Sample::no) return report(event, sink);
+      }
+    }
+    const auto [late, meant, candidates] = found_for(meaning);
+    if constexpr (has_streams) {
+      if (event.sample == Sample::no && candidates == 0) event.sample = streams_.adopt(frame);
+    }
     const bool is_confirmation = meaning.kind == EventKind::confirmation;
     const bool is_unclear = is_error && candidates > 1 && !has_order(meant, meaning);
     if (meant != nullptr && !is_unclear && !belongs_to_earlier(*meant, is_confirmation, late)) {
@@ -525,8 +586,9 @@ class BasicSession {
   SBGC_ALWAYS_INLINE Found found_for(detail::Meaning meaning) noexcept {
     Found found = found_once(meaning);
     if constexpr (is_shared) {
-      // What has the size of no answer is one that does not decode, unless it is of a stream.
-      meaning.any_size = found.candidates == 0 && meaning.kind == EventKind::unsolicited;
+      // What has the size of no answer, and of no sample, is an answer that does not decode.
+      meaning.any_size = found.candidates == 0 && (meaning.kind == EventKind::unsolicited ||
+                                                   meaning.kind == EventKind::stream);
       if (meaning.any_size) found = found_once(meaning);
     }
     return found;
@@ -537,7 +599,6 @@ class BasicSession {
     const bool is_error = meaning.kind == EventKind::board_error;
     for (Request& request : requests_) {
       if (!request.is_in_flight() || !meaning(request.policy.responses)) continue;
-      if (is_sample(request, meaning.frame)) continue;
       ++found.candidates;
       Request*& meant = found.meant;
       if (meant == nullptr || request.is_answered_before(*meant, is_error)) meant = &request;
@@ -625,10 +686,18 @@ class BasicSession {
     request.attempt_left = detail::shorter(request.timeout, finish_left(request));
   }
 
-  /// Returns true if the frame is a sample of a stream, though it could also answer the request.
-  bool is_sample(const Request& request, const Frame& frame) const noexcept {
-    const ResponseForm* const form = request.policy.responses.form_of(frame, true);
-    return form != nullptr && form->size != frame.body.size() && streams_.has_size_of_sample(frame);
+  /// Completes the requests that have waited for a sample, older than `next`, with this one.
+  /// Returns true if there were any. The first event tells the sample to others.
+  template <class Sink>
+  bool answer_with_sample(const Frame& frame, Sink& sink, Handle next) {
+    Sample sample = Sample::yes;
+    for (Request& request : requests_) {
+      if (!request.is_open() || !request.is_older_than(next)) continue;
+      if (!streams_.has_taken(request.policy.stream) || !is_free(request)) continue;
+      if (gate_for(request) != detail::Gate::sample) continue;
+      complete(request, Outcome::answered, frame, sink, std::exchange(sample, Sample::no));
+    }
+    return sample == Sample::no;
   }
 
   // Completing requests
@@ -655,19 +724,24 @@ class BasicSession {
 
   /// Frees a request, expects late replies if more may come, and reports the outcome.
   template <class Sink>
-  void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink) {
+  void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink,
+                Sample sample = Sample::no) {
     const ResponsePolicy& policy = request.policy;
     if (is_trial(request)) end_trial(outcome, frame);
     expect_late_reply(request, outcome);
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
-    if (policy.stream.command != 0) streams_.settle(policy.stream, done);
+    if constexpr (has_streams) {
+      if (policy.changes_stream()) streams_.settle(policy.stream, done);
+      const bool is_refused = outcome == Outcome::failed || outcome == Outcome::board_error;
+      if (is_refused && request.is_in_flight()) streams_.expect_none(policy);
+    }
     if (policy.restarts_board && done) streams_.stop();
     const Event event{.kind = EventKind::completed,
                       .handle = request.handle,
                       .outcome = outcome,
                       .command = policy.responses.command,
-                      .may_be_sample = outcome == Outcome::answered && streams_.has(frame.id),
+                      .sample = streams_.has(frame.id) ? sample : Sample::none,
                       .frame = frame};
     request.close();
     report(event, sink);
@@ -698,7 +772,9 @@ class BasicSession {
     if (request.transmissions == 0 || !policy.responses.are_possible()) return;
     const bool is_answered = outcome == Outcome::answered || outcome == Outcome::failed ||
                              outcome == Outcome::board_error;
-    const std::uint32_t each = policy.responses.form_count != 0 ? 1 : policy.confirmations;
+    // Nobody waits for the end of what was only sent, and other requests must not.
+    const bool is_one = policy.responses.form_count != 0 || (is_shared && outcome == Outcome::sent);
+    const std::uint32_t each = is_one ? 1 : policy.confirmations;
     std::uint32_t expected = each * request.transmissions;
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
@@ -725,6 +801,8 @@ class BasicSession {
   };
 
   static constexpr Frame no_frame{};
+  /// A board answers a request for live data within this time. Assumption.
+  static constexpr Ticks board_time = 10'000;
   /// A pause is shortened by so much at most.
   static constexpr Ticks most_overdue = 5000;
 

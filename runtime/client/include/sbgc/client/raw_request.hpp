@@ -34,7 +34,7 @@ struct BoardFrame {
   Frame frame{};           ///< a view, valid during the call
   bool belongs_to_call{};  ///< of this client
   bool is_late{};          ///< the response to a call that has ended
-  bool may_be_sample{};    ///< a response, or a sample of a data stream of the same message
+  Sample sample{};         ///< whether it is a sample of a data stream
 };
 
 }  // namespace sbgc

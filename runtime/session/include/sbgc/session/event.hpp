@@ -37,6 +37,7 @@ enum class Outcome : std::uint8_t {
   reset,        ///< the board announced a restart first
   cancelled,    ///< by cancel()
   superseded,   ///< not written, because a later request of the same host stops all motion
+  indistinct,   ///< not written: a data stream leaves no time to tell its answer from the samples
   link_lost,    ///< by abandon()
 };
 
@@ -53,6 +54,14 @@ enum class EventKind : std::uint8_t {
   reset,         ///< the board is about to restart; the requests complete right after
 };
 
+/// Whether a message is a sample of a data stream that this session has started.
+enum class Sample : std::uint8_t {
+  none,      ///< no stream of this message is running
+  yes,       ///< a sample, which may also answer a request
+  no,        ///< a stream of this message is running, but this is only an answer
+  doubtful,  ///< a sample, or an answer that is late
+};
+
 /// An event of a session. `frame` is a view, valid only during the call.
 struct Event {
   EventKind kind{};
@@ -62,8 +71,8 @@ struct Event {
   std::uint8_t confirmation{};  ///< of `confirmation`: its number, from 1
   std::uint8_t confirmations{};  ///< of `confirmation`: the expected number of them
   bool is_late{};                ///< a late reply
-  bool may_be_sample{};          ///< of `completed`: a stream of the same message is also running
-  Frame frame{};                 ///< from the board; id 0 if there is none
+  Sample sample{};  ///< if one sample completes several requests, it is `yes` only for the first
+  Frame frame{};    ///< from the board; id 0 if there is none
 };
 
 /// The status of send().
