@@ -38,7 +38,8 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
   word = without_dashes(word);
   constexpr std::size_t longest = 64;
   if (word.empty() || word.size() > longest) return {};
-  std::size_t least = (word.size() + 2) / 3;
+  // Of a short word, another letter more makes another word.
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1);
   std::vector<std::string> result;
   for (const std::string& candidate : known) {
     const std::string_view other = without_dashes(candidate);
