@@ -105,9 +105,9 @@ def test_a_direction_where_a_sign_is_expected() -> None:
             "speed --pitch -2 --yaw 3 --for 1s",
             "at 2 deg/s up (pitch -2), 3 deg/s right (yaw 3), for 1 s.",
         ),
-        ("speed --yaw -20 --for 1m", "for 1 m. Watch the cables: yaw turns by 1200 deg."),
+        ("speed --yaw -20 --for 1m", "for 60 s. Watch the cables: yaw turns by 1200 deg."),
         (
-            "menu home_position",
+            "menu home-position",
             "The camera can move. It is now at # deg, # deg up (pitch #), # deg",
         ),
     ],
@@ -117,8 +117,6 @@ def test_the_sentence_before_a_motion_says_where_to(
 ) -> None:
     """The camera looks up by 20 degrees; # is a measured number, and what is said of it."""
     words = [word.replace("_", " ") for word in arguments.split()]
-    if words[0] == "menu":
-        words[1] = "home_position"
     result = run(*words, "-p", gimbal.address)
     assert result.status == 1
     pattern = re.escape(sentence).replace(r"\#", r"[^:;]*?\d[^:;]*?")

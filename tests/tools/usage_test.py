@@ -48,7 +48,7 @@ def test_wrong_usage(arguments: list[str]) -> None:
 
 
 OTHER_WORDS = (
-    "mode code body pose note node done log step save time type tone trigger second model table"
+    "mode code body pose note node done log step save type tone trigger second model table"
 ).split()
 """They look like commands that move the camera or write, and mean something else."""
 

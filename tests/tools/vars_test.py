@@ -80,7 +80,7 @@ def test_mistakes(board: str, text: str, words: list[str]) -> None:
     [
         ("LPF_FREQ_ROLL=+10%", "LPF_FREQ_ROLL: 50 Hz -> 55 Hz\n"),
         ("LPF_FREQ_ROLL-=20Hz", "LPF_FREQ_ROLL: 50 Hz -> 30 Hz\n"),
-        ("LPF_FREQ_ROLL=-90%", "LPF_FREQ_ROLL: 5 Hz is"),
+        ("LPF_FREQ_ROLL=-90%", "LPF_FREQ_ROLL: 5 Hz does not fit: 10 Hz"),
         ("LPF_FREQ_ROLL+=5V", "LPF_FREQ_ROLL: 'V' is not its unit"),
     ],
 )
