@@ -161,10 +161,9 @@ void add_menu(CLI::App& app, CommandContext& context) {
       ->type_name("ACTION");
   command->add_flag("--list", options.list, "List the actions");
   command->footer(
-      "An action that another command does with checks is done by that command: calib_acc, "
-      "calib_gyro "
-      "and calib_mag by `sbgc calibrate`, motor_on, motor_off and motor_toggle by `sbgc motors`, "
-      "auto_pid by `sbgc tune`, reset by `sbgc reset`.\n"
+      "Another command with checks does what it can: `sbgc calibrate` calib-acc, calib-gyro and "
+      "calib-mag, `sbgc motors` motor-on, motor-off and motor-toggle, `sbgc tune` auto-pid, and "
+      "`sbgc reset` reset.\n"
       "\n"
       "Nothing stops an action that moves the camera when this command dies; `sbgc stop` does.\n"
       "\n"
