@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -29,6 +30,22 @@ inline bool may_move(bool is_accepted, const char* what) {
   if (is_read && std::strcmp(answer.data(), "yes\n") == 0) return true;
   std::printf("\nnothing has been moved\n");
   return false;
+}
+
+/// The same for a turn to a pitch angle: says where it ends, and which way the camera turns. `also`
+/// is what else happens.
+inline bool may_tilt(bool is_accepted, sbgc::Client& client, sbgc::msg::Angle14 to,
+                     const char* also = "") {
+  const auto state = client.get_angles();
+  if (!state) return std::fprintf(stderr, "%s\n", state.error().message.c_str()), false;
+  const auto way = [](double degrees) { return degrees < 0 ? "up" : "down"; };
+  const double end = to.degrees();
+  const double now = state->axes.pitch.imu_angle.degrees();
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(),
+                "%sThe camera turns to %.0f deg %s (now %.0f %s: %s by %.0f).", also, std::abs(end),
+                way(end), std::abs(now), way(now), way(end - now), std::abs(end - now));
+  return may_move(is_accepted, text.data());
 }
 
 /// Removes a last argument --yes. Returns true if it was present.

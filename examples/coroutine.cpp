@@ -1,5 +1,5 @@
-// Tilts the camera 30 degrees down and back, slowly, in a coroutine of an Asio program: coroutine
-// ADDRESS, such as /dev/ttyUSB0. The motors must be on.
+// Tilts the camera to 30 degrees down, then level, slowly, in a coroutine of an Asio program:
+// coroutine ADDRESS, such as /dev/ttyUSB0. The motors must be on.
 
 #include <cstdio>
 #include <exception>
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: coroutine ADDRESS\n");
     return 2;
   }
-  if (!careful::may_move(false, "This tilts the camera 30 degrees down, then level.")) return 1;
+  if (!careful::may_move(false, "The camera turns to 30 deg down, then to pitch 0.")) return 1;
   careful::notice_signals();
   asio::io_context context;
   sbgc::AsyncClient gimbal(context.get_executor());

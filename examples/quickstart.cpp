@@ -1,4 +1,5 @@
-// Connects to a gimbal, tilts the camera 30 degrees down, then prints its angles for two seconds:
+// Connects to a gimbal, tilts the camera to 30 degrees down, then prints its angles for two
+// seconds:
 //
 //     quickstart /dev/ttyUSB0
 //
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
   std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),
               client->identity().firmware_version().c_str(), client->description().c_str());
 
-  if (!careful::may_move(yes, "This turns the motors on and tilts the camera down.")) return 1;
+  if (!careful::may_tilt(yes, *client, 30_deg, "This turns the motors on. ")) return 1;
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());

@@ -1,4 +1,4 @@
-// A tour of a gimbal: connects, saves the parameters, turns the camera 30 degrees down and back,
+// A tour of a gimbal: connects, saves the parameters, turns the camera to 30 degrees down and back,
 // and measures the effect of stabilization. All traffic is recorded to a capture:
 //
 //     tour ADDRESS CAPTURE BACKUP
@@ -141,7 +141,9 @@ int main(int argc, char** argv) {
   std::printf("the parameters of %zu messages saved in %s\n", backup->parameters.all().size(),
               argv[3]);
 
-  if (!careful::may_move(yes, "This turns the motors on, tilts the camera down and back."))
+  using namespace sbgc::literals;
+  if (!careful::may_tilt(yes, *client, 30_deg,
+                         "This turns the motors on; at the end the camera turns to pitch 0. "))
     return 1;
   careful::notice_signals();
   if (auto moved = move(*client); !moved) return fail(moved.error());

@@ -17,11 +17,12 @@ def main(place: str | sbgc.Board) -> None:
         angles = gimbal.call(msg.GetAnglesRequest())
         assert isinstance(angles, msg.GetAngles)
         pitch = angles.axes.pitch.imu_angle
-        print(f"pitch: {pitch:.1f} degrees")
-        if input("Is the camera free to move? Tilt it by 10 degrees? [y/N] ") != "y":
+        target = pitch + 10
+        print(f"The camera turns to pitch {target:.1f} (now {pitch:.1f}: down by 10).")
+        if input("Is it free to move? [y/N] ") != "y":
             return
         gimbal.call(msg.MotorsOn())
-        moved = gimbal.move_to(pitch=pitch + 10, speed=10)
+        moved = gimbal.move_to(pitch=target, speed=10)
         print(f"pitch: {moved.angles.pitch:.1f} degrees")
 
 

@@ -255,6 +255,7 @@ TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {
             "note_freq_hz[999]: there is no such element");
   EXPECT_EQ(sound.assign(".note_length", "5"), "BeepSound has no field '.note_length'");
   EXPECT_EQ(sound.assign("decay_factor", "5 Hz"), "decay_factor: it has no unit: write 5");
+  EXPECT_EQ(sound.assign("decay_factor", "+5%"), "decay_factor: '+5%' is not an integer");
   EXPECT_TRUE(sound.assign("mode", "LOUD").starts_with("mode: 'LOUD' is not a name of BeepModes"));
   EXPECT_TRUE(sound == before);
 

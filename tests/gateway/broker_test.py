@@ -186,6 +186,7 @@ def test_commands_are_refused(studio: Studio) -> None:
     assert studio.refusal("move", {"angles": {"pitch": 9000}}) == "invalid"
     assert studio.refusal("move", {"angle": {"pitch": 1}}) == "invalid"
     assert studio.refusal("menu", {"action": "dance"}) == "invalid"
+    assert studio.refusal("menu", {"action": "calib_gyro"}) == "invalid", "it is calibrate"
     assert studio.refusal("raw", {"message": "GetAngles"}) == "invalid"
     assert studio.refusal("move", angles, deadline=None) == "invalid"
     assert studio.refusal("move", angles, sent=None) == "invalid"

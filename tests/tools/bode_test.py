@@ -74,7 +74,12 @@ def test_several_positions_have_a_file_each(gimbal: EmulatedGimbal, tmp_path: Pa
     at = ("--at", "0,-4", "--at", "3,0")
     result = bode(gimbal, "pitch", *SHORT, *at, "-o", str(folder))
     assert result.status == 0, result
-    assert "turns to 2 positions before" in " ".join(result.error.split())
+    legs = (
+        r"The camera turns to roll 0 deg .*, 4 deg up \(now .*: up by [\d.]+\); "
+        r"then to roll 3 deg \(from 0: by 3\), pitch 0 deg \(from 4 up: down by 4\); "
+        r"then back to roll .*, at up to 20 deg/s\."
+    )
+    assert re.search(legs, " ".join(result.error.split())), result.error
     names = sorted(path.name for path in folder.iterdir())
     assert [re.sub(r"Y-?\d+", "Y", name) for name in names] == [
         "PITCH_R0_P-4_Y.csv",

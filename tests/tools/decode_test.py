@@ -732,7 +732,7 @@ def test_filters_that_cannot_be(options: list[str], words: str) -> None:
 
 def test_what_is_like_no_word_at_all_has_no_suggestion() -> None:
     name = "system_power_state.motors.pitch.mot_current"
-    for length, is_like_it in ((64, True), (65, False)):
+    for length, is_like_it in ((57, True), (58, False)):
         result = run("decode", "-w", f"{name:x<{length}}=3")
         assert result.status == 2
         assert (f"did you mean '{name}'" in result.error) == is_like_it

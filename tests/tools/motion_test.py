@@ -53,7 +53,8 @@ def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -
     result = run("move", "--pitch", "-20", "--wait", "--yes", "-p", gimbal.address)
     assert (result.status, result.out) == (0, b"")
     assert observer.angles()[1] == pytest.approx(-20, abs=0.7)
-    assert "The camera turns 20 deg up (pitch -20), at up to 10 deg/s." in result.error
+    sentence = r"The camera turns to 20 deg up \(now [\d.]+( up| down)?: up by [\d.]+\), at up to 10 deg/s\."
+    assert re.search(sentence, " ".join(result.error.split())), result.error
     assert re.search(r"The camera is at (19\.[5-9]|20\.[0-5]) deg up \(pitch -\d", result.error)
 
 
@@ -85,40 +86,57 @@ def test_a_direction_where_a_sign_is_expected() -> None:
 @pytest.mark.parametrize(
     "arguments, sentence",
     [
-        ("move --pitch 30", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --pitch -10", "The camera turns 10 deg up (pitch -10), at up to 10 deg/s."),
-        ("move --pitch 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
-        ("move --tilt 30down", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --tilt 30DOWN", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --tilt 30°_Down", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --pitch 30_degrees", "The camera turns 30 deg down (pitch 30), at up to 10 deg/s."),
-        ("move --tilt 0", "The camera turns to pitch 0 deg, at up to 10 deg/s."),
+        ("move --pitch 30", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
+        ("move --pitch -10", "to 10 deg up (now # up: down by #), at up to 10 deg/s."),
+        ("move --pitch 0", "to pitch 0 deg (now # up: down by #), at up to 10 deg/s."),
+        ("move --tilt 30down", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
+        ("move --tilt 30DOWN", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
+        ("move --tilt 30°_Down", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
+        ("move --pitch 30_degrees", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
+        ("move --tilt 0", "to pitch 0 deg (now # up: down by #), at up to 10 deg/s."),
         (
             "move --pan 45left --tilt 7.5up",
-            "The camera turns 7.5 deg up (pitch -7.5), 45 deg left (yaw -45), at up to 10 deg/s.",
+            "to 7.5 deg up (now # up: down by #), 45 deg left (now #: left by #), at up to",
         ),
+        ("speed --pan 3left --for 1s", "at 3 deg/s left (yaw -3), for 1 s."),
         (
-            "speed --pan 3left --for 1s",
-            "The camera turns at 3 deg/s left (yaw -3), for 1 s.",
+            "move --pitch 5 --relative",
+            "to # deg up (now # up: down by 5), at up to 10 deg/s.",
         ),
-        ("move --yaw 5 --relative", "The camera turns by 5 deg right (yaw 5), at up to 10 deg/s."),
-        (
-            "move --roll -5 --yaw -0.5",
-            "The camera turns to roll -5 deg, 0.5 deg left (yaw -0.5), at up to 10 deg/s.",
-        ),
+        ("move --roll -5", "to roll -5 deg (now #: by #), at up to 10 deg/s."),
+        ("move --yaw 190", "at up to 10 deg/s. Watch the cables: yaw turns by # deg."),
         (
             "speed --pitch -2 --yaw 3 --for 1s",
-            "The camera turns at 2 deg/s up (pitch -2), 3 deg/s right (yaw 3), for 1 s.",
+            "at 2 deg/s up (pitch -2), 3 deg/s right (yaw 3), for 1 s.",
+        ),
+        ("speed --yaw -20 --for 1m", "for 60 s. Watch the cables: yaw turns by 1200 deg."),
+        (
+            "menu home-position",
+            "The camera can move. It is now at # deg, # deg up (pitch #), # deg",
         ),
     ],
 )
 def test_the_sentence_before_a_motion_says_where_to(
     gimbal: EmulatedGimbal, arguments: str, sentence: str
 ) -> None:
+    """The camera looks up by 20 degrees; # is a measured number, and what is said of it."""
     words = [word.replace("_", " ") for word in arguments.split()]
     result = run(*words, "-p", gimbal.address)
     assert result.status == 1
-    assert sentence in " ".join(result.error.split())
+    pattern = re.escape(sentence).replace(r"\#", r"[^:;]*?\d[^:;]*?")
+    assert re.search(pattern, " ".join(result.error.split())), result.error
+
+
+def test_the_camera_goes_where_the_question_said() -> None:
+    """And a relative way past two turns wraps, as the angles of boards do."""
+    with emulated_gimbal() as gimbal:
+        there = ("--speed", "500", "--wait", "--yes", "-p", gimbal.address)
+        assert run("move", "--yaw", "719", *there).status == 0
+        result = run("move", "--yaw", "3", "--relative", *there)
+        assert result.status == 0, result
+        asked = re.search(r"to ([\d.]+) deg left \(now ([\d.]+) right: right by 3\)", result.error)
+        ended = re.search(r"The camera is at ([\d.]+) deg left", result.error)
+        assert asked and ended and float(ended[1]) == pytest.approx(float(asked[1]), abs=0.6)
 
 
 @pytest.mark.parametrize("command", ["move", "speed"])
@@ -247,6 +265,37 @@ def test_menu(gimbal: EmulatedGimbal) -> None:
     assert run("menu").status == 2
 
 
+@pytest.mark.parametrize(
+    "action, command, words",
+    [
+        ("calib_gyro", "calibrate gyro", "Before: "),
+        ("calib_acc_temp", "calibrate acc --temperature", "Before: "),
+        ("CALIB_MAG", "calibrate mag", "Before: "),
+        ("motor_on", "motors on", "jumps to its target angle"),
+        ("motor-off", "motors off", "drops to its heavy side"),
+        ("motor_toggle", "motors toggle", "drops to its heavy side"),
+        ("auto_pid", "tune", "the old values"),
+        ("reset", "reset", "The board restarts."),
+    ],
+)
+def test_menu_actions_go_the_checked_way(
+    gimbal: EmulatedGimbal, action: str, command: str, words: str
+) -> None:
+    result = run("menu", action, "-p", gimbal.address)
+    text = " ".join(result.error.split())
+    assert result.status == 1 and f"This is `sbgc {command}`." in text and words in text
+    assert "add --yes" in text
+
+
+def test_the_checks_of_a_menu_action_refuse(gimbal: EmulatedGimbal) -> None:
+    refused = run("menu", "calib_gyro", "--yes", "-v", "-p", gimbal.address)
+    assert refused.status == 1 and "the motors are on" in refused.error
+    assert "CMD_CALIB_GYRO" not in refused.error and "CMD_EXECUTE_MENU" not in refused.error
+    for state in ("off", "on"):
+        toggled = run("menu", "motor_toggle", "--yes", "-p", gimbal.address)
+        assert toggled.status == 0 and f"The motors are {state}." in toggled.error
+
+
 def test_reset_waits_for_the_board(gimbal: EmulatedGimbal) -> None:
     result = run("reset", "--yes", "-p", gimbal.address)
     assert result.status == 0 and "The board is back" in result.error
@@ -292,6 +341,7 @@ def processor_time_of_children() -> float:
         ("motors", "on"),
         ("motors", "off"),
         ("menu", "profile1"),
+        ("menu", "calib_gyro"),
         ("reset",),
     ],
 )
@@ -315,6 +365,8 @@ def test_nothing_happens_unarmed(gimbal: EmulatedGimbal, arguments: tuple[str, .
     [
         (("move", "--yes"), "--roll, --pitch, --tilt, --yaw or --pan"),
         (("move", "--yaw", "721", "--yes"), "--yaw: 721 deg is too far"),
+        (("move", "--yaw", "721", "--relative", "--yes"), "--yaw: 721 deg is too far"),
+        (("move", "--yaw", "-720", "--relative", "--yes"), "is less than two turns"),
         (("move", "--yaw", "5", "--speed", "0", "--yes"), "--speed must be positive"),
         (("move", "--yaw", "5", "--speed", "-5", "--yes"), "--speed must be positive"),
         (("move", "--yaw", "5", "--speed", "0.01", "--yes"), "too slow; the least is 0.12"),

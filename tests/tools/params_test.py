@@ -280,6 +280,12 @@ def test_set_says_what_it_would_write(board: str, values: list[str], words: str)
         ("rc_min_angle=-30V", 2, ["'V'", "deg"]),
         ("follow_mode=FOLOW_MODE_FC", 2, ["did you mean 'FOLLOW_MODE_FC'"]),
         ("pitch.p", 2, ["NAME=VALUE"]),
+        ("pitch.p=10%", 2, ["'10%' is not an integer\n"]),
+        ("pitch.p=+2000%", 2, ["axes.pitch.p: 294 does not fit: 0 to 255"]),
+        ("pitch.p-=15", 2, ["axes.pitch.p: -1 does not fit: 0 to 255"]),
+        ("pitch.p=+1%", 2, ["axes.pitch.p: a change by +1% is less than its smallest step"]),
+        ("pitch.p+=x", 2, ["axes.pitch.p: 'x' is not an integer"]),
+        ("follow_mode+=1", 2, ["follow_mode: only numbers can be changed by an amount"]),
         ("pitch.p=1,5", 2, ["'1,5' is not an integer"]),
         ("roll.i=0,5", 2, ["'0,5' is not a number"]),
         ("pitch.rc_min_angle=95", 1, ["rc_min_angle", "95 deg is above 90 deg", "rc_max_angle"]),
@@ -304,6 +310,13 @@ def test_set_refuses_before_anything_is_written(
     [
         ("tilt.p = 15", "axes.pitch.p: 14 -> 15"),
         ("tilt.rc_max_angle=30 degrees", "rc.pitch.rc_max_angle: 90 deg -> 30 deg"),
+        ("pitch.p=+10%", "axes.pitch.p: 14 -> 15"),
+        ("pitch.p=-50%", "axes.pitch.p: 14 -> 7"),
+        ("pitch.p += 5", "axes.pitch.p: 14 -> 19"),
+        ("pitch.p-=5", "axes.pitch.p: 14 -> 9"),
+        ("pitch.p=+5", "axes.pitch.p: 14 -> 5"),
+        ("pitch.rc_max_angle=-50%", "rc.pitch.rc_max_angle: 90 deg -> 45 deg"),
+        ("pitch.rc_max_angle-=5deg", "rc.pitch.rc_max_angle: 90 deg -> 85 deg"),
     ],
 )
 def test_set_takes_values_as_people_write_them(board: str, value: str, words: str) -> None:

@@ -174,6 +174,11 @@ def flags_named(enum: str, *names: str) -> int:
         (["Control", "control_mode=256"], ["256", "0 to 255"]),
         (["Control", "pitch.angle=1", "axes.pitch.angle=2"], ["axes.pitch.angle is set twice"]),
         (["Control", "pitch.angle"], ["NAME=VALUE"]),
+        (
+            ["Control", "pitch.angle+=5"],
+            ["a request has no present value", "write pitch.angle=VALUE"],
+        ),
+        (["Control", "pitch.angle=+10%"], ["a request has no present value"]),
         (["BeepSound", "note_freq_hz=600,1"], ["note_freq_hz", "554 Hz"]),
         (["BeepSound", "note_freq_hz[99]=600"], ["99"]),
         (["BeepSound", "decay_factor=16"], ["decay_factor", "16"]),

@@ -47,6 +47,12 @@ def test_wrong_usage(arguments: list[str]) -> None:
     assert result.out == b""
 
 
+OTHER_WORDS = (
+    "mode code body pose note node done log step save type tone trigger second model table"
+).split()
+"""They look like commands that move the camera or write, and mean something else."""
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [
@@ -60,6 +66,12 @@ def test_wrong_usage(arguments: list[str]) -> None:
         (["rec"], "unknown command 'rec'; did you mean 'record'?"),
         (["INFO"], "unknown command 'INFO'; did you mean 'info'?"),
         (["params", "help", "show"], "unknown command 'help'; did you mean '--help'?"),
+        (["home"], "unknown command 'home'; did you mean 'menu home_position'?"),
+        (["reboot"], "unknown command 'reboot'; did you mean 'reset'?"),
+        (["mvoe"], "unknown command 'mvoe'; did you mean 'move'?"),
+        (["sped"], "unknown command 'sped'; did you mean 'speed'?"),
+        (["streem"], "unknown command 'streem'; did you mean 'stream'?"),
+        *[([word], f"unknown command '{word}'\n") for word in OTHER_WORDS],
         (["hlp"], "unknown command 'hlp'; did you mean 'help'"),
         (["--verson"], "unknown option '--verson'; did you mean '--version'?"),
         (["decode", "--hx"], "unknown option '--hx'; did you mean '--hex'?"),

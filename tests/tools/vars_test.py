@@ -75,6 +75,21 @@ def test_mistakes(board: str, text: str, words: list[str]) -> None:
     assert value(board, "LPF_FREQ_ROLL") == before
 
 
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("LPF_FREQ_ROLL=+10%", "LPF_FREQ_ROLL: 50 Hz -> 55 Hz\n"),
+        ("LPF_FREQ_ROLL-=20Hz", "LPF_FREQ_ROLL: 50 Hz -> 30 Hz\n"),
+        ("LPF_FREQ_ROLL=-90%", "LPF_FREQ_ROLL: 5 Hz does not fit: 10 Hz"),
+        ("LPF_FREQ_ROLL+=5V", "LPF_FREQ_ROLL: 'V' is not its unit"),
+    ],
+)
+def test_changes(board: str, text: str, words: str) -> None:
+    assert adjust(board, "set", "LPF_FREQ_ROLL=50", "--yes").status == 0
+    result = adjust(board, "set", text)
+    assert result.status in (1, 2) and words in result.text + result.error
+
+
 def test_unarmed(board: str) -> None:
     result = adjust(board, "set", "P_YAW=33")
     assert result.status == 1 and "add --yes" in result.error

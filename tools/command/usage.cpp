@@ -1,9 +1,13 @@
 #include "command/usage.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <regex>
 #include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,6 +48,51 @@ std::string choice(const std::string& before, const std::vector<std::string>& na
   return names.size() > most ? "" : before + detail::alternatives(names, false);
 }
 
+/// Words that people use for a command.
+constexpr std::array<std::pair<std::string_view, const char*>, 8> other_words{{
+    {"home", "menu home_position"},
+    {"goto", "move"},
+    {"turn", "move"},
+    {"rotate", "move"},
+    {"halt", "stop"},
+    {"restart", "reset"},
+    {"reboot", "reset"},
+    {"autotune", "tune"},
+}};
+
+/// True if a command is what somebody meant to write, and not only a name that looks alike: a
+/// command can move the camera. A mistyped word begins with the right letters, and a short one with
+/// another letter is another word, as "mode" is not "move".
+bool is_mistyped(std::string_view word, std::string_view name) {
+  if (name.starts_with(word) || word.starts_with(name)) return true;
+  const bool begins_alike =
+      word[0] == name[0] || (word.size() > 1 && word[0] == name[1] && word[1] == name[0]);
+  constexpr std::size_t short_word = 4;
+  if (!begins_alike || word.size() > short_word || word.size() != name.size()) return begins_alike;
+  std::string letters(word), others(name);
+  std::ranges::sort(letters);
+  std::ranges::sort(others);
+  return letters == others;
+}
+
+/// Returns the commands, and options, that somebody may have meant by a word.
+std::vector<std::string> meant_by(const CLI::App& command, const std::string& word) {
+  const std::vector<std::string> commands = command_names(command);
+  const auto is_command = [&](const std::string& name) {
+    return std::ranges::find(commands, name) != commands.end();
+  };
+  for (const auto& [other, meant] : other_words) {
+    const std::string_view text = meant;
+    if (word == other && is_command(std::string(text.substr(0, text.find(' '))))) return {meant};
+  }
+  std::vector<std::string> known = commands;
+  for (const std::string& option : option_names(command)) known.push_back(option);
+  std::vector<std::string> near = detail::nearest(word, known);
+  std::erase_if(
+      near, [&](const std::string& name) { return is_command(name) && !is_mistyped(word, name); });
+  return near;
+}
+
 /// Returns the error message for an unexpected word that was passed to `command`.
 std::string unknown_word(const CLI::App& command, const std::string& word) {
   const std::string shown = clipped(word);
@@ -54,9 +103,7 @@ std::string unknown_word(const CLI::App& command, const std::string& word) {
   }
   const std::vector<std::string> commands = command_names(command);
   if (commands.empty()) return fmt::format("unexpected argument '{}'", shown);
-  std::vector<std::string> known = commands;
-  for (const std::string& option : option_names(command)) known.push_back(option);
-  const std::vector<std::string> near = detail::nearest(detail::lower_case(word), known);
+  const std::vector<std::string> near = meant_by(command, detail::lower_case(word));
   return fmt::format("unknown command '{}'{}", shown,
                      near.empty() ? choice("; use ", commands) : detail::did_you_mean(near));
 }

@@ -16,6 +16,7 @@
 #include "command/wording.hpp"
 #include "gateway/payload.hpp"
 #include "motion/axis_values.hpp"
+#include "motion/checked_command.hpp"
 #include "values/assignments.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
@@ -179,6 +180,14 @@ Order read_menu(const std::string& action) {
   // Assumption: no action turns the camera for longer.
   constexpr std::chrono::minutes longest_action{1};
   Order order = call_of(*find_message(Meta<msg::ExecuteMenu>::info.name), {{"cmd_id", action}});
+  // What `allow` says of calibrations and motors holds for their menu actions, too.
+  const auto& request = std::get<CallOrder>(order.what).request;
+  const auto words = checked_command(request.get_if<msg::ExecuteMenu>()->cmd_id);
+  if (!words.empty()) {
+    const bool is_task = words.front() == "calibrate" || words.front() == "motors";
+    refuse_parameter(fmt::format("'{}' is no menu action here; use the task '{}'", action,
+                                 is_task ? words.front() : "raw"));
+  }
   order.goes_on = longest_action;
   return order;
 }

@@ -29,6 +29,7 @@
 #include "command/wording.hpp"
 #include "memory/local_file.hpp"
 #include "motion/bode_recorder.hpp"
+#include "motion/move_way.hpp"
 #include "motion/paused_streams.hpp"
 #include "motion/response_table.hpp"
 
@@ -106,6 +107,10 @@ struct PlannedRecording {
   std::string name{};
   std::string file{};  ///< empty if the samples are not saved
 };
+
+RecordingPosition position_of(const msg::GetAngles& state) {
+  return {state.axes.roll.imu_angle.degrees(), state.axes.pitch.imu_angle.degrees()};
+}
 
 /// The name that the vendor's example gives a file, such as ROLL_R0_P-30_Y12.csv. The pan axis
 /// stays where it is.
@@ -194,9 +199,29 @@ int show_files(const BodeCommand& command) {
   return success;
 }
 
+/// The turns to the positions and back.
+std::string turns_text(const std::vector<RecordingPosition>& positions,
+                       const RecordingPosition& back, Axes<msg::Angle14> angles) {
+  if (positions.empty()) return "";
+  std::string turns, cables;
+  const auto add = [&](const RecordingPosition& position, const char* before, const char* when) {
+    const MoveTarget target = target_of(position);
+    turns += before + target_text(target, angles, when);
+    cables += cable_warning(target, angles);
+    angles.roll = *target.roll;
+    angles.pitch = *target.pitch;
+  };
+  for (const RecordingPosition& position : positions) {
+    const bool is_first = &position == &positions.front();
+    add(position, is_first ? "to " : "; then to ", is_first ? "now" : "from");
+  }
+  add(back, "; then back to ", "from");
+  return fmt::format(" The camera turns {}, at up to {} deg/s.{}", turns, position_speed, cables);
+}
+
 std::string bode_warning(const BodeCommand& command, const msg::BodeTestStartStopRequest& request) {
   const bool off_at_once = command.on_cancel == "motors-off";
-  std::string text = fmt::format(
+  return fmt::format(
       "The {} axis shakes for {} s, from {} to {} Hz with a gain of {}, and no command ends that. "
       "Ctrl-C {}.",
       command.axis, command.seconds, request.start_freq.raw(), request.end_freq.raw(),
@@ -205,11 +230,6 @@ std::string bode_warning(const BodeCommand& command, const msg::BodeTestStartSto
           ? "turns the motors off, and the camera drops to its heavy side"
           : "waits for the end; a second one turns the motors off, and the camera drops to its "
             "heavy side");
-  if (!command.positions.empty()) {
-    text += fmt::format(" The camera turns to {} before, and back after the last.",
-                        counted(command.positions.size(), "position"));
-  }
-  return text;
 }
 
 void report_lost_samples(const BodeRecording& recording) {
@@ -262,7 +282,7 @@ MadeRecordings make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
     if (one.position && gimbal.must_stop()) gimbal.give_up({});
   }
   if (plan.front().position) {
-    recorder.go_to({before.axes.roll.imu_angle.degrees(), before.axes.pitch.imu_angle.degrees()});
+    recorder.go_to(position_of(before));
   }
   return made;
 }
@@ -304,7 +324,8 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
   const std::vector<PlannedRecording> plan = plan_recordings(command, positions, before);
   check_files(command, plan);
-  arm(command.arming, bode_warning(command, request));
+  arm(command.arming, bode_warning(command, request) +
+                          turns_text(positions, position_of(before), angles_of(before)));
   if (!positions.empty() && !command.output.empty()) create_folder(command.output);
   const Interruption interruption;  // from now on, something is to be restored
   const MadeRecordings made = record_undisturbed(command, gimbal, request, plan, before);

@@ -15,14 +15,13 @@
 #include "command/remark.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"
-#include "motion/move_time.hpp"
+#include "motion/move_way.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
 /// The speed between positions, and the time until the camera is calm.
-constexpr double position_speed = 20;  // deg/s
 constexpr std::chrono::seconds settling{2};
 
 std::string recording_seconds(std::size_t samples) {
@@ -44,6 +43,10 @@ RecordingPosition parse_position(const std::string& text) {
   const std::string_view whole = text;
   return {number(whole.substr(0, comma)),
           number(whole.substr(comma == std::string::npos ? 0 : comma + 1))};
+}
+
+MoveTarget target_of(const RecordingPosition& position) {
+  return {.roll = to_angle(position.roll, "--at"), .pitch = to_angle(position.pitch, "--at")};
 }
 
 BodeRecording BodeRecorder::record() const {
@@ -99,12 +102,10 @@ void BodeRecorder::turn_motors_off() const {
 void BodeRecorder::go_to(const RecordingPosition& position) const {
   require_motors(gimbal_.client());  // somebody may have turned them off during a recording
   const auto state = value_of(Result<msg::GetAngles>(gimbal_.client().get_angles()));
-  MoveTarget target;
-  target.roll = to_angle(position.roll, "--at");
-  target.pitch = to_angle(position.pitch, "--at");
+  const MoveTarget target = target_of(position);
   MoveOptions options;
   options.speed = to_speed(position_speed, "--at");
-  options.timeout = time_for_move(target, state, options.speed);
+  options.timeout = time_for_move(target, angles_of(state), options.speed);
   options.stop_on_failure = false;  // give_up() stops it
   ProgressBar bar;
   options.progress = [&](const MoveProgress&) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <sbgc/client/bode.hpp>
+#include <sbgc/client/motion.hpp>
 
 #include "motion/moving_gimbal.hpp"
 
@@ -20,6 +21,11 @@ struct RecordingPosition {
 
 /// Reads "ROLL,PITCH" in degrees. Throws CommandError.
 RecordingPosition parse_position(const std::string& text);
+
+/// The speed between positions, in deg/s.
+inline constexpr double position_speed = 20;
+
+MoveTarget target_of(const RecordingPosition& position);
 
 class BodeRecorder {
  public:

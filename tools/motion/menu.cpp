@@ -1,11 +1,14 @@
 // sbgc menu: performs an action of the menu button.
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
@@ -19,6 +22,8 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "motion/axis_values.hpp"
+#include "motion/checked_command.hpp"
 
 namespace sbgc::tools {
 
@@ -82,7 +87,28 @@ void list_actions() {
   }
 }
 
-int menu(const MenuOptions& command, const CommandContext& context) {
+/// Runs another command with the options of the gimbal that this one has.
+int run_instead(CLI::App& app, const std::vector<std::string>& words, const Arming& arming,
+                const CommandContext& context) {
+  remark("This is `sbgc {}`.\n", fmt::join(words, " "));
+  std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
+  if (arming.yes) reversed.insert(reversed.begin(), "--yes");
+  app.get_subcommand(words.front())->parse(reversed);
+  return context.status;
+}
+
+/// Where the camera is before an action that ends where only the board knows.
+std::string place_text(Client& client) {
+  const Result<msg::GetAngles> state(client.get_angles());
+  if (!state) return "";
+  AxisNumbers angles;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    angles[i] = std::round(state->axes[i].imu_angle.degrees());
+  }
+  return fmt::format(" It is now at {}; the board knows where it ends.", axes_text(angles, "deg"));
+}
+
+int menu(const MenuOptions& command, CLI::App& app, const CommandContext& context) {
   if (command.list) {
     list_actions();
     return success;
@@ -91,12 +117,15 @@ int menu(const MenuOptions& command, const CommandContext& context) {
     throw CommandError("say which action; `sbgc menu --list` lists them", wrong_usage);
   }
   const ValueInfo& action = action_of(command.action);
+  const auto words = checked_command(static_cast<msg::MenuCommand>(action.value));
+  if (!words.empty()) return run_instead(app, words, command.arming, context);
   msg::ExecuteMenu request;
   request.cmd_id = static_cast<msg::MenuCommand>(action.value);
   Client client = connect(context.gimbal);
   require_possible(client, request);
-  arm(command.arming, fmt::format("The board performs the menu action {}: {} The camera can move.",
-                                  short_name(action), action.summary));
+  arm(command.arming,
+      fmt::format("The board performs the menu action {}: {} The camera can move.{}",
+                  short_name(action), action.summary, place_text(client)));
   CallOptions options = call_options(context.gimbal);
   options.expect_confirmation = true;
   value_of(Result<void>(client.call(request, options)));
@@ -105,6 +134,22 @@ int menu(const MenuOptions& command, const CommandContext& context) {
 }
 
 }  // namespace
+
+std::vector<std::string> checked_command(msg::MenuCommand action) {
+  switch (action) {
+    case msg::MenuCommand::calib_acc: return {"calibrate", "acc"};
+    case msg::MenuCommand::calib_acc_temp: return {"calibrate", "acc", "--temperature"};
+    case msg::MenuCommand::calib_gyro: return {"calibrate", "gyro"};
+    case msg::MenuCommand::calib_gyro_temp: return {"calibrate", "gyro", "--temperature"};
+    case msg::MenuCommand::calib_mag: return {"calibrate", "mag"};
+    case msg::MenuCommand::motor_on: return {"motors", "on"};
+    case msg::MenuCommand::motor_off: return {"motors", "off"};
+    case msg::MenuCommand::motor_toggle: return {"motors", "toggle"};
+    case msg::MenuCommand::auto_pid: return {"tune"};
+    case msg::MenuCommand::reset: return {"reset"};
+    default: return {};
+  }
+}
 
 void add_menu(CLI::App& app, CommandContext& context) {
   const Subcommand<MenuOptions> command(app, context, "menu",
@@ -116,13 +161,19 @@ void add_menu(CLI::App& app, CommandContext& context) {
       ->type_name("ACTION");
   command->add_flag("--list", options.list, "List the actions");
   command->footer(
+      "Another command with checks does what it can: `sbgc calibrate` calib-acc, calib-gyro and "
+      "calib-mag, `sbgc motors` motor-on, motor-off and motor-toggle, `sbgc tune` auto-pid, and "
+      "`sbgc reset` reset.\n"
+      "\n"
       "Nothing stops an action that moves the camera when this command dies; `sbgc stop` does.\n"
       "\n"
       "Example:\n"
       "  sbgc menu profile2\n"
       "\n"
       "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage.");
-  command.runs(menu);
+  command.runs([&app](const MenuOptions& given, const CommandContext& shared) {
+    return menu(given, app, shared);
+  });
 }
 
 }  // namespace sbgc::tools

@@ -18,13 +18,14 @@ namespace sbgc::tools {
 namespace {
 
 struct MotorsCommand {
-  std::string state{};  // "on" or "off"
+  std::string state{};  // "on", "off" or "toggle"
   Arming arming{};
 };
 
 int turn_motors(const MotorsCommand& command, const CommandContext& context) {
-  const bool on = command.state == "on";
   Client client = connect(context.gimbal);
+  const bool on =
+      command.state == "toggle" ? !value_of(are_motors_on(client)) : command.state == "on";
   arm(command.arming, on ? "The motors turn on, and the camera jumps to its target angle."
                          : "The motors lose power, and the camera drops to its heavy side.");
   CallOptions options = call_options(context.gimbal);
@@ -38,7 +39,7 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
     done = error;
   }
   value_of(done);
-  remark("The motors are {}.\n", command.state);
+  remark("The motors are {}.\n", on ? "on" : "off");
   return success;
 }
 
@@ -49,7 +50,7 @@ void add_motors(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command->add_option("state", options.state, "What the motors become")
       ->required()
-      ->transform(one_of({"on", "off"}));
+      ->transform(one_of({"on", "off", "toggle"}));
   command->footer(
       "Hold the camera when you turn the motors off.\n"
       "\n"

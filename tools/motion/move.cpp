@@ -1,6 +1,7 @@
 // sbgc move: turns the camera to angles.
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "command/subcommand.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/motor_state.hpp"
-#include "motion/move_time.hpp"
+#include "motion/move_way.hpp"
 #include "motion/moving_gimbal.hpp"
 
 namespace sbgc::tools {
@@ -30,12 +31,17 @@ struct MoveCommand {
 };
 
 /// Returns the targets; relative angles count from the measured ones.
-MoveTarget target_of(const MoveCommand& command, const msg::GetAngles& state) {
+MoveTarget target_of(const MoveCommand& command, const Axes<msg::Angle14>& angles) {
   MoveTarget target;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (!command.angles[i]) continue;
-    const double from = command.relative ? state.axes[i].imu_angle.degrees() : 0;
-    target[i] = to_angle(from + *command.angles[i], std::string("--") + axis_names[i]);
+    const std::string option = std::string("--") + axis_names[i];
+    const msg::Angle14 angle = to_angle(*command.angles[i], option);
+    // It would be the same as two turns in the other direction.
+    if (command.relative && angle.raw() == std::numeric_limits<msg::Angle14::raw_type>::min()) {
+      throw CommandError(option + ": a relative angle is less than two turns", wrong_usage);
+    }
+    target[i] = command.relative ? angle_after(angles[i], angle) : angle;
   }
   return target;
 }
@@ -50,21 +56,21 @@ std::string angles_text(const MoveTarget& target, const MoveProgress& progress) 
   return text;
 }
 
-void ask(const MoveCommand& command) {
-  const std::string angles = axes_text(command.angles, "deg");
-  // "turns 30 deg down (pitch 30)", but "turns to roll -5 deg"
-  const bool begins_with_axis = !angles.empty() && angles.front() >= 'a' && angles.front() <= 'z';
-  const char* const word = command.relative ? "by " : begins_with_axis ? "to " : "";
+/// Fixes the target, and asks. Returns the target that the question names.
+MoveTarget ask(const MoveCommand& command, Client& client) {
+  const Axes<msg::Angle14> now = angles_of(value_of(Result<msg::GetAngles>(client.get_angles())));
+  const MoveTarget target = target_of(command, now);
   arm(command.arming,
-      fmt::format("The camera turns {}{}, at up to {} deg/s.", word, angles, command.speed));
+      fmt::format("The camera turns to {}, at up to {} deg/s.{}", target_text(target, now),
+                  command.speed, cable_warning(target, now)));
+  return target;
 }
 
 void move_and_wait(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
   MovingGimbal gimbal(context.gimbal);
-  ask(command);
+  const MoveTarget target = ask(command, gimbal.client());
   const auto state = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
-  const MoveTarget target = target_of(command, state);
-  options.timeout = time_for_move(target, state, options.speed);
+  options.timeout = time_for_move(target, angles_of(state), options.speed);
   ProgressBar bar;
   options.progress = [&](const MoveProgress& progress) {
     bar.show(angles_text(target, progress));
@@ -83,10 +89,8 @@ void move_and_wait(const MoveCommand& command, const CommandContext& context, Mo
 void begin_to_move(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
   Client client = connect(context.gimbal);
   require_motors(client);
-  ask(command);
-  const auto state = value_of(Result<msg::GetAngles>(client.get_angles()));
+  const MoveTarget target = ask(command, client);
   options.timeout = std::chrono::seconds(3);
-  const MoveTarget target = target_of(command, state);
   const MoveProgress begun = value_of(client.begin_move(target, options));
   remark("{}\n", begun.is_close ? "The camera is there." : "The camera turns to its target.");
 }
@@ -99,7 +103,7 @@ int move(const MoveCommand& command, const CommandContext& context) {
     throw CommandError("--speed must be positive; 0 would select the speed in the parameters",
                        wrong_usage);
   }
-  if (!command.relative) static_cast<void>(target_of(command, {}));  // before anything is asked
+  static_cast<void>(target_of(command, {}));  // finds what is too far, before anything is asked
   if (command.wait) {
     move_and_wait(command, context, options);
   } else {
@@ -118,12 +122,16 @@ void add_move(CLI::App& app, CommandContext& context) {
       ->transform(number_with_unit("deg/s"))
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_flag("--relative", options.relative, "The angles count from the current ones");
+  command->add_flag("--relative", options.relative,
+                    "The angles count from the current ones; less than two turns");
   command->add_flag("--wait", options.wait,
                     "Wait until the camera is there. Ctrl-C stops it before the command ends, and "
                     "if the command dies, a guard process stops it");
   command->footer(
-      "Other axes stay under, or return to, RC control. Without --wait, the command ends as soon "
+      "The question names the target and which way the camera turns, and warns of cables if that "
+      "is "
+      "more than half a turn. Other axes stay under, or return to, RC control. Without --wait, the "
+      "command ends as soon "
       "as "
       "the camera turns; it stops at its target by itself, and `sbgc stop` stops it before.\n"
       "\n"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -48,6 +50,19 @@ Result<void> turn(const MovingGimbal& gimbal, SpeedControl& control,
   return control.wait();
 }
 
+/// Warns of turns that twist cables.
+std::string cables_text(const SpeedCommand& command) {
+  constexpr double half_turn = 180;
+  std::string result;
+  for (std::size_t i = 0; command.time && i < axis_names.size(); ++i) {
+    const double seconds = std::chrono::duration<double>(*command.time).count();
+    const double way = std::abs(command.speeds[i].value_or(0)) * seconds;
+    if (way <= half_turn) continue;
+    result += fmt::format(" Watch the cables: {} turns by {:.0f} deg.", axis_names[i], way);
+  }
+  return result;
+}
+
 int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   require_an_axis(command.speeds);
   Axes<msg::ControlSpeed> speed;
@@ -59,9 +74,10 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
     throw CommandError("without a terminal, say how long to turn: --for TIME", wrong_usage);
   }
   MovingGimbal gimbal(context.gimbal);
-  arm(command.arming, fmt::format("The camera turns at {}, {}.", axes_text(command.speeds, "deg/s"),
-                                  command.time ? "for " + duration_text(*command.time)
-                                               : "until Ctrl-C is pressed"));
+  arm(command.arming,
+      fmt::format("The camera turns at {}, {}.{}", axes_text(command.speeds, "deg/s"),
+                  command.time ? "for " + duration_text(*command.time) : "until Ctrl-C is pressed",
+                  cables_text(command)));
   gimbal.begins_to_move(AfterStop::remove_timeout);
   const auto end = command.time ? Clock::now() + *command.time : Clock::time_point::max();
   Result<void> turned;

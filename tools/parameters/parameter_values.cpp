@@ -19,6 +19,9 @@ bool depends_on_firmware(const FieldValue& value) {
   return info != nullptr && !info->later.empty();
 }
 
+/// True if what is written depends on the present value.
+bool changes_present(const FieldValue& value) { return value.change != Change::set; }
+
 /// Returns the values that the block with this id gets: general ones in every profile.
 std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& id,
                                   std::uint8_t profile) {
@@ -38,7 +41,7 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
     const FoundParameters found = find_parameters(assignment.name);
     auto at = std::ranges::find(result, found.message, &MessageValues::message);
     if (at == result.end()) at = result.insert(at, {found.message, {}});
-    for (FieldValue& value : values_for(found.fields, assignment.value)) {
+    for (FieldValue& value : values_for(found.fields, assignment)) {
       add_value(at->values, std::move(value));
     }
   }
@@ -46,6 +49,7 @@ std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments,
     AnyMessage message = one.message->type->make();
     std::vector<FieldValue> certain = one.values;
     std::erase_if(certain, depends_on_firmware);
+    std::erase_if(certain, changes_present);
     set_values(message, certain);
     if (!no_validate) check_ranges(message, certain);
   }
@@ -67,13 +71,16 @@ ParameterSet with_values(const ParameterSet& present, const std::vector<MessageV
       if (block.id.message != name) continue;
       is_present = true;
       AnyMessage message = message_in(block);
-      const std::vector<FieldValue> here = values_in(one, block.id, profile);
+      std::vector<FieldValue> here = values_in(one, block.id, profile);
       for (const FieldValue& value : here) {
         if (!message.has(std::get<std::string>(value.field.steps.front()))) {
           fail_lacking(value.field);
         }
       }
       try {
+        for (FieldValue& value : here) {
+          if (changes_present(value)) value = changed_value(message, value, versions);
+        }
         set_values(message, here, versions);
         if (Result<void> put = wanted.put(block_of(block.id, message)); !put) {
           throw CommandError(put.error().message);

@@ -133,11 +133,14 @@ void add_params_set(CLI::App& params, CommandContext& context) {
   command->footer(
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
       "back and compares. A number is in the unit that `params show` prints, which may be written "
-      "after it; raw:NUMBER is the number on the wire. A general parameter is set in all "
+      "after it; raw:NUMBER is the number on the wire. NAME=+10% and NAME=-10% "
+      "change by a share of the present value, NAME+=VALUE and NAME-=VALUE by an amount. A general "
+      "parameter is set in all "
       "profiles.\n"
       "\n"
       "Examples:\n"
       "  sbgc params set pitch.p=20\n"
+      "  sbgc params set pitch.p=+10% yaw.rc_max_angle-=5deg\n"
       "  sbgc params set rc_min_angle=-30deg follow_mode=FOLLOW_MODE_FC --profile 2");
   command.runs(set_parameters);
 }

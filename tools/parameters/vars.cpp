@@ -81,6 +81,23 @@ double read_value(const VariableInfo& variable, const std::string& text,
   return unit.real(raw != nullptr ? static_cast<double>(*raw) : std::get<double>(parsed.value));
 }
 
+/// Returns the raw value that an assignment means if the variable has a value now. Throws
+/// ValueError.
+double read_value(const VariableInfo& variable, const Assignment& assignment, double present,
+                  const Availability& versions) {
+  if (assignment.change == Change::set) return read_value(variable, assignment.value, versions);
+  const auto read = [&](const std::string& text) { return read_value(variable, text, versions); };
+  try {
+    const PresentNumber number{present, variable.unit_in(versions), true, read};
+    const std::string text = changed_value(number, assignment.change, assignment.value);
+    return read_value(variable, text, versions);
+  } catch (const ValueError& error) {
+    const std::string problem = error.what();
+    const std::string name = std::string(variable.name) + ": ";
+    throw ValueError(problem.starts_with(name) ? problem : name + problem);
+  }
+}
+
 /// Returns the variables that this firmware has.
 std::vector<const VariableInfo*> variables_of(const BoardIdentity& board) {
   std::vector<const VariableInfo*> result;
@@ -154,7 +171,8 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
         throw ValueError(fmt::format("{} is set twice", variable.name));
       }
       // Most mistakes are found without a board.
-      if (variable.later.empty()) read_value(variable, assignment.value, {});
+      const bool is_certain = variable.later.empty() && assignment.change == Change::set;
+      if (is_certain) read_value(variable, assignment.value, {});
       wanted.push_back(&variable);
       names.emplace_back(variable.name);
     }
@@ -163,9 +181,10 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
   }
   Client client = connect(context.gimbal);
   const Availability versions = client.identity().versions();
+  const std::vector<double> before = value_of(client.get_variables(names));
   try {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      values.push_back({names[i], read_value(*wanted[i], assignments[i].value, versions)});
+      values.push_back({names[i], read_value(*wanted[i], assignments[i], before[i], versions)});
     }
   } catch (const ValueError& error) {
     throw CommandError(clipped(error.what()), wrong_usage);
@@ -173,7 +192,6 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
   const auto value_in_unit = [&](const VariableInfo& variable, double value) {
     return detail::unit_text(value, variable.unit_in(versions));
   };
-  const std::vector<double> before = value_of(client.get_variables(names));
   std::vector<VariableValue> changed;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (before[i] == values[i].value) continue;
@@ -239,8 +257,12 @@ void add_vars(CLI::App& app, CommandContext& context) {
       ->required();
   set->add_flag("--save", set.options().save, "Save the change, so that it survives a restart");
   set->footer(
-      "Example:\n"
-      "  sbgc vars set LPF_FREQ_ROLL=30Hz --save");
+      "NAME=+10% and NAME=-10% change by a share of the present value, NAME+=VALUE and NAME-=VALUE "
+      "by an amount.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc vars set LPF_FREQ_ROLL=30Hz --save\n"
+      "  sbgc vars set P_ROLL=+10%");
   set.runs(set_them);
 }
 

@@ -1,9 +1,12 @@
 #include "values/assignments.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
 #include <sbgc/text.hpp>
@@ -45,18 +48,37 @@ void reject_gaps(const AnyMessage& message, const std::vector<FieldValue>& value
   }
 }
 
+/// Returns the number of "10%", "+10 %" or "-10%".
+std::optional<double> percentage(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  const auto number = detail::parse_number<double>(detail::trimmed(text));
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 }  // namespace
 
 Assignment parse_assignment(std::string_view text) {
   const std::size_t sign = text.find('=');
-  if (sign == std::string_view::npos || sign == 0) {
+  const bool has_name = sign != std::string_view::npos && sign != 0;
+  const Change change = !has_name               ? Change::set
+                        : text[sign - 1] == '+' ? Change::add
+                        : text[sign - 1] == '-' ? Change::subtract
+                                                : Change::set;
+  const std::size_t end = change == Change::set ? sign : sign - 1;
+  if (!has_name || end == 0) {
     throw ValueError(fmt::format("'{}' is not NAME=VALUE", clipped(text)));
   }
-  const std::string_view name = detail::trimmed(text.substr(0, sign));
+  const std::string_view name = detail::trimmed(text.substr(0, end));
   const std::string_view value = text.substr(sign + 1);
   // In "name = value", the blanks are no part of either.
-  const bool is_spaced = text[sign - 1] == ' ';
-  return {std::string(name), std::string(is_spaced ? detail::trimmed(value) : value)};
+  const bool is_spaced = text[end - 1] == ' ';
+  Assignment result{std::string(name), std::string(is_spaced ? detail::trimmed(value) : value),
+                    change};
+  const bool has_sign = result.value.starts_with('+') || result.value.starts_with('-');
+  if (change == Change::set && has_sign && percentage(result.value)) result.change = Change::add;
+  return result;
 }
 
 std::vector<Assignment> parse_assignments(const std::vector<std::string>& texts) {
@@ -66,7 +88,9 @@ std::vector<Assignment> parse_assignments(const std::vector<std::string>& texts)
   return result;
 }
 
-std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const std::string& text) {
+std::vector<FieldValue> values_for(const std::vector<FoundField>& fields,
+                                   const Assignment& assignment) {
+  const std::string& text = assignment.value;
   const FieldType& type = *fields.front().type;
   const bool is_one_number = type.is_number() && type.names == nullptr && type.packed == nullptr;
   const auto commas = static_cast<std::size_t>(std::ranges::count(text, ','));
@@ -75,9 +99,66 @@ std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const 
   std::size_t at = 0;
   for (const FoundField& field : fields) {
     const std::size_t end = is_split ? std::min(text.find(',', at), text.size()) : text.size();
-    result.push_back({field, text.substr(at, end - at)});
+    result.push_back({field, text.substr(at, end - at), assignment.change});
     if (is_split) at = end + 1;
   }
+  return result;
+}
+
+std::string changed_value(const PresentNumber& present, Change change, const std::string& text) {
+  const UnitInfo& unit = present.unit;
+  const int sign = change == Change::subtract ? -1 : 1;
+  const auto share = percentage(detail::trimmed(text));
+  if (share && std::string_view(unit.name) == "%") {
+    throw ValueError(
+        fmt::format("its unit is %, so a change by {} has two meanings; write the new value, or += "
+                    "and a number",
+                    text));
+  }
+  const double change_by = share ? present.value * *share / 100 : present.read(text);
+  double after = present.value + sign * change_by;
+  if (present.is_integer) {
+    const double raw = std::round(unit.raw(after));
+    if (change_by != 0 && raw == std::round(unit.raw(present.value))) {
+      throw ValueError(fmt::format("a change by {} is less than its smallest step", text));
+    }
+    after = unit.real(raw);
+  }
+  return fmt::format("{:.10g} {}", after, unit.name);
+}
+
+FieldValue changed_value(const AnyMessage& present, const FieldValue& value,
+                         const Availability& versions) {
+  const std::string path = steps_text(value.field.steps);
+  std::string problem = "only numbers can be changed by an amount";
+  FieldValue result{value.field};
+  present.with_leaf(
+      path,
+      [&](const Leaf& leaf) {
+        const bool is_integer = leaf.kind == LeafKind::integer;
+        if (!is_integer && leaf.kind != LeafKind::real) return;
+        if (leaf.names != nullptr || leaf.packed != nullptr) return;
+        const UnitInfo unit = leaf.unit == nullptr ? UnitInfo() : *leaf.unit;
+        const auto read = [&](const std::string& text) {
+          AnyMessage other = present;
+          if (std::string wrong = other.assign(path, text, false, versions); !wrong.empty()) {
+            throw ValueError(wrong.substr(path.size() + 2));
+          }
+          double amount = 0;
+          other.with_leaf(
+              path, [&](const Leaf& one) { amount = unit.real(one.number()); }, versions);
+          return amount;
+        };
+        try {
+          result.text = changed_value({unit.real(leaf.number()), unit, is_integer, read},
+                                      value.change, value.text);
+          problem.clear();
+        } catch (const ValueError& error) {
+          problem = error.what();
+        }
+      },
+      versions);
+  if (!problem.empty()) throw ValueError(path + ": " + problem);
   return result;
 }
 
@@ -92,6 +173,10 @@ std::vector<FieldValue> find_values(const MessageType& type,
                                     const std::vector<Assignment>& assignments) {
   std::vector<FieldValue> result;
   for (const Assignment& assignment : assignments) {
+    if (assignment.change != Change::set) {
+      throw ValueError(fmt::format("{}: a request has no present value to change; write {}=VALUE",
+                                   clipped(assignment.name), clipped(assignment.name)));
+    }
     const std::vector<FoundField> found = find_fields(type.fields(), assignment.name);
     if (found.empty()) {
       const FieldSource source{type.info->name, &type.fields()};
@@ -101,7 +186,7 @@ std::vector<FieldValue> find_values(const MessageType& type,
                       detail::did_you_mean(similar_fields({source}, assignment.name),
                                            "`sbgc describe " + name + "` lists them")));
     }
-    for (FieldValue& value : values_for(found, assignment.value)) {
+    for (FieldValue& value : values_for(found, assignment)) {
       if (value.field.type->is_counter) {
         throw ValueError(
             fmt::format("{} follows from the number of elements", steps_text(value.field.steps)));

@@ -1,6 +1,7 @@
 /// Sets fields of a message from texts such as "axes.pitch.angle=-30deg".
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,12 +12,17 @@
 
 namespace sbgc::tools {
 
+/// What a value does to the present one.
+enum class Change : unsigned char { set, add, subtract };
+
 struct Assignment {
   std::string name{};
   std::string value{};
+  Change change = Change::set;
 };
 
-/// Splits "NAME=VALUE". Throws ValueError.
+/// Splits "NAME=VALUE", "NAME+=VALUE" or "NAME-=VALUE"; "NAME=+10%" adds a share of the present
+/// value. Throws ValueError.
 Assignment parse_assignment(std::string_view text);
 std::vector<Assignment> parse_assignments(const std::vector<std::string>& texts);
 
@@ -24,11 +30,28 @@ std::vector<Assignment> parse_assignments(const std::vector<std::string>& texts)
 struct FieldValue {
   FoundField field{};
   std::string text{};
+  Change change = Change::set;
 };
 
 /// Returns the value for each of the fields that one name means: numbers for the axes may be
 /// separated by commas; otherwise all get the same.
-std::vector<FieldValue> values_for(const std::vector<FoundField>& fields, const std::string& text);
+std::vector<FieldValue> values_for(const std::vector<FoundField>& fields,
+                                   const Assignment& assignment);
+
+/// A number and how to read others like it.
+struct PresentNumber {
+  double value{};  ///< in the unit
+  UnitInfo unit{};
+  bool is_integer{};  ///< on the wire
+  std::function<double(const std::string&)> read{};
+};
+
+/// Returns the value after a change other than Change::set, as a text in the unit. Throws
+/// ValueError.
+std::string changed_value(const PresentNumber& present, Change change, const std::string& text);
+/// The same for a field of a message that has a value.
+FieldValue changed_value(const AnyMessage& present, const FieldValue& value,
+                         const Availability& versions);
 
 /// Adds a value. Throws ValueError if the field has one already.
 void add_value(std::vector<FieldValue>& values, FieldValue value);

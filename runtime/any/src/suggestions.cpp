@@ -38,14 +38,15 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
   word = without_dashes(word);
   constexpr std::size_t longest = 64;
   if (word.empty() || word.size() > longest) return {};
-  std::size_t least = (word.size() + 2) / 3;
+  // More changed letters make another word.
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1);
   std::vector<std::string> result;
   for (const std::string& candidate : known) {
     const std::string_view other = without_dashes(candidate);
     const bool is_begin = word.size() > 1 && other.starts_with(word);
     std::size_t changes = distance(word, other);
     if (is_begin) changes = std::min<std::size_t>(changes, 1);
-    if (changes > least || changes >= other.size()) continue;
+    if (changes > std::min(least, (other.size() + 1) / 3) || changes >= other.size()) continue;
     if (changes < least) result.clear();
     least = changes;
     result.push_back(candidate);

@@ -184,7 +184,8 @@ class ValueParser {
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
     const auto number = on_wire(text);
     const auto measure = number ? std::nullopt : measure_of(text);
-    if (measure && !measure->rest.empty()) {
+    // The number of a percentage is another value.
+    if (measure && !measure->rest.empty() && measure->rest != "%") {
       const auto size = text.size() - measure->rest.size();
       fail("it has no unit: write " + std::string(trimmed(text.substr(0, size))));
     }
