@@ -63,6 +63,7 @@ using AllMessages = TypeList<
     msg::SaveParams3,
     msg::UseDefaults,
     msg::WriteParams3,
+    msg::ReadParamsAnswer,
     msg::WriteParams,
     msg::WriteParamsExt,
     msg::WriteParamsExt2,
@@ -359,6 +360,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::CalibMotorMagLink>{}), Code::ok;
       case 76:  // CMD_MODULE_LIST
         return use(Type<msg::ModuleList>{}), Code::ok;
+      case 82:  // CMD_READ_PARAMS
+        return use(Type<msg::ReadParamsAnswer>{}), Code::ok;
       case 86:  // CMD_BOARD_INFO
         return use(Type<msg::BoardInfo>{}), Code::ok;
       case 88:  // CMD_REALTIME_DATA_CUSTOM

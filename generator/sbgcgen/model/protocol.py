@@ -169,6 +169,7 @@ class Layout:
     def settings(self) -> tuple[Settings, ...]:
         """The settings that can be read and stored, in the order of families."""
         stored = {m.stores for m in self.messages}
+        bodies = {m.name: m.same_as or m.name for m in self.messages}
 
         def requests(of: list[Message]) -> tuple[Message, ...]:
             return tuple(sorted(of, key=lambda m: m.deprecated is not None))
@@ -177,7 +178,11 @@ class Layout:
             Settings(
                 message,
                 requests(
-                    [m for m in self.messages if m.answer and message.name in m.answer.messages]
+                    [
+                        m
+                        for m in self.messages
+                        if m.answer and message.name in (bodies.get(n) for n in m.answer.messages)
+                    ]
                 ),
                 requests([m for m in self.messages if m.stores == message.name]),
             )

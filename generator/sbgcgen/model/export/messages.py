@@ -132,6 +132,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
         when=_condition(leaf.when),
+        used_when=_condition(leaf.used_when),
         alternative=_alternative(field.alternative, leaf.path),
         since=version(field.since),
         later=later_json(field.later),

@@ -287,6 +287,7 @@ def _field(one: Field, names: Names) -> Table:
         "fits": one.fits and not one.fits_rest,
         "fits_rest": one.fits_rest,
         "when": one.when and _condition(one.when),
+        "used_when": one.used_when and _condition(one.used_when),
         "alternative": one.alternative and _alternative(one.alternative),
         "ways": {
             way.axis.lower(): [way.positive or "", way.negative or ""]
