@@ -2080,18 +2080,27 @@ local protocol = (function()
     {name = "trigger_action", type = "u8", enum = "MenuCommand", count = 1, fixed = 1, min = 0, max = 255},
     {name = "analog_rc_data", type = "i16", scale = 0.002, count = 1, fixed = 2, min = -500, max = 500},
     {name = "analog_value", type = "i32", count = 1, fixed = 4},
+    {name = "reserved", blob = "bytes", size = 6, count = 1, fixed = 6, reserved = true},
+  }
+
+  messages[200] = {name = "AdjVarsStateExt", filter = "adj_vars_state_ext", command = "CMD_ADJ_VARS_STATE", id = 46, min = 15, max = 15, open = true, asked = true, keeps_tail = true, tail = 240}
+  messages[200].fields = {
+    {name = "trigger_rc_data", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
+    {name = "trigger_action", type = "u8", enum = "MenuCommand", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "analog_src_value", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
+    {name = "analog_var_value", type = "f32", count = 1, fixed = 4},
     {name = "lut_src_value", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
     {name = "lut_var_value", type = "f32", count = 1, fixed = 4},
   }
 
-  messages[200] = {name = "AdjVarsStateRequest", filter = "adj_vars_state_request", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[200].fields = {
+  messages[201] = {name = "AdjVarsStateRequest", filter = "adj_vars_state_request", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[201].fields = {
     {name = "trigger_slot", type = "u8", count = 1, fixed = 1},
     {name = "analog_slot", type = "u8", count = 1, fixed = 1},
   }
 
-  messages[201] = {name = "AdjVarsStateRequestExt", filter = "adj_vars_state_request_ext", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 7, max = 7, open = true, takes_surplus = true, tail = 248, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[201].fields = {
+  messages[202] = {name = "AdjVarsStateRequestExt", filter = "adj_vars_state_request_ext", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 7, max = 7, open = true, takes_surplus = true, tail = 248, does = {"reads"}, answers = {{messages = {"AdjVarsStateExt"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[202].fields = {
     {name = "trigger_slot", type = "u8", count = 1, fixed = 1, min = 0, max = 9},
     {name = "analog_src_id", type = "u16", count = 1, fixed = 2},
     {name = "analog_var_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
@@ -2099,151 +2108,151 @@ local protocol = (function()
     {name = "lut_var_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
   }
 
-  messages[202] = {name = "AdjVarsInfo", filter = "adj_vars_info", command = "CMD_ADJ_VARS_INFO", id = 132, min = 1, max = 255, open = true, tail = 254}
-  messages[202].fields = {
+  messages[203] = {name = "AdjVarsInfo", filter = "adj_vars_info", command = "CMD_ADJ_VARS_INFO", id = 132, min = 1, max = 255, open = true, tail = 254}
+  messages[203].fields = {
     {name = "total_number", type = "u8", count = 1, fixed = 1},
     {name = "vars", struct = "AdjVarInfo37", dim = "rest", capacity = 25},
   }
 
-  messages[203] = {name = "AdjVarsInfoRequest", filter = "adj_vars_info_request", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[203].fields = {
+  messages[204] = {name = "AdjVarsInfoRequest", filter = "adj_vars_info_request", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[204].fields = {
     {name = "start_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
   }
 
-  messages[204] = {name = "AdjVarsInfoRequestAll", filter = "adj_vars_info_request_all", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[204].fields = {
-  }
-
-  messages[205] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
+  messages[205] = {name = "AdjVarsInfoRequestAll", filter = "adj_vars_info_request_all", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[205].fields = {
-    {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
-    {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
   }
 
-  messages[206] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[206] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
   messages[206].fields = {
     {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
   }
 
-  messages[207] = {name = "GetAdjVarsValF", filter = "get_adj_vars_val_f", command = "CMD_GET_ADJ_VARS_VAL_F", id = 135, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsValF"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsValF = {{field = "id", at = 1, size = 1}}}}}}
+  messages[207] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[207].fields = {
+    {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
+    {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
+  }
+
+  messages[208] = {name = "GetAdjVarsValF", filter = "get_adj_vars_val_f", command = "CMD_GET_ADJ_VARS_VAL_F", id = 135, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsValF"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsValF = {{field = "id", at = 1, size = 1}}}}}}
+  messages[208].fields = {
     {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "id", type = "u8", enum = "VariableId", dim = "counted", capacity = 254, counter = "num_params"},
   }
 
-  messages[208] = {name = "EepromWrite", filter = "eeprom_write", command = "CMD_EEPROM_WRITE", id = 47, to_board = true, min = 4, max = 196, open = true, tail = 251, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[208].fields = {
+  messages[209] = {name = "EepromWrite", filter = "eeprom_write", command = "CMD_EEPROM_WRITE", id = 47, to_board = true, min = 4, max = 196, open = true, tail = 251, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[209].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[209] = {name = "ReadFile", filter = "read_file", command = "CMD_READ_FILE", id = 53, min = 4, max = 255, open = true, tail = 251}
-  messages[209].fields = {
+  messages[210] = {name = "ReadFile", filter = "read_file", command = "CMD_READ_FILE", id = 53, min = 4, max = 255, open = true, tail = 251}
+  messages[210].fields = {
     {name = "file_size", type = "u16", unit = "byte", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[210] = {name = "ReadFileError", filter = "read_file_error", command = "CMD_READ_FILE", id = 53, min = 1, max = 1, tail = 254}
-  messages[210].fields = {
+  messages[211] = {name = "ReadFileError", filter = "read_file_error", command = "CMD_READ_FILE", id = 53, min = 1, max = 1, tail = 254}
+  messages[211].fields = {
     {name = "err_code", type = "u8", enum = "FileError", count = 1, fixed = 1},
   }
 
-  messages[211] = {name = "ReadFileRequest", filter = "read_file_request", command = "CMD_READ_FILE", id = 53, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"reads"}, answers = {{messages = {"ReadFile", "ReadFileError"}, certain = true, timeout = 0.5, repeated = {ReadFile = {{field = "page_offset", at = 2, size = 2}}}}}}
-  messages[211].fields = {
+  messages[212] = {name = "ReadFileRequest", filter = "read_file_request", command = "CMD_READ_FILE", id = 53, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"reads"}, answers = {{messages = {"ReadFile", "ReadFileError"}, certain = true, timeout = 0.5, repeated = {ReadFile = {{field = "page_offset", at = 2, size = 2}}}}}}
+  messages[212].fields = {
     {name = "file_id", type = "u16", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "max_data_size", type = "u16", unit = "byte", count = 1, fixed = 2, min = 0, max = 251},
     {name = "reserved", blob = "bytes", size = 14, count = 1, fixed = 14, reserved = true},
   }
 
-  messages[212] = {name = "WriteFile", filter = "write_file", command = "CMD_WRITE_FILE", id = 54, to_board = true, min = 6, max = 255, open = true, tail = 249, does = {"stores", "erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[212].fields = {
+  messages[213] = {name = "WriteFile", filter = "write_file", command = "CMD_WRITE_FILE", id = 54, to_board = true, min = 6, max = 255, open = true, tail = 249, does = {"stores", "erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[213].fields = {
     {name = "file_id", type = "u16", count = 1, fixed = 2},
     {name = "file_size", type = "u16", unit = "byte", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 249},
   }
 
-  messages[213] = {name = "FsClearAll", filter = "fs_clear_all", command = "CMD_FS_CLEAR_ALL", id = 55, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[213].fields = {
+  messages[214] = {name = "FsClearAll", filter = "fs_clear_all", command = "CMD_FS_CLEAR_ALL", id = 55, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[214].fields = {
   }
 
-  messages[214] = {name = "EepromRead", filter = "eeprom_read", command = "CMD_EEPROM_READ", id = 48, min = 4, max = 196, open = true, tail = 251}
-  messages[214].fields = {
+  messages[215] = {name = "EepromRead", filter = "eeprom_read", command = "CMD_EEPROM_READ", id = 48, min = 4, max = 196, open = true, tail = 251}
+  messages[215].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[215] = {name = "EepromReadRequest", filter = "eeprom_read_request", command = "CMD_EEPROM_READ", id = 48, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"reads"}, answers = {{messages = {"EepromRead"}, certain = true, timeout = 0.5, repeated = {EepromRead = {{field = "addr", at = 0, size = 4}}}}}}
-  messages[215].fields = {
+  messages[216] = {name = "EepromReadRequest", filter = "eeprom_read_request", command = "CMD_EEPROM_READ", id = 48, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"reads"}, answers = {{messages = {"EepromRead"}, certain = true, timeout = 0.5, repeated = {EepromRead = {{field = "addr", at = 0, size = 4}}}}}}
+  messages[216].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "size", type = "u16", unit = "byte", count = 1, fixed = 2, min = 0, max = 192},
   }
 
-  messages[216] = {name = "ReadExternalData", filter = "read_external_data", command = "CMD_READ_EXTERNAL_DATA", id = 42, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
-  messages[216].fields = {
-    {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
-  }
-
-  messages[217] = {name = "ReadExternalDataRequest", filter = "read_external_data_request", command = "CMD_READ_EXTERNAL_DATA", id = 42, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadExternalData"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[217] = {name = "ReadExternalData", filter = "read_external_data", command = "CMD_READ_EXTERNAL_DATA", id = 42, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
   messages[217].fields = {
-  }
-
-  messages[218] = {name = "WriteExternalData", filter = "write_external_data", command = "CMD_WRITE_EXTERNAL_DATA", id = 41, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
-  messages[218].fields = {
     {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
   }
 
-  messages[219] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[218] = {name = "ReadExternalDataRequest", filter = "read_external_data_request", command = "CMD_READ_EXTERNAL_DATA", id = 42, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadExternalData"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[218].fields = {
+  }
+
+  messages[219] = {name = "WriteExternalData", filter = "write_external_data", command = "CMD_WRITE_EXTERNAL_DATA", id = 41, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
   messages[219].fields = {
+    {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
+  }
+
+  messages[220] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[220].fields = {
     {name = "mode", type = "u8", enum = "ScriptMode", count = 1, fixed = 1},
     {name = "slot", type = "u8", count = 1, fixed = 1},
     {name = "reserved", blob = "bytes", size = 32, count = 1, fixed = 32, reserved = true},
   }
 
-  messages[220] = {name = "ScriptDebug", filter = "script_debug", command = "CMD_SCRIPT_DEBUG", id = 58, min = 3, max = 3, open = true, keeps_tail = true, tail = 252}
-  messages[220].fields = {
+  messages[221] = {name = "ScriptDebug", filter = "script_debug", command = "CMD_SCRIPT_DEBUG", id = 58, min = 3, max = 3, open = true, keeps_tail = true, tail = 252}
+  messages[221].fields = {
     {name = "cmd_count", type = "u16", count = 1, fixed = 2},
     {name = "err_code", type = "u8", enum = "FileError", count = 1, fixed = 1},
   }
 
-  messages[221] = {name = "DebugVarsInfo3", filter = "debug_vars_info3", command = "CMD_DEBUG_VARS_INFO_3", id = 253, min = 1, max = 255, open = true, keeps_tail = true, tail = 254}
-  messages[221].fields = {
+  messages[222] = {name = "DebugVarsInfo3", filter = "debug_vars_info3", command = "CMD_DEBUG_VARS_INFO_3", id = 253, min = 1, max = 255, open = true, keeps_tail = true, tail = 254}
+  messages[222].fields = {
     {name = "debug_vars_num", type = "u8", count = 1, fixed = 1, min = 1, max = 255},
     {name = "vars", struct = "DebugVarInfo39", dim = "counted", capacity = 63, counter = "debug_vars_num"},
   }
 
-  messages[222] = {name = "DebugVarsInfo3Request", filter = "debug_vars_info3request", command = "CMD_DEBUG_VARS_INFO_3", id = 253, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVarsInfo3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[222].fields = {
+  messages[223] = {name = "DebugVarsInfo3Request", filter = "debug_vars_info3request", command = "CMD_DEBUG_VARS_INFO_3", id = 253, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVarsInfo3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[223].fields = {
     {name = "start_idx", type = "u8", count = 1, fixed = 1, appended = true},
   }
 
-  messages[223] = {name = "DebugVars3", filter = "debug_vars3", command = "CMD_DEBUG_VARS_3", id = 254, min = 0, max = 255, open = true, keeps_tail = true, tail = 255}
-  messages[223].fields = {
+  messages[224] = {name = "DebugVars3", filter = "debug_vars3", command = "CMD_DEBUG_VARS_3", id = 254, min = 0, max = 255, open = true, keeps_tail = true, tail = 255}
+  messages[224].fields = {
     {name = "var_value", announced = "types", dim = "rest", capacity = 255},
   }
 
-  messages[224] = {name = "DebugVars3Request", filter = "debug_vars3request", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVars3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[224].fields = {
+  messages[225] = {name = "DebugVars3Request", filter = "debug_vars3request", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVars3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[225].fields = {
   }
 
-  messages[225] = {name = "DebugVars3RequestSelected", filter = "debug_vars3request_selected", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 4, max = 32, open = true, tail = 251, does = {"reads"}, answers = {{timeout = 0.5}}}
-  messages[225].fields = {
+  messages[226] = {name = "DebugVars3RequestSelected", filter = "debug_vars3request_selected", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 4, max = 32, open = true, tail = 251, does = {"reads"}, answers = {{timeout = 0.5}}}
+  messages[226].fields = {
     {name = "selected_mask", type = "u32", dim = "rest", capacity = 63, min_count = 1},
   }
 
-  messages[226] = {name = "SetDebugPort", filter = "set_debug_port", command = "CMD_SET_DEBUG_PORT", id = 249, min = 4, max = 255, open = true, tail = 251}
-  messages[226].fields = {
+  messages[227] = {name = "SetDebugPort", filter = "set_debug_port", command = "CMD_SET_DEBUG_PORT", id = 249, min = 4, max = 255, open = true, tail = 251}
+  messages[227].fields = {
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "port_and_dir", type = "u8", packed = "DebugPortLine", count = 1, fixed = 1},
     {name = "cmd_id", type = "u8", count = 1, fixed = 1},
     {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[227] = {name = "SetDebugPortRequest", filter = "set_debug_port_request", command = "CMD_SET_DEBUG_PORT", id = 249, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[227].fields = {
+  messages[228] = {name = "SetDebugPortRequest", filter = "set_debug_port_request", command = "CMD_SET_DEBUG_PORT", id = 249, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[228].fields = {
     {name = "action", type = "u8", enum = "DebugPortAction", count = 1, fixed = 1},
     {name = "cmd_filter", type = "u32", enum = "DebugPortCommands", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 11, count = 1, fixed = 11, reserved = true},
@@ -2394,6 +2403,8 @@ local protocol = (function()
       {name = "v2", start = 36, header = 4, trailer = 2, most = 255, id = 1, size = 2, in_header = {{kind = "sum8", is_first = true, at = 3, bytes = 1, from = 1, to = 3}}, in_trailer = {{kind = "crc16", at = 0, bytes = 2, from = 1, width = 16, polynomial = 32773, initial = 0, reflect_in = true, final = 0}}},
     },
     learns = {
+      {from = "AdjVarsStateRequest", ["for"] = 46, name = "asked", is = "AdjVarsState"},
+      {from = "AdjVarsStateRequestExt", ["for"] = 46, name = "asked", is = "AdjVarsStateExt"},
       {from = "RealtimeDataCustomRequest", path = {"flags"}, ["for"] = "RealtimeDataCustom", name = "flags"},
       {from = "DataStreamInterval", path = {"config", "flags"}, ["for"] = "RealtimeDataCustom", name = "flags"},
       {from = "RealtimeDataCustom2Request", path = {"flags"}, ["for"] = "RealtimeDataCustom2", name = "flags"},
@@ -2805,14 +2816,19 @@ for _, message in ipairs(protocol.messages) do
   M.commands[message.id] = M.commands[message.id] or message.command
 end
 
--- The message of a body, or nil and the reason.
-function M.choose(to_board, id, size)
+-- The message of a body, or nil and the reason; of several of one size, the one that was asked for.
+function M.choose(to_board, id, size, asked)
   local forms = M.forms[to_board][id]
   if not forms then return nil, "unknown command" end
   if #forms == 1 then return forms[1] end
+  local found
   for _, form in ipairs(forms) do
-    if (form.min or 0) <= size and (form.open or size <= (form.max or 0)) then return form end
+    if (form.min or 0) <= size and (form.open or size <= (form.max or 0)) then
+      if form.name == asked then return form end
+      if not form.asked then found = found or form end
+    end
   end
+  if found then return found end
   return nil, "no form of the command has " .. size .. " bytes"
 end
 
@@ -3527,7 +3543,9 @@ function M.learn(known_facts, message, values)
   local result = known_facts
   for _, fact in ipairs(learners[message.name] or {}) do
     local value
-    if fact.list then
+    if fact.is then
+      value = fact.is
+    elseif fact.list then
       value = types_in(fact, values)
     else
       value = values
@@ -3890,7 +3908,8 @@ end
 
 -- Decodes a frame as far as it is asked: for its tree, for what later bodies need, or for its request.
 local function take(one, frame, all, known, pinfo, ordinal, to_board, tree, wants_tree)
-  local message, reason = nodes.choose(to_board, frame.id, frame.body_size)
+  local asked = not to_board and (known[frame.id] or {}).asked
+  local message, reason = nodes.choose(to_board, frame.id, frame.body_size, asked)
   local taken = {frame = frame, message = message, reason = reason}
   if not message then
     local name = nodes.commands[frame.id] or protocol.prefix .. frame.id

@@ -339,7 +339,9 @@ def message_json(message: Message, layout: Layout) -> dict[str, Any]:
         ],
     }
     sizes = [{"since": version(since), "size": size} for since, size in message.lengths]
+    asked = layout.asked_forms(message)
     return result | given(
+        asked_by=asked.asks_for(message) if asked else None,
         stops=[[_stop_value(value) for value in pattern] for pattern in message.stops] or None,
         preparation=message.preparation or None,
         needs=message.needs or None,
