@@ -246,12 +246,16 @@ def test_the_request_decides_between_answers_of_one_size() -> None:
     assert (alone["message"], alone["fields"]["analog_value"]) == ("AdjVarsState", 1069547520)
     (other,) = alone["others"]
     assert (other["message"], other["after"]) == ("AdjVarsStateExt", "AdjVarsStateRequestExt")
-    values = [other["fields"][name] for name in ("analog_var_value", "lut_src_value", "lut_var_value")]
+    values = [
+        other["fields"][name] for name in ("analog_var_value", "lut_src_value", "lut_var_value")
+    ]
     assert values == [1.5, 100, -2.25]
     for request, fields in ((bytes(2), alone["fields"]), (bytes(7), other["fields"])):
         line = decode(frame(46, request) + answer)[-1]
         assert "others" not in line and line["fields"] == fields
-    assert "after AdjVarsStateRequestExt, it is AdjVarsStateExt:\n" in run("decode", stdin=answer).text
+    assert (
+        "after AdjVarsStateRequestExt, it is AdjVarsStateExt:\n" in run("decode", stdin=answer).text
+    )
 
 
 @pytest.mark.parametrize("vector", valid_frames(), ids=lambda v: v["meaning"][:40])

@@ -231,7 +231,13 @@ def learns(layout: Layout) -> Iterator[Table]:
     """What bodies need to know from earlier messages, and where they learn it."""
     for asked in layout.asked:
         for request, form in asked.requests:
-            yield {"from": request.name, "path": (), "for": form.id, "name": "asked", "is": form.name}
+            yield {
+                "from": request.name,
+                "path": (),
+                "for": form.id,
+                "name": "asked",
+                "is": form.name,
+            }
     for one in layout.messages:
         for context in one.contexts:
             for source, path in context.sources:
