@@ -23,7 +23,7 @@ namespace sbgc::emulator {
 /// True if a message holds parameters of the board.
 template <class M>
 inline constexpr bool holds_parameters = requires {
-  ParametersOf<M>::copies;
+  ParametersOf<sbgc::detail::CodedAs<M>>::copies;
 };
 
 /// Returns the frame to send in place of one that reports a change of the memory if saving failed:
@@ -52,8 +52,8 @@ class RequestContext {
     if (is_supported<M>(versions())) send(message);
     return Reaction::executed;
   }
-  /// The same, even if this board does not support the message otherwise: old requests have the
-  /// responses of newer ones (E020, E120).
+  /// The same, even if this board does not support the message otherwise: an old request has the
+  /// response of a newer one (E020).
   template <Message M>
   Reaction answer_anyway(const M& message) {
     send(message);

@@ -44,14 +44,6 @@ std::pair<std::string_view, std::string_view> split(std::string_view text, char 
 /// About 11 days: longer times are considered a mistake.
 constexpr double most_seconds = 1e6;
 
-bool read_share(std::string_view text, double& share) {
-  const bool is_percent = text.ends_with('%');
-  if (is_percent) text.remove_suffix(1);
-  if (!read(text, is_percent ? 100.0 : 1.0, share)) return false;
-  if (is_percent) share /= 100;
-  return true;
-}
-
 bool read_duration(std::string_view text, double us_per_unit, Duration& duration) {
   double number = 0;
   if (!read(text, most_seconds * 1e6 / us_per_unit, number)) return false;
@@ -85,19 +77,32 @@ hosts::ListenAddress parse_listen(const std::string& text) {
   return result;
 }
 
+std::optional<double> read_share(std::string_view text, double least, double most) {
+  const bool is_percent = text.ends_with('%');
+  if (is_percent) text.remove_suffix(1);
+  const auto number = sbgc::detail::parse_number<double>(text);
+  if (!number || (least >= 0 && text.front() == '-')) return {};
+  const double share = is_percent ? *number / 100 : *number;
+  return share >= least && share <= most ? std::optional(share) : std::nullopt;  // NaN is neither
+}
+
 double parse_share(const std::string& text) {
-  double share = 0;
-  if (!read_share(text, share)) refuse(text, "a share from 0 to 1, such as 0.01 or 1%");
-  return share;
+  const auto share = read_share(text, 0, 1);
+  if (!share) refuse(text, "a share from 0 to 1 (0% to 100%), such as 0.01 or 1%");
+  return *share;
 }
 
 DelayFault parse_delay(const std::string& text) {
   DelayFault result;
-  const auto [share, delay] = split(text, ':');
-  const bool has_delay = share.size() < text.size();
-  if (!read_share(share, result.share) || (has_delay && !read_duration(delay, 1e3, result.delay))) {
-    refuse(text, "a share, or a share and milliseconds, such as 1% or 0.01:50");
+  const auto [part, delay] = split(text, ':');
+  const bool has_delay = part.size() < text.size();
+  const auto share = read_share(part, 0, 1);
+  if (!share || (has_delay && !read_duration(delay, 1e3, result.delay))) {
+    refuse(text,
+           "a share from 0 to 1 (0% to 100%), alone or with up to 1000000000 milliseconds, such as "
+           "1% or 0.01:50");
   }
+  result.share = *share;
   return result;
 }
 
@@ -105,7 +110,7 @@ emulator::Silence parse_silence(const std::string& text) {
   emulator::Silence result;
   const auto [from, length] = split(text, ':');
   if (!read_duration(from, 1e6, result.from) || !read_duration(length, 1e6, result.length)) {
-    refuse(text, "FROM:LENGTH in seconds, such as 10:2.5");
+    refuse(text, "FROM:LENGTH in seconds, each up to 1000000, such as 10:2.5");
   }
   return result;
 }

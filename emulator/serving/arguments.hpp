@@ -2,7 +2,9 @@
 /// that states the error and the expected format.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <sbgc/emulator/disturbance.hpp>
 #include <sbgc/emulator/line.hpp>
@@ -16,7 +18,9 @@ namespace sbgc::serving {
 /// supported.
 hosts::ListenAddress parse_listen(const std::string& text);
 
-/// For example "0.01" or "1%".
+/// Reads "0.01" or "1%". Returns nothing for other text or a share outside the range.
+std::optional<double> read_share(std::string_view text, double least, double most);
+/// From 0 to 1.
 double parse_share(const std::string& text);
 
 /// For example "0.01" or "0.01:50", with the time in milliseconds.

@@ -15,6 +15,8 @@
 #include <sbgc/detail/words.hpp>
 #include <sbgc/meta/enums.hpp>
 
+#include "serving/arguments.hpp"
+
 namespace sbgc::serving {
 
 namespace {
@@ -50,25 +52,36 @@ class Value {
                           sbgc::detail::is_same_word(text.substr(text.size() - unit.size()), unit);
     if (has_unit) text.remove_suffix(unit.size());
     const auto number = sbgc::detail::parse_number<double>(text);
-    if (!number || !(*number >= least && *number <= most)) refuse();
+    if (!number || !(*number >= least && *number <= most)) {
+      refuse_part(fmt::format("from {} to {}{}{}", least, most, unit.empty() ? "" : " ", unit));
+    }
     return *number;
+  }
+  double share(double usual, double least, double most) {
+    const auto part = next();
+    if (!part) return usual;
+    const auto share = read_share(*part, least, most);
+    if (!share) {
+      refuse_part(fmt::format("from {} to {} ({}% to {}%)", least, most, least * 100, most * 100));
+    }
+    return *share;
   }
   std::size_t axis(std::size_t usual) {
     const auto part = next();
     if (!part) return usual;
     const auto* const name = std::ranges::find_if(
         axis_names, [&](std::string_view one) { return sbgc::detail::is_same_word(*part, one); });
-    if (name == axis_names.end()) refuse();
+    if (name == axis_names.end()) refuse_part("roll, pitch or yaw");
     return static_cast<std::size_t>(name - axis_names.begin());
   }
   /// Nothing may follow.
   void end() const {
     if (used_ < parts_.size()) refuse();
   }
-  [[noreturn]] void refuse() const {
-    throw std::invalid_argument(*wanted_ == '\0'
-                                    ? fmt::format("the fault '{}' has no value", fault_)
-                                    : fmt::format("the fault is {}{}", fault_, wanted_));
+  [[noreturn]] void refuse(const std::string& detail = {}) const {
+    throw std::invalid_argument(
+        *wanted_ == '\0' ? fmt::format("the fault '{}' has no value", fault_)
+                         : fmt::format("the fault is {}{}{}", fault_, wanted_, detail));
   }
   bool is_given() const { return !parts_.empty(); }
 
@@ -76,6 +89,18 @@ class Value {
   std::optional<std::string> next() {
     if (used_ == parts_.size()) return {};
     return parts_[used_++];
+  }
+  /// Says what the part that was read last may be, under its name in `wanted_`.
+  [[noreturn]] void refuse_part(const std::string& range) const {
+    constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const std::string_view form = wanted_;
+    std::size_t from = 0;
+    std::size_t to = 0;
+    for (std::size_t part = 0; part < used_; ++part) {
+      from = form.find_first_of(letters, to);
+      to = form.find_first_not_of(letters, from);
+    }
+    refuse(fmt::format(", {} {}", form.substr(from, to - from), range));
   }
 
   std::string_view fault_;
@@ -105,7 +130,7 @@ constexpr std::array faults{
     Fault{"missed-steps", "", report<msg::SystemError::miss_steps>},
     Fault{"imbalance", "[=SHARE[:AXIS]]",
           [](BoardOptions& board, Value& value) {
-            const double share = value.number(0.3, -1, 1);
+            const double share = value.share(0.3, -1, 1);
             board.gimbal.imbalance[value.axis(1)] = share;
           }},
     Fault{"overload", "[=AXIS]",

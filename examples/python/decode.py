@@ -48,10 +48,14 @@ class Decoder:
         }
         self.parts = {p["name"]: {x["name"]: x for x in p["parts"]} for p in model["packed"]}
 
-    def choose(self, direction: str, number: int, size: int) -> Object:
-        """The message of a body. The longest form of a command may be longer than described."""
-        forms = [m for m in self.messages if (m["direction"], m["id"]) == (direction, number)]
-        forms.sort(key=lambda form: int(form["max_size"]))
+    def choose(self, direction: str, number: int, size: int, request: str = "") -> Object:
+        """The message of a body. The longest form of a command may be longer than described.
+
+        Of several forms of one size, it is the one that the last request asked for, or else the first.
+        """
+        known = [m for m in self.messages if (m["direction"], m["id"]) == (direction, number)]
+        known.sort(key=lambda m: (int(m["max_size"]), request not in m.get("asked_by", ())))
+        forms = list({(m["min_size"], m["max_size"]): m for m in known[::-1]}.values())[::-1]
         for form in forms:
             if form["min_size"] <= size <= form["max_size"] or form is forms[-1]:
                 return form

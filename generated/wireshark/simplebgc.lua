@@ -7,7 +7,7 @@
 local protocol = (function()
   local enums, packed, structs, messages = {}, {}, {}, {}
   enums.CommandToBoard = {values = {{20, "CMD_BOARD_INFO_3", "board_info_3"}, {21, "CMD_READ_PARAMS_3", "read_params_3"}, {22, "CMD_WRITE_PARAMS_3", "write_params_3"}, {23, "CMD_REALTIME_DATA_3", "realtime_data_3"}, {24, "CMD_SELECT_IMU_3", "select_imu_3"}, {25, "CMD_REALTIME_DATA_4", "realtime_data_4"}, {26, "CMD_ENCODERS_CALIB_OFFSET_4", "encoders_calib_offset_4"}, {27, "CMD_ENCODERS_CALIB_FLD_OFFSET_4", "encoders_calib_fld_offset_4"}, {28, "CMD_READ_PROFILE_NAMES", "read_profile_names"}, {29, "CMD_WRITE_PROFILE_NAMES", "write_profile_names"}, {30, "CMD_QUEUE_PARAMS_INFO_3", "queue_params_info_3"}, {31, "CMD_SET_ADJ_VARS_VAL", "set_adj_vars_val"}, {32, "CMD_SAVE_PARAMS_3", "save_params_3"}, {33, "CMD_READ_PARAMS_EXT", "read_params_ext"}, {34, "CMD_WRITE_PARAMS_EXT", "write_params_ext"}, {35, "CMD_AUTO_PID", "auto_pid"}, {36, "CMD_SERVO_OUT", "servo_out"}, {37, "CMD_BODE_TEST_START_STOP", "bode_test_start_stop"}, {39, "CMD_I2C_WRITE_REG_BUF", "i2c_write_reg_buf"}, {40, "CMD_I2C_READ_REG_BUF", "i2c_read_reg_buf"}, {41, "CMD_WRITE_EXTERNAL_DATA", "write_external_data"}, {42, "CMD_READ_EXTERNAL_DATA", "read_external_data"}, {43, "CMD_READ_ADJ_VARS_CFG", "read_adj_vars_cfg"}, {44, "CMD_WRITE_ADJ_VARS_CFG", "write_adj_vars_cfg"}, {45, "CMD_API_VIRT_CH_CONTROL", "api_virt_ch_control"}, {46, "CMD_ADJ_VARS_STATE", "adj_vars_state"}, {47, "CMD_EEPROM_WRITE", "eeprom_write"}, {48, "CMD_EEPROM_READ", "eeprom_read"}, {49, "CMD_CALIB_INFO", "calib_info"}, {50, "CMD_SIGN_MESSAGE", "sign_message"}, {51, "CMD_BOOT_MODE_3", "boot_mode_3"}, {52, "CMD_SYSTEM_STATE", "system_state"}, {53, "CMD_READ_FILE", "read_file"}, {54, "CMD_WRITE_FILE", "write_file"}, {55, "CMD_FS_CLEAR_ALL", "fs_clear_all"}, {56, "CMD_AHRS_HELPER", "ahrs_helper"}, {57, "CMD_RUN_SCRIPT", "run_script"}, {59, "CMD_CALIB_MAG", "calib_mag"}, {60, "CMD_UART_BYPASS", "uart_bypass"}, {61, "CMD_GET_ANGLES_EXT", "get_angles_ext"}, {62, "CMD_READ_PARAMS_EXT2", "read_params_ext2"}, {63, "CMD_WRITE_PARAMS_EXT2", "write_params_ext2"}, {64, "CMD_GET_ADJ_VARS_VAL", "get_adj_vars_val"}, {65, "CMD_CALIB_ACC", "calib_acc"}, {66, "CMD_CALIB_BAT", "calib_bat"}, {67, "CMD_CONTROL", "control"}, {68, "CMD_REALTIME_DATA", "realtime_data"}, {69, "CMD_EXECUTE_MENU", "execute_menu"}, {70, "CMD_USE_DEFAULTS", "use_defaults"}, {71, "CMD_CALIB_EXT_GAIN", "calib_ext_gain"}, {72, "CMD_HELPER_DATA", "helper_data"}, {73, "CMD_GET_ANGLES", "get_angles"}, {74, "CMD_CALIB_MOTOR_MAG_LINK", "calib_motor_mag_link"}, {75, "CMD_GYRO_CORRECTION", "gyro_correction"}, {76, "CMD_MODULE_LIST", "module_list"}, {77, "CMD_MOTORS_ON", "motors_on"}, {78, "CMD_MODULE_FLASH_START", "module_flash_start"}, {79, "CMD_CALIB_OFFSET", "calib_offset"}, {80, "CMD_CALIB_POLES", "calib_poles"}, {81, "CMD_MODULE_FLASH_WRITE", "module_flash_write"}, {82, "CMD_READ_PARAMS", "read_params"}, {83, "CMD_MODULE_FLASH_FINISH", "module_flash_finish"}, {84, "CMD_TRIGGER_PIN", "trigger_pin"}, {85, "CMD_DATA_STREAM_INTERVAL", "data_stream_interval"}, {86, "CMD_BOARD_INFO", "board_info"}, {87, "CMD_WRITE_PARAMS", "write_params"}, {88, "CMD_REALTIME_DATA_CUSTOM", "realtime_data_custom"}, {89, "CMD_BEEP_SOUND", "beep_sound"}, {90, "CMD_CONTROL_CONFIG", "control_config"}, {91, "CMD_CALIB_ORIENT_CORR", "calib_orient_corr"}, {92, "CMD_COGGING_CALIB_INFO", "cogging_calib_info"}, {93, "CMD_CALIB_COGGING", "calib_cogging"}, {94, "CMD_CALIB_ACC_EXT_REF", "calib_acc_ext_ref"}, {95, "CMD_PROFILE_SET", "profile_set"}, {96, "CMD_CAN_DEVICE_SCAN", "can_device_scan"}, {97, "CMD_CAN_DRV_HARD_PARAMS", "can_drv_hard_params"}, {98, "CMD_CAN_DRV_STATE", "can_drv_state"}, {99, "CMD_CAN_DRV_CALIBRATE", "can_drv_calibrate"}, {100, "CMD_READ_RC_INPUTS", "read_rc_inputs"}, {101, "CMD_REALTIME_DATA_CAN_DRV", "realtime_data_can_drv"}, {103, "CMD_CALIB_GYRO", "calib_gyro"}, {104, "CMD_READ_PARAMS_EXT3", "read_params_ext3"}, {105, "CMD_WRITE_PARAMS_EXT3", "write_params_ext3"}, {106, "CMD_EXT_IMU_DEBUG_INFO", "ext_imu_debug_info"}, {107, "CMD_SET_DEVICE_ADDR", "set_device_addr"}, {108, "CMD_AUTO_PID2", "auto_pid2"}, {109, "CMD_MOTORS_OFF", "motors_off"}, {110, "CMD_EXT_IMU_CMD", "ext_imu_cmd"}, {111, "CMD_READ_STATE_VARS", "read_state_vars"}, {112, "CMD_WRITE_STATE_VARS", "write_state_vars"}, {113, "CMD_SERIAL_PROXY", "serial_proxy"}, {114, "CMD_RESET", "reset"}, {115, "CMD_IMU_ADVANCED_CALIB", "imu_advanced_calib"}, {116, "CMD_API_VIRT_CH_HIGH_RES", "api_virt_ch_high_res"}, {117, "CMD_CALIB_ENCODER_LUT", "calib_encoder_lut"}, {118, "CMD_CALIB_ENCODER_LUT_RES", "calib_encoder_lut_res"}, {119, "CMD_WRITE_PARAMS_SET", "write_params_set"}, {120, "CMD_CALIB_CUR_SENS", "calib_cur_sens"}, {121, "CMD_CONTROL_EXT", "control_ext"}, {122, "CMD_ENC_INT_CALIB", "enc_int_calib"}, {123, "CMD_SYNC_MOTORS", "sync_motors"}, {124, "CMD_EXT_LICENSE_INFO", "ext_license_info"}, {125, "CMD_VIBRATION_TEST_START_STOP", "vibration_test_start_stop"}, {126, "CMD_VIBRATION_TEST_DATA", "vibration_test_data"}, {128, "CMD_EXT_MOTORS_ACTION", "ext_motors_action"}, {129, "CMD_EXT_MOTORS_CONTROL", "ext_motors_control"}, {130, "CMD_EXT_MOTORS_CONTROL_CONFIG", "ext_motors_control_config"}, {131, "CMD_EXT_MOTORS_STATE", "ext_motors_state"}, {132, "CMD_ADJ_VARS_INFO", "adj_vars_info"}, {133, "CMD_SERVO_OUT_EXT", "servo_out_ext"}, {134, "CMD_SET_ADJ_VARS_VAL_F", "set_adj_vars_val_f"}, {135, "CMD_GET_ADJ_VARS_VAL_F", "get_adj_vars_val_f"}, {136, "CMD_PASS_PROTECT_READ", "pass_protect_read"}, {137, "CMD_PASS_PROTECT_WRITE", "pass_protect_write"}, {139, "CMD_REALTIME_DATA_CUSTOM2", "realtime_data_custom2"}, {140, "CMD_CONTROL_QUAT", "control_quat"}, {141, "CMD_CONTROL_QUAT_STATUS", "control_quat_status"}, {142, "CMD_CONTROL_QUAT_CONFIG", "control_quat_config"}, {143, "CMD_SET_TRANSP_PROXY", "set_transp_proxy"}, {144, "CMD_UDRV_DEVICE_SCAN", "udrv_device_scan"}, {150, "CMD_EXT_SENS_CMD", "ext_sens_cmd"}, {151, "CMD_TRANSPARENT_SAPI", "transparent_sapi"}, {249, "CMD_SET_DEBUG_PORT", "set_debug_port"}, {250, "CMD_MAVLINK_INFO", "mavlink_info"}, {251, "CMD_MAVLINK_DEBUG", "mavlink_debug"}, {253, "CMD_DEBUG_VARS_INFO_3", "debug_vars_info_3"}, {254, "CMD_DEBUG_VARS_3", "debug_vars_3"}}}
-  enums.CommandFromBoard = {values = {{20, "CMD_BOARD_INFO_3", "board_info_3"}, {21, "CMD_READ_PARAMS_3", "read_params_3"}, {23, "CMD_REALTIME_DATA_3", "realtime_data_3"}, {25, "CMD_REALTIME_DATA_4", "realtime_data_4"}, {28, "CMD_READ_PROFILE_NAMES", "read_profile_names"}, {30, "CMD_QUEUE_PARAMS_INFO_3", "queue_params_info_3"}, {31, "CMD_SET_ADJ_VARS_VAL", "set_adj_vars_val"}, {33, "CMD_READ_PARAMS_EXT", "read_params_ext"}, {35, "CMD_AUTO_PID", "auto_pid"}, {37, "CMD_BODE_TEST_START_STOP", "bode_test_start_stop"}, {38, "CMD_BODE_TEST_DATA", "bode_test_data"}, {40, "CMD_I2C_READ_REG_BUF", "i2c_read_reg_buf"}, {42, "CMD_READ_EXTERNAL_DATA", "read_external_data"}, {43, "CMD_READ_ADJ_VARS_CFG", "read_adj_vars_cfg"}, {46, "CMD_ADJ_VARS_STATE", "adj_vars_state"}, {48, "CMD_EEPROM_READ", "eeprom_read"}, {49, "CMD_CALIB_INFO", "calib_info"}, {50, "CMD_SIGN_MESSAGE", "sign_message"}, {52, "CMD_SYSTEM_STATE", "system_state"}, {53, "CMD_READ_FILE", "read_file"}, {56, "CMD_AHRS_HELPER", "ahrs_helper"}, {58, "CMD_SCRIPT_DEBUG", "script_debug"}, {60, "CMD_UART_BYPASS", "uart_bypass"}, {61, "CMD_GET_ANGLES_EXT", "get_angles_ext"}, {62, "CMD_READ_PARAMS_EXT2", "read_params_ext2"}, {67, "CMD_CONFIRM", "confirm"}, {73, "CMD_GET_ANGLES", "get_angles"}, {74, "CMD_CALIB_MOTOR_MAG_LINK", "calib_motor_mag_link"}, {76, "CMD_MODULE_LIST", "module_list"}, {86, "CMD_BOARD_INFO", "board_info"}, {88, "CMD_REALTIME_DATA_CUSTOM", "realtime_data_custom"}, {92, "CMD_COGGING_CALIB_INFO", "cogging_calib_info"}, {96, "CMD_CAN_DEVICE_SCAN", "can_device_scan"}, {97, "CMD_CAN_DRV_HARD_PARAMS", "can_drv_hard_params"}, {98, "CMD_CAN_DRV_STATE", "can_drv_state"}, {99, "CMD_CAN_DRV_CALIBRATE", "can_drv_calibrate"}, {100, "CMD_READ_RC_INPUTS", "read_rc_inputs"}, {101, "CMD_REALTIME_DATA_CAN_DRV", "realtime_data_can_drv"}, {102, "CMD_EVENT", "event"}, {104, "CMD_READ_PARAMS_EXT3", "read_params_ext3"}, {106, "CMD_EXT_IMU_DEBUG_INFO", "ext_imu_debug_info"}, {107, "CMD_SET_DEVICE_ADDR", "set_device_addr"}, {110, "CMD_EXT_IMU_CMD", "ext_imu_cmd"}, {111, "CMD_READ_STATE_VARS", "read_state_vars"}, {113, "CMD_SERIAL_PROXY", "serial_proxy"}, {114, "CMD_RESET", "reset"}, {115, "CMD_IMU_ADVANCED_CALIB", "imu_advanced_calib"}, {117, "CMD_CALIB_ENCODER_LUT", "calib_encoder_lut"}, {118, "CMD_CALIB_ENCODER_LUT_RES", "calib_encoder_lut_res"}, {120, "CMD_CALIB_CUR_SENS", "calib_cur_sens"}, {122, "CMD_ENC_INT_CALIB", "enc_int_calib"}, {124, "CMD_EXT_LICENSE_INFO", "ext_license_info"}, {125, "CMD_VIBRATION_TEST_START_STOP", "vibration_test_start_stop"}, {126, "CMD_VIBRATION_TEST_DATA", "vibration_test_data"}, {127, "CMD_CAN_DRV_TELEMETRY", "can_drv_telemetry"}, {131, "CMD_EXT_MOTORS_STATE", "ext_motors_state"}, {132, "CMD_ADJ_VARS_INFO", "adj_vars_info"}, {134, "CMD_SET_ADJ_VARS_VAL_F", "set_adj_vars_val_f"}, {136, "CMD_PASS_PROTECT_READ", "pass_protect_read"}, {139, "CMD_REALTIME_DATA_CUSTOM2", "realtime_data_custom2"}, {141, "CMD_CONTROL_QUAT_STATUS", "control_quat_status"}, {150, "CMD_EXT_SENS_CMD", "ext_sens_cmd"}, {151, "CMD_TRANSPARENT_SAPI", "transparent_sapi"}, {249, "CMD_SET_DEBUG_PORT", "set_debug_port"}, {250, "CMD_MAVLINK_INFO", "mavlink_info"}, {251, "CMD_MAVLINK_DEBUG", "mavlink_debug"}, {253, "CMD_DEBUG_VARS_INFO_3", "debug_vars_info_3"}, {254, "CMD_DEBUG_VARS_3", "debug_vars_3"}, {255, "CMD_ERROR", "error"}}}
+  enums.CommandFromBoard = {values = {{20, "CMD_BOARD_INFO_3", "board_info_3"}, {21, "CMD_READ_PARAMS_3", "read_params_3"}, {23, "CMD_REALTIME_DATA_3", "realtime_data_3"}, {25, "CMD_REALTIME_DATA_4", "realtime_data_4"}, {28, "CMD_READ_PROFILE_NAMES", "read_profile_names"}, {30, "CMD_QUEUE_PARAMS_INFO_3", "queue_params_info_3"}, {31, "CMD_SET_ADJ_VARS_VAL", "set_adj_vars_val"}, {33, "CMD_READ_PARAMS_EXT", "read_params_ext"}, {35, "CMD_AUTO_PID", "auto_pid"}, {37, "CMD_BODE_TEST_START_STOP", "bode_test_start_stop"}, {38, "CMD_BODE_TEST_DATA", "bode_test_data"}, {40, "CMD_I2C_READ_REG_BUF", "i2c_read_reg_buf"}, {42, "CMD_READ_EXTERNAL_DATA", "read_external_data"}, {43, "CMD_READ_ADJ_VARS_CFG", "read_adj_vars_cfg"}, {46, "CMD_ADJ_VARS_STATE", "adj_vars_state"}, {48, "CMD_EEPROM_READ", "eeprom_read"}, {49, "CMD_CALIB_INFO", "calib_info"}, {50, "CMD_SIGN_MESSAGE", "sign_message"}, {52, "CMD_SYSTEM_STATE", "system_state"}, {53, "CMD_READ_FILE", "read_file"}, {56, "CMD_AHRS_HELPER", "ahrs_helper"}, {58, "CMD_SCRIPT_DEBUG", "script_debug"}, {60, "CMD_UART_BYPASS", "uart_bypass"}, {61, "CMD_GET_ANGLES_EXT", "get_angles_ext"}, {62, "CMD_READ_PARAMS_EXT2", "read_params_ext2"}, {67, "CMD_CONFIRM", "confirm"}, {73, "CMD_GET_ANGLES", "get_angles"}, {74, "CMD_CALIB_MOTOR_MAG_LINK", "calib_motor_mag_link"}, {76, "CMD_MODULE_LIST", "module_list"}, {82, "CMD_READ_PARAMS", "read_params"}, {86, "CMD_BOARD_INFO", "board_info"}, {88, "CMD_REALTIME_DATA_CUSTOM", "realtime_data_custom"}, {92, "CMD_COGGING_CALIB_INFO", "cogging_calib_info"}, {96, "CMD_CAN_DEVICE_SCAN", "can_device_scan"}, {97, "CMD_CAN_DRV_HARD_PARAMS", "can_drv_hard_params"}, {98, "CMD_CAN_DRV_STATE", "can_drv_state"}, {99, "CMD_CAN_DRV_CALIBRATE", "can_drv_calibrate"}, {100, "CMD_READ_RC_INPUTS", "read_rc_inputs"}, {101, "CMD_REALTIME_DATA_CAN_DRV", "realtime_data_can_drv"}, {102, "CMD_EVENT", "event"}, {104, "CMD_READ_PARAMS_EXT3", "read_params_ext3"}, {106, "CMD_EXT_IMU_DEBUG_INFO", "ext_imu_debug_info"}, {107, "CMD_SET_DEVICE_ADDR", "set_device_addr"}, {110, "CMD_EXT_IMU_CMD", "ext_imu_cmd"}, {111, "CMD_READ_STATE_VARS", "read_state_vars"}, {113, "CMD_SERIAL_PROXY", "serial_proxy"}, {114, "CMD_RESET", "reset"}, {115, "CMD_IMU_ADVANCED_CALIB", "imu_advanced_calib"}, {117, "CMD_CALIB_ENCODER_LUT", "calib_encoder_lut"}, {118, "CMD_CALIB_ENCODER_LUT_RES", "calib_encoder_lut_res"}, {120, "CMD_CALIB_CUR_SENS", "calib_cur_sens"}, {122, "CMD_ENC_INT_CALIB", "enc_int_calib"}, {124, "CMD_EXT_LICENSE_INFO", "ext_license_info"}, {125, "CMD_VIBRATION_TEST_START_STOP", "vibration_test_start_stop"}, {126, "CMD_VIBRATION_TEST_DATA", "vibration_test_data"}, {127, "CMD_CAN_DRV_TELEMETRY", "can_drv_telemetry"}, {131, "CMD_EXT_MOTORS_STATE", "ext_motors_state"}, {132, "CMD_ADJ_VARS_INFO", "adj_vars_info"}, {134, "CMD_SET_ADJ_VARS_VAL_F", "set_adj_vars_val_f"}, {136, "CMD_PASS_PROTECT_READ", "pass_protect_read"}, {139, "CMD_REALTIME_DATA_CUSTOM2", "realtime_data_custom2"}, {141, "CMD_CONTROL_QUAT_STATUS", "control_quat_status"}, {150, "CMD_EXT_SENS_CMD", "ext_sens_cmd"}, {151, "CMD_TRANSPARENT_SAPI", "transparent_sapi"}, {249, "CMD_SET_DEBUG_PORT", "set_debug_port"}, {250, "CMD_MAVLINK_INFO", "mavlink_info"}, {251, "CMD_MAVLINK_DEBUG", "mavlink_debug"}, {253, "CMD_DEBUG_VARS_INFO_3", "debug_vars_info_3"}, {254, "CMD_DEBUG_VARS_3", "debug_vars_3"}, {255, "CMD_ERROR", "error"}}}
   enums.VariableId = {values = {{0, "P_ROLL", "p_roll"}, {1, "P_PITCH", "p_pitch"}, {2, "P_YAW", "p_yaw"}, {3, "I_ROLL", "i_roll"}, {4, "I_PITCH", "i_pitch"}, {5, "I_YAW", "i_yaw"}, {6, "D_ROLL", "d_roll"}, {7, "D_PITCH", "d_pitch"}, {8, "D_YAW", "d_yaw"}, {9, "POWER_ROLL", "power_roll"}, {10, "POWER_PITCH", "power_pitch"}, {11, "POWER_YAW", "power_yaw"}, {12, "ACC_LIMITER", "acc_limiter"}, {13, "FOLLOW_SPEED_ROLL", "follow_speed_roll"}, {14, "FOLLOW_SPEED_PITCH", "follow_speed_pitch"}, {15, "FOLLOW_SPEED_YAW", "follow_speed_yaw"}, {16, "FOLLOW_LPF_ROLL", "follow_lpf_roll"}, {17, "FOLLOW_LPF_PITCH", "follow_lpf_pitch"}, {18, "FOLLOW_LPF_YAW", "follow_lpf_yaw"}, {19, "RC_SPEED_ROLL", "rc_speed_roll"}, {20, "RC_SPEED_PITCH", "rc_speed_pitch"}, {21, "RC_SPEED_YAW", "rc_speed_yaw"}, {22, "RC_LPF_ROLL", "rc_lpf_roll"}, {23, "RC_LPF_PITCH", "rc_lpf_pitch"}, {24, "RC_LPF_YAW", "rc_lpf_yaw"}, {25, "RC_TRIM_ROLL", "rc_trim_roll"}, {26, "RC_TRIM_PITCH", "rc_trim_pitch"}, {27, "RC_TRIM_YAW", "rc_trim_yaw"}, {28, "RC_DEADBAND", "rc_deadband"}, {29, "RC_EXPO_RATE", "rc_expo_rate"}, {30, "FOLLOW_MODE", "follow_mode"}, {31, "RC_FOLLOW_YAW", "rc_follow_yaw"}, {32, "FOLLOW_DEADBAND", "follow_deadband"}, {33, "FOLLOW_EXPO_RATE", "follow_expo_rate"}, {34, "FOLLOW_ROLL_MIX_START", "follow_roll_mix_start"}, {35, "FOLLOW_ROLL_MIX_RANGE", "follow_roll_mix_range"}, {36, "GYRO_TRUST", "gyro_trust"}, {37, "FRAME_HEADING_ANGLE", "frame_heading_angle"}, {38, "GYRO_HEADING_CORRECTION", "gyro_heading_correction"}, {39, "ACC_LIMITER_ROLL", "acc_limiter_roll"}, {40, "ACC_LIMITER_PITCH", "acc_limiter_pitch"}, {41, "ACC_LIMITER_YAW", "acc_limiter_yaw"}, {42, "PID_GAIN_ROLL", "pid_gain_roll"}, {43, "PID_GAIN_PITCH", "pid_gain_pitch"}, {44, "PID_GAIN_YAW", "pid_gain_yaw"}, {45, "LPF_FREQ_ROLL", "lpf_freq_roll"}, {46, "LPF_FREQ_PITCH", "lpf_freq_pitch"}, {47, "LPF_FREQ_YAW", "lpf_freq_yaw"}, {48, "TIMELAPSE_TIME", "timelapse_time"}, {49, "MAV_CTRL_MODE", "mav_ctrl_mode"}, {50, "H_CORR_FACTOR", "h_corr_factor"}, {51, "SW_LIM_MIN_ROLL", "sw_lim_min_roll"}, {52, "SW_LIM_MAX_ROLL", "sw_lim_max_roll"}, {53, "SW_LIM_MIN_PITCH", "sw_lim_min_pitch"}, {54, "SW_LIM_MAX_PITCH", "sw_lim_max_pitch"}, {55, "SW_LIM_MIN_YAW", "sw_lim_min_yaw"}, {56, "SW_LIM_MAX_YAW", "sw_lim_max_yaw"}, {57, "FOLLOW_RANGE_ROLL", "follow_range_roll"}, {58, "FOLLOW_RANGE_PITCH", "follow_range_pitch"}, {59, "FOLLOW_RANGE_YAW", "follow_range_yaw"}, {60, "AUTO_PID_TARGET", "auto_pid_target"}, {61, "RC_MODE_ROLL", "rc_mode_roll"}, {62, "RC_MODE_PITCH", "rc_mode_pitch"}, {63, "RC_MODE_YAW", "rc_mode_yaw"}, {64, "EULER_ORDER", "euler_order"}, {65, "FOLLOW_IN_DBAND", "follow_in_dband"}, {66, "RC_LIMIT_MIN_ROLL", "rc_limit_min_roll"}, {67, "RC_LIMIT_MAX_ROLL", "rc_limit_max_roll"}, {68, "RC_LIMIT_MIN_PITCH", "rc_limit_min_pitch"}, {69, "RC_LIMIT_MAX_PITCH", "rc_limit_max_pitch"}, {70, "RC_LIMIT_MIN_YAW", "rc_limit_min_yaw"}, {71, "RC_LIMIT_MAX_YAW", "rc_limit_max_yaw"}, {72, "RC_DEADBAND_PITCH", "rc_deadband_pitch"}, {73, "RC_DEADBAND_YAW", "rc_deadband_yaw"}, {74, "RC_EXPO_RATE_PITCH", "rc_expo_rate_pitch"}, {75, "RC_EXPO_RATE_YAW", "rc_expo_rate_yaw"}, {76, "SHAKE_AMP_ROLL", "shake_amp_roll"}, {77, "SHAKE_AMP_TILT", "shake_amp_tilt"}, {78, "SHAKE_AMP_PAN", "shake_amp_pan"}, {79, "SHAKE_FREQ", "shake_freq"}, {80, "SHAKE_FREQ_RANGE", "shake_freq_range"}, {81, "SHAKE_PAUSE_PERIOD", "shake_pause_period"}, {82, "SHAKE_PAUSE_BALANCE", "shake_pause_balance"}, {83, "SHAKE_PAUSE_RANDOMNESS", "shake_pause_randomness"}, {84, "SHAKE_RESONANCE_GAIN_ROLL", "shake_resonance_gain_roll"}, {85, "SHAKE_RESONANCE_GAIN_TILT", "shake_resonance_gain_tilt"}, {86, "SHAKE_RESONANCE_GAIN_PAN", "shake_resonance_gain_pan"}, {87, "SHAKE_FREQ_SHIFT_ROLL", "shake_freq_shift_roll"}, {88, "SHAKE_FREQ_SHIFT_TILT", "shake_freq_shift_tilt"}, {89, "SHAKE_FREQ_SHIFT_PAN", "shake_freq_shift_pan"}, {90, "SHAKE_MASTER_GAIN", "shake_master_gain"}, {91, "OUTER_P_ROLL", "outer_p_roll"}, {92, "OUTER_P_PITCH", "outer_p_pitch"}, {93, "OUTER_P_YAW", "outer_p_yaw"}, {94, "D_LPF_FREQ_ROLL", "d_lpf_freq_roll"}, {95, "D_LPF_FREQ_PITCH", "d_lpf_freq_pitch"}, {96, "D_LPF_FREQ_YAW", "d_lpf_freq_yaw"}, {97, "IMU_ANGLE_CORR_ROLL", "imu_angle_corr_roll"}, {98, "IMU_ANGLE_CORR_PITCH", "imu_angle_corr_pitch"}, {99, "SW_LIM_WIDTH_ROLL", "sw_lim_width_roll"}, {100, "SW_LIM_WIDTH_PITCH", "sw_lim_width_pitch"}, {101, "SW_LIM_WIDTH_YAW", "sw_lim_width_yaw"}}}
   enums.BoardErrorCode = {values = {{1, "CMD_SIZE", "cmd_size"}, {2, "WRONG_PARAMS", "wrong_params"}, {3, "GET_DEVICE_ID", "get_device_id"}, {4, "CRYPTO", "crypto"}, {5, "CALIBRATE_BAT", "calibrate_bat"}, {6, "UNKNOWN_COMMAND", "unknown_command"}, {8, "WRONG_STATE", "wrong_state"}, {9, "NOT_SUPPORTED", "not_supported"}, {10, "OPERATION_FAILED", "operation_failed"}, {11, "TEMPORARY", "temporary"}}}
   enums.RcModeKind = {values = {{0, "RC_MODE_ANGLE", "angle"}, {1, "RC_MODE_SPEED", "speed"}}}
@@ -583,13 +583,8 @@ local protocol = (function()
     {name = "cur_profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
   }
 
-  messages[36] = {name = "ReadParams", filter = "read_params", command = "CMD_READ_PARAMS", id = 82, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParams3"}, certain = true, timeout = 0.5, repeated = {ReadParams3 = {{field = "profile_id", at = 0, size = 1}}}}}}
+  messages[36] = {name = "ReadParamsAnswer", filter = "read_params_answer", command = "CMD_READ_PARAMS", id = 82, min = 134, max = 134, open = true, keeps_tail = true, tail = 121}
   messages[36].fields = {
-    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
-  }
-
-  messages[37] = {name = "WriteParams", filter = "write_params", command = "CMD_WRITE_PARAMS", id = 87, to_board = true, min = 134, max = 134, open = true, keeps_tail = true, tail = 121, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[37].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
     {name = "axes", struct = "AxisPid0", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
     {name = "acc_limiter_all", type = "u8", unit = "deg/s^2", scale = 5, count = 1, fixed = 1, min = 0, max = 255, special = {[0] = "disabled"}},
@@ -655,47 +650,119 @@ local protocol = (function()
     {name = "cur_profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
   }
 
-  messages[38] = {name = "ReadParamsExt", filter = "read_params_ext", command = "CMD_READ_PARAMS_EXT", id = 33, min = 104, max = 104, open = true, keeps_tail = true, tail = 151}
+  messages[37] = {name = "ReadParams", filter = "read_params", command = "CMD_READ_PARAMS", id = 82, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsAnswer"}, certain = true, timeout = 0.5, repeated = {ReadParamsAnswer = {{field = "profile_id", at = 0, size = 1}}}}}}
+  messages[37].fields = {
+    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+  }
+
+  messages[38] = {name = "WriteParams", filter = "write_params", command = "CMD_WRITE_PARAMS", id = 87, to_board = true, min = 134, max = 134, open = true, keeps_tail = true, tail = 121, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
   messages[38].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
-    {name = "notches", struct = "AxisNotches2", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
-    {name = "lpf_freq", type = "u16", unit = "Hz", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 1000},
-    {name = "filters_en", type = "u8", enum = "FilterSwitches", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "encoder_offset", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "encoder_fld_offset", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "encoder_manual_set_time", type = "u8", unit = "ms", scale = 10, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "motor_heating_factor", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "motor_cooling_factor", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "reserved", blob = "bytes", size = 2, count = 1, fixed = 2, reserved = true},
-    {name = "follow_inside_deadband", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "motor_mag_link", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "motor_gearing", type = "u16", scale = 0.00390625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "encoder_limit_min", type = "i8", unit = "deg", scale = 3, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "encoder_limit_max", type = "i8", unit = "deg", scale = 3, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "notch1_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
-    {name = "notch2_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
-    {name = "notch3_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
-    {name = "beeper_volume", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "encoder_gear_ratio", type = "u16", scale = 0.001, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "encoder_type", type = "u8", packed = "EncoderType", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "encoder_cfg", type = "u8", enum = "EncoderConfig", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "outer_p", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "outer_i", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
-    {name = "mag_axis_top", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
-    {name = "mag_axis_right", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
-    {name = "mag_trust", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "mag_declination", type = "i8", unit = "deg", count = 1, fixed = 1, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "acc_lpf_freq", type = "u16", unit = "Hz", scale = 0.01, count = 1, fixed = 2, min = 0, max = 1000},
-    {name = "d_term_lpf_freq", type = "u8", unit = "Hz", scale = 10, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 60},
+    {name = "axes", struct = "AxisPid0", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
+    {name = "acc_limiter_all", type = "u8", unit = "deg/s^2", scale = 5, count = 1, fixed = 1, min = 0, max = 255, special = {[0] = "disabled"}},
+    {name = "ext_fc_gain_roll", type = "i8", count = 1, fixed = 1, min = -127, max = 127},
+    {name = "ext_fc_gain_pitch", type = "i8", count = 1, fixed = 1, min = -127, max = 127},
+    {name = "rc", struct = "AxisRc1", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 24},
+    {name = "gyro_trust", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "use_model", type = "u8", count = 1, fixed = 1, min = 0, max = 1},
+    {name = "pwm_freq", type = "u8", enum = "PwmFrequency", count = 1, fixed = 1},
+    {name = "serial_speed", type = "u8", enum = "SerialSpeed", count = 1, fixed = 1},
+    {name = "rc_trim", type = "i8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127},
+    {name = "rc_deadband", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "rc_expo_rate", type = "u8", count = 1, fixed = 1, min = 0, max = 100},
+    {name = "rc_virt_mode", type = "u8", enum = "RcVirtualMode", count = 1, fixed = 1},
+    {name = "rc_map", type = "u8", packed = "RcMap", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "rc_map_cmd", type = "u8", packed = "RcMap", count = 1, fixed = 1},
+    {name = "rc_map_fc_roll", type = "u8", packed = "RcMap", count = 1, fixed = 1},
+    {name = "rc_map_fc_pitch", type = "u8", packed = "RcMap", count = 1, fixed = 1},
+    {name = "rc_mix_fc_roll", type = "u8", packed = "RcMix", count = 1, fixed = 1},
+    {name = "rc_mix_fc_pitch", type = "u8", packed = "RcMix", count = 1, fixed = 1},
+    {name = "follow_mode", type = "u8", enum = "FollowMode", count = 1, fixed = 1},
+    {name = "follow_deadband", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "follow_expo_rate", type = "u8", count = 1, fixed = 1, min = 0, max = 100},
+    {name = "follow_offset", type = "i8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127},
+    {name = "axis_top", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "axis_right", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "frame_axis_top", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "frame_axis_right", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "frame_imu_pos", type = "u8", enum = "FrameImuPosition", count = 1, fixed = 1},
+    {name = "gyro_deadband", type = "u8", unit = "gyro unit", scale = 0.1, count = 1, fixed = 1, min = 0, max = 255},
+    {name = "gyro_sens", type = "u8", count = 1, fixed = 1},
+    {name = "i2c_internal_pullups", type = "u8", count = 1, fixed = 1, min = 0, max = 1},
+    {name = "skip_gyro_calib", type = "u8", enum = "SkipGyroCalibration", count = 1, fixed = 1},
+    {name = "rc_cmd_low", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
+    {name = "rc_cmd_mid", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
+    {name = "rc_cmd_high", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
+    {name = "menu_cmd", type = "u8", enum = "MenuCommand", dim = "fixed", index = {"1", "2", "3", "4", "5"}, count = 5, fixed = 5},
+    {name = "menu_cmd_long", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
+    {name = "output", type = "u8", enum = "MotorOutput", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "bat_threshold_alarm", type = "i16", unit = "V", scale = 0.01, count = 1, fixed = 2, min = -3000, max = 3000},
+    {name = "bat_threshold_motors", type = "i16", unit = "V", scale = 0.01, count = 1, fixed = 2, min = -3000, max = 3000},
+    {name = "bat_comp_ref", type = "i16", unit = "V", scale = 0.01, count = 1, fixed = 2, min = -3000, max = 3000},
+    {name = "beeper_modes", type = "u8", enum = "BeeperModes", count = 1, fixed = 1},
+    {name = "follow_roll_mix_start", type = "u8", unit = "deg", count = 1, fixed = 1, min = 0, max = 90},
+    {name = "follow_roll_mix_range", type = "u8", unit = "deg", count = 1, fixed = 1, min = 0, max = 90},
+    {name = "booster_power", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "follow_speed", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "frame_angle_from_motors", type = "u8", count = 1, fixed = 1, min = 0, max = 1},
+    {name = "rc_memory", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = -32768, max = 32767, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "servo_out", type = "u8", dim = "fixed", index = {"1", "2", "3", "4"}, count = 4, fixed = 4, min = 1, max = 32, special = {[0] = "disabled"}},
+    {name = "servo_rate", type = "u8", unit = "Hz", scale = 10, count = 1, fixed = 1, min = 5, max = 40},
+    {name = "adaptive_pid_enabled", type = "u8", enum = "AdaptivePidAxes", count = 1, fixed = 1},
+    {name = "adaptive_pid_threshold", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "adaptive_pid_rate", type = "u8", count = 1, fixed = 1, min = 1, max = 255},
+    {name = "adaptive_pid_recovery_factor", type = "u8", count = 1, fixed = 1, min = 0, max = 10},
+    {name = "follow_lpf", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 16},
+    {name = "general_flags1", type = "u16", enum = "GeneralFlags", count = 1, fixed = 2},
+    {name = "profile_flags1", type = "u16", enum = "ProfileFlags", count = 1, fixed = 2},
+    {name = "spektrum_mode", type = "u8", enum = "SpektrumMode", count = 1, fixed = 1},
+    {name = "order_of_axes", type = "u8", enum = "AxisOrder", count = 1, fixed = 1},
+    {name = "euler_order", type = "u8", packed = "EulerOrderSetting", count = 1, fixed = 1},
+    {name = "cur_imu", type = "u8", enum = "SelectedImu", count = 1, fixed = 1},
+    {name = "cur_profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
   }
 
-  messages[39] = {name = "ReadParamsExtRequest", filter = "read_params_ext_request", command = "CMD_READ_PARAMS_EXT", id = 33, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt = {{field = "profile_id", at = 0, size = 1}}}}}}
+  messages[39] = {name = "ReadParamsExt", filter = "read_params_ext", command = "CMD_READ_PARAMS_EXT", id = 33, min = 104, max = 104, open = true, keeps_tail = true, tail = 151}
   messages[39].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+    {name = "notches", struct = "AxisNotches2", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
+    {name = "lpf_freq", type = "u16", unit = "Hz", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 1000},
+    {name = "filters_en", type = "u8", enum = "FilterSwitches", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "encoder_offset", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "encoder_fld_offset", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "encoder_manual_set_time", type = "u8", unit = "ms", scale = 10, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "motor_heating_factor", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "motor_cooling_factor", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "reserved", blob = "bytes", size = 2, count = 1, fixed = 2, reserved = true},
+    {name = "follow_inside_deadband", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "motor_mag_link", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "motor_gearing", type = "u16", scale = 0.00390625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "encoder_limit_min", type = "i8", unit = "deg", scale = 3, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "encoder_limit_max", type = "i8", unit = "deg", scale = 3, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "notch1_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
+    {name = "notch2_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
+    {name = "notch3_gain", type = "i8", unit = "dB", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = -100, max = 100},
+    {name = "beeper_volume", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "encoder_gear_ratio", type = "u16", scale = 0.001, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "encoder_type", type = "u8", packed = "EncoderType", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "encoder_cfg", type = "u8", enum = "EncoderConfig", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "outer_p", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "outer_i", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255},
+    {name = "mag_axis_top", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "mag_axis_right", type = "i8", enum = "SensorAxis", count = 1, fixed = 1},
+    {name = "mag_trust", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "mag_declination", type = "i8", unit = "deg", count = 1, fixed = 1, min = -127, max = 127, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "acc_lpf_freq", type = "u16", unit = "Hz", scale = 0.01, count = 1, fixed = 2, min = 0, max = 1000},
+    {name = "d_term_lpf_freq", type = "u8", unit = "Hz", scale = 10, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 60},
   }
 
-  messages[40] = {name = "WriteParamsExt", filter = "write_params_ext", command = "CMD_WRITE_PARAMS_EXT", id = 34, to_board = true, min = 104, max = 104, open = true, keeps_tail = true, tail = 151, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[40] = {name = "ReadParamsExtRequest", filter = "read_params_ext_request", command = "CMD_READ_PARAMS_EXT", id = 33, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt = {{field = "profile_id", at = 0, size = 1}}}}}}
   messages[40].fields = {
+    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+  }
+
+  messages[41] = {name = "WriteParamsExt", filter = "write_params_ext", command = "CMD_WRITE_PARAMS_EXT", id = 34, to_board = true, min = 104, max = 104, open = true, keeps_tail = true, tail = 151, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[41].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
     {name = "notches", struct = "AxisNotches2", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
     {name = "lpf_freq", type = "u16", unit = "Hz", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 1000},
@@ -728,58 +795,58 @@ local protocol = (function()
     {name = "d_term_lpf_freq", type = "u8", unit = "Hz", scale = 10, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 60},
   }
 
-  messages[41] = {name = "ReadParamsExt2", filter = "read_params_ext2", command = "CMD_READ_PARAMS_EXT2", id = 62, min = 151, max = 151, open = true, keeps_tail = true, tail = 104}
-  messages[41].fields = {
-    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
-    {name = "mav_channels", struct = "MavChannel3", dim = "fixed", count = 2, fixed = 16},
-    {name = "motor_mag_link_fine", type = "u16", scale = 0.01, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 65535},
-    {name = "acc_limiter3", type = "u8", unit = "deg/s^2", scale = 5, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 200, special = {[0] = "disabled"}},
-    {name = "pid_gain", type = "u8", scale = 0.02, add = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255, later = {{firmware = 2731, type = "u8", scale = 5, add = -5, ratio = 52, over = 255, min = 0, max = 255}}},
-    {name = "frame_imu_lpf_freq", type = "u8", unit = "Hz", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "auto_pid_cfg", type = "u8", enum = "AutoPidFlags", count = 1, fixed = 1},
-    {name = "auto_pid_gain", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "frame_cam_angle_min", type = "i16", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "frame_cam_angle_max", type = "i16", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "general_flags2", type = "u16", enum = "GeneralFlags2", count = 1, fixed = 2},
-    {name = "auto_speed", type = "u8", count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "not set"}},
-    {name = "auto_acc_limiter", type = "u8", unit = "deg/s^2", scale = 5, count = 1, fixed = 1},
-    {name = "imu_orientation_corr", type = "i16", unit = "deg", scale = 0.01, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "timelapse_time", type = "u16", unit = "ms", scale = 1000, count = 1, fixed = 2},
-    {name = "emergency_stop_restart_delay", type = "u16", unit = "ms", count = 1, fixed = 2},
-    {name = "timelapse_acc_part", type = "u8", unit = "%", scale = 0.2, count = 1, fixed = 1, min = 0, max = 250},
-    {name = "momentum", type = "u16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "momentum_calib_stimulus", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 1, max = 255, special = {[0] = "not set"}},
-    {name = "momentum_ellipticity", type = "u8", scale = 0.05, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "follow_range", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 1, max = 180, special = {[0] = "not set"}},
-    {name = "stab_axis", type = "u8", packed = "StabAxis", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "outer_mot_tilt_angle", type = "i8", unit = "deg", count = 1, fixed = 1, min = -90, max = 90, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "startup_action", type = "u8", packed = "StartupAction", dim = "fixed", count = 4, fixed = 4},
-    {name = "startup_action_src", type = "u8", packed = "RcMap", dim = "fixed", count = 8, fixed = 8},
-    {name = "startup_action_threshold", type = "i8", dim = "fixed", count = 8, fixed = 8},
-    {name = "force_position_cfg", type = "u8", packed = "ForcePositionConfig", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "step_signals", struct = "StepSignal4", dim = "fixed", count = 6, fixed = 12},
-    {name = "rc_calibrations", struct = "RcCalibration5", dim = "fixed", count = 5, fixed = 20},
-    {name = "parking_pos_cfg", type = "u8", enum = "ParkingBorders", count = 1, fixed = 1},
-    {name = "ext_led_pin_id", type = "u8", enum = "OutputPin", count = 1, fixed = 1},
-    {name = "interrupt_cfg", type = "u16", packed = "InterruptConfig", count = 1, fixed = 2},
-    {name = "overload_time", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
-    {name = "auto_pid_momentum", type = "u8", count = 1, fixed = 1, min = 0, max = 255, special = {[0] = "automatic"}},
-    {name = "jerk_slope", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "mav_ctrl_mode", type = "u8", enum = "MavControlMode", count = 1, fixed = 1},
-    {name = "rc_serial_speed", type = "u8", enum = "SerialSpeed", count = 1, fixed = 1},
-    {name = "uart2_speed", type = "u8", enum = "SerialSpeed", count = 1, fixed = 1},
-    {name = "motor_res", type = "u8", unit = "ohm", scale = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "current_limit", type = "u16", unit = "mA", scale = 10, count = 1, fixed = 2},
-    {name = "middle_mot_tilt_angle", type = "i8", unit = "deg", count = 1, fixed = 1, min = -90, max = 90, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-  }
-
-  messages[42] = {name = "ReadParamsExt2Request", filter = "read_params_ext2request", command = "CMD_READ_PARAMS_EXT2", id = 62, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt2"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt2 = {{field = "profile_id", at = 0, size = 1}}}}}}
+  messages[42] = {name = "ReadParamsExt2", filter = "read_params_ext2", command = "CMD_READ_PARAMS_EXT2", id = 62, min = 151, max = 151, open = true, keeps_tail = true, tail = 104}
   messages[42].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+    {name = "mav_channels", struct = "MavChannel3", dim = "fixed", count = 2, fixed = 16},
+    {name = "motor_mag_link_fine", type = "u16", scale = 0.01, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 65535},
+    {name = "acc_limiter3", type = "u8", unit = "deg/s^2", scale = 5, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 200, special = {[0] = "disabled"}},
+    {name = "pid_gain", type = "u8", scale = 0.02, add = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 0, max = 255, later = {{firmware = 2731, type = "u8", scale = 5, add = -5, ratio = 52, over = 255, min = 0, max = 255}}},
+    {name = "frame_imu_lpf_freq", type = "u8", unit = "Hz", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "auto_pid_cfg", type = "u8", enum = "AutoPidFlags", count = 1, fixed = 1},
+    {name = "auto_pid_gain", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "frame_cam_angle_min", type = "i16", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "frame_cam_angle_max", type = "i16", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "general_flags2", type = "u16", enum = "GeneralFlags2", count = 1, fixed = 2},
+    {name = "auto_speed", type = "u8", count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "not set"}},
+    {name = "auto_acc_limiter", type = "u8", unit = "deg/s^2", scale = 5, count = 1, fixed = 1},
+    {name = "imu_orientation_corr", type = "i16", unit = "deg", scale = 0.01, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "timelapse_time", type = "u16", unit = "ms", scale = 1000, count = 1, fixed = 2},
+    {name = "emergency_stop_restart_delay", type = "u16", unit = "ms", count = 1, fixed = 2},
+    {name = "timelapse_acc_part", type = "u8", unit = "%", scale = 0.2, count = 1, fixed = 1, min = 0, max = 250},
+    {name = "momentum", type = "u16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "momentum_calib_stimulus", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 1, max = 255, special = {[0] = "not set"}},
+    {name = "momentum_ellipticity", type = "u8", scale = 0.05, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "follow_range", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 1, max = 180, special = {[0] = "not set"}},
+    {name = "stab_axis", type = "u8", packed = "StabAxis", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "outer_mot_tilt_angle", type = "i8", unit = "deg", count = 1, fixed = 1, min = -90, max = 90, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "startup_action", type = "u8", packed = "StartupAction", dim = "fixed", count = 4, fixed = 4},
+    {name = "startup_action_src", type = "u8", packed = "RcMap", dim = "fixed", count = 8, fixed = 8},
+    {name = "startup_action_threshold", type = "i8", dim = "fixed", count = 8, fixed = 8},
+    {name = "force_position_cfg", type = "u8", packed = "ForcePositionConfig", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "step_signals", struct = "StepSignal4", dim = "fixed", count = 6, fixed = 12},
+    {name = "rc_calibrations", struct = "RcCalibration5", dim = "fixed", count = 5, fixed = 20},
+    {name = "parking_pos_cfg", type = "u8", enum = "ParkingBorders", count = 1, fixed = 1},
+    {name = "ext_led_pin_id", type = "u8", enum = "OutputPin", count = 1, fixed = 1},
+    {name = "interrupt_cfg", type = "u16", packed = "InterruptConfig", count = 1, fixed = 2},
+    {name = "overload_time", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
+    {name = "auto_pid_momentum", type = "u8", count = 1, fixed = 1, min = 0, max = 255, special = {[0] = "automatic"}},
+    {name = "jerk_slope", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "mav_ctrl_mode", type = "u8", enum = "MavControlMode", count = 1, fixed = 1},
+    {name = "rc_serial_speed", type = "u8", enum = "SerialSpeed", count = 1, fixed = 1},
+    {name = "uart2_speed", type = "u8", enum = "SerialSpeed", count = 1, fixed = 1},
+    {name = "motor_res", type = "u8", unit = "ohm", scale = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "current_limit", type = "u16", unit = "mA", scale = 10, count = 1, fixed = 2},
+    {name = "middle_mot_tilt_angle", type = "i8", unit = "deg", count = 1, fixed = 1, min = -90, max = 90, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[43] = {name = "WriteParamsExt2", filter = "write_params_ext2", command = "CMD_WRITE_PARAMS_EXT2", id = 63, to_board = true, min = 151, max = 151, open = true, keeps_tail = true, tail = 104, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[43] = {name = "ReadParamsExt2Request", filter = "read_params_ext2request", command = "CMD_READ_PARAMS_EXT2", id = 62, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt2"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt2 = {{field = "profile_id", at = 0, size = 1}}}}}}
   messages[43].fields = {
+    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+  }
+
+  messages[44] = {name = "WriteParamsExt2", filter = "write_params_ext2", command = "CMD_WRITE_PARAMS_EXT2", id = 63, to_board = true, min = 151, max = 151, open = true, keeps_tail = true, tail = 104, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[44].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
     {name = "mav_channels", struct = "MavChannel3", dim = "fixed", count = 2, fixed = 16},
     {name = "motor_mag_link_fine", type = "u16", scale = 0.01, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = 0, max = 65535},
@@ -823,107 +890,107 @@ local protocol = (function()
     {name = "middle_mot_tilt_angle", type = "i8", unit = "deg", count = 1, fixed = 1, min = -90, max = 90, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[44] = {name = "WriteParamsSet", filter = "write_params_set", command = "CMD_WRITE_PARAMS_SET", id = 119, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"sets", "moves", "restarts"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[44].fields = {
+  messages[45] = {name = "WriteParamsSet", filter = "write_params_set", command = "CMD_WRITE_PARAMS_SET", id = 119, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"sets", "moves", "restarts"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[45].fields = {
     {name = "action", type = "u8", enum = "WriteParamsAction", count = 1, fixed = 1},
   }
 
-  messages[45] = {name = "ReadProfileNames", filter = "read_profile_names", command = "CMD_READ_PROFILE_NAMES", id = 28, min = 240, max = 240, open = true, keeps_tail = true, tail = 15}
-  messages[45].fields = {
-    {name = "profile_name", blob = "text", size = 48, dim = "fixed", index = {"1", "2", "3", "4", "5"}, count = 5, fixed = 240},
-  }
-
-  messages[46] = {name = "ReadProfileNamesRequest", filter = "read_profile_names_request", command = "CMD_READ_PROFILE_NAMES", id = 28, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadProfileNames"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[46] = {name = "ReadProfileNames", filter = "read_profile_names", command = "CMD_READ_PROFILE_NAMES", id = 28, min = 240, max = 240, open = true, keeps_tail = true, tail = 15}
   messages[46].fields = {
-  }
-
-  messages[47] = {name = "WriteProfileNames", filter = "write_profile_names", command = "CMD_WRITE_PROFILE_NAMES", id = 29, to_board = true, min = 240, max = 240, open = true, keeps_tail = true, tail = 15, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
-  messages[47].fields = {
     {name = "profile_name", blob = "text", size = 48, dim = "fixed", index = {"1", "2", "3", "4", "5"}, count = 5, fixed = 240},
   }
 
-  messages[48] = {name = "ProfileSet", filter = "profile_set", command = "CMD_PROFILE_SET", id = 95, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"stores", "moves", "erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[47] = {name = "ReadProfileNamesRequest", filter = "read_profile_names_request", command = "CMD_READ_PROFILE_NAMES", id = 28, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadProfileNames"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[47].fields = {
+  }
+
+  messages[48] = {name = "WriteProfileNames", filter = "write_profile_names", command = "CMD_WRITE_PROFILE_NAMES", id = 29, to_board = true, min = 240, max = 240, open = true, keeps_tail = true, tail = 15, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
   messages[48].fields = {
+    {name = "profile_name", blob = "text", size = 48, dim = "fixed", index = {"1", "2", "3", "4", "5"}, count = 5, fixed = 240},
+  }
+
+  messages[49] = {name = "ProfileSet", filter = "profile_set", command = "CMD_PROFILE_SET", id = 95, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"stores", "moves", "erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[49].fields = {
     {name = "slot", type = "u8", count = 1, fixed = 1, min = 1, max = 5, special = {[6] = "the backup"}},
     {name = "action", type = "u8", enum = "ProfileSetAction", count = 1, fixed = 1},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[49] = {name = "SaveParams3", filter = "save_params3", command = "CMD_SAVE_PARAMS_3", id = 32, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
-  messages[49].fields = {
+  messages[50] = {name = "SaveParams3", filter = "save_params3", command = "CMD_SAVE_PARAMS_3", id = 32, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
+  messages[50].fields = {
     {name = "param_id", type = "u8", enum = "VariableId", dim = "rest", capacity = 255},
   }
 
-  messages[50] = {name = "UseDefaults", filter = "use_defaults", command = "CMD_USE_DEFAULTS", id = 70, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"stores", "moves", "erases"}, answers = {{confirm = true, timeout = 5}}}
-  messages[50].fields = {
+  messages[51] = {name = "UseDefaults", filter = "use_defaults", command = "CMD_USE_DEFAULTS", id = 70, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"stores", "moves", "erases"}, answers = {{confirm = true, timeout = 5}}}
+  messages[51].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[253] = "erases the EEPROM", [254] = "resets the active profile"}},
   }
 
-  messages[51] = {name = "ReadParamsExt3", filter = "read_params_ext3", command = "CMD_READ_PARAMS_EXT3", id = 104, min = 221, max = 221, open = true, keeps_tail = true, tail = 34}
-  messages[51].fields = {
-    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
-    {name = "reserved_1", blob = "bytes", size = 21, count = 1, fixed = 21, reserved = true},
-    {name = "ext_imu_type", type = "u8", enum = "ExtImuModel", count = 1, fixed = 1},
-    {name = "ext_imu_port", type = "u8", enum = "BoardPort", count = 1, fixed = 1},
-    {name = "ext_imu_position", type = "u8", enum = "ExtImuPosition", count = 1, fixed = 1},
-    {name = "ext_imu_orientation", type = "u8", packed = "ExtImuOrientation", count = 1, fixed = 1},
-    {name = "ext_imu_flags", type = "u16", enum = "ExtImuFlags", count = 1, fixed = 2},
-    {name = "ext_imu_align_correction", type = "i16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "ext_imu_startup_delay", type = "u8", count = 1, fixed = 1},
-    {name = "ext_imu_gyro_corr_rate", type = "u8", count = 1, fixed = 1},
-    {name = "reserved_2", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
-    {name = "soft_limit_width", type = "u8", unit = "deg", scale = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "adc_replace_src", type = "u8", packed = "RcMap", dim = "fixed", count = 3, fixed = 3},
-    {name = "glock_mid_mot_pos_corr_rate", type = "u8", count = 1, fixed = 1},
-    {name = "extra_btn_cfg", type = "u8", packed = "ExtraButton", dim = "fixed", count = 5, fixed = 5},
-    {name = "overcurrent_protection", type = "u8", unit = "mA", scale = 500, count = 1, fixed = 1},
-    {name = "power_on_delay", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
-    {name = "power_off_delay", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
-    {name = "power_on_limiter", type = "u8", count = 1, fixed = 1},
-    {name = "reserved_3", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
-    {name = "lpf_q_inv", type = "u8", scale = 0.02, add = 0.2, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "can_imu_ext_sens_type", type = "u8", enum = "CanImuSensor", count = 1, fixed = 1},
-    {name = "profile_flags2", type = "u16", enum = "ProfileFlags2", count = 1, fixed = 2},
-    {name = "reserved_4", blob = "bytes", size = 3, count = 1, fixed = 3, reserved = true},
-    {name = "general_flags3", type = "u32", enum = "GeneralFlags3", count = 1, fixed = 4},
-    {name = "follow_offset_ext", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = -16384, max = 16384},
-    {name = "motor_startup_delay", type = "u16", unit = "ms", count = 1, fixed = 2},
-    {name = "imu_model_main", type = "u8", count = 1, fixed = 1},
-    {name = "imu_model_frame", type = "u8", count = 1, fixed = 1},
-    {name = "stab_threshold_angle", type = "u8", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 15, max = 80, special = {[0] = "not set"}},
-    {name = "ext_buzzer_pin", type = "u8", enum = "OutputPin", count = 1, fixed = 1},
-    {name = "enc_limit_return_speed", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
-    {name = "tripod_mode_auto_threshold", type = "u8", count = 1, fixed = 1},
-    {name = "rc_deadband_pitch", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "rc_deadband_yaw", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "rc_expo_rate_pitch", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "rc_expo_rate_yaw", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
-    {name = "profile_flags3", type = "u32", enum = "ProfileFlags3", count = 1, fixed = 4},
-    {name = "default_profile", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
-    {name = "retracted_angle", type = "i16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "shake_generator", struct = "ShakeGenerator6", count = 1, fixed = 22},
-    {name = "ext_motor_drv_ids", type = "u8", dim = "fixed", count = 7, fixed = 7},
-    {name = "encoder_cfg_ext", type = "u16", packed = "EncoderConfigExt", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
-    {name = "ext_sens_params", blob = "bytes", size = 16, count = 1, fixed = 16},
-    {name = "imu_angle_corr_r", type = "i16", unit = "deg", scale = 0.01, count = 1, fixed = 2, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "imu_angle_corr_p", type = "i16", unit = "deg", scale = 0.01, count = 1, fixed = 2, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
-    {name = "can_imu_servo_out", type = "u8", dim = "fixed", count = 2, fixed = 2, min = 1, max = 32, special = {[0] = "disabled"}},
-    {name = "can_imu_servo_rate", type = "u8", unit = "Hz", scale = 10, count = 1, fixed = 1},
-    {name = "servo_outer_p_mult", type = "u8", count = 1, fixed = 1},
-    {name = "servo_outer_i", type = "u8", count = 1, fixed = 1},
-    {name = "ext_pwr_sw_shunt_r", type = "u16", unit = "ohm", scale = 0.01, count = 1, fixed = 2},
-    {name = "general_flags4", type = "u32", enum = "GeneralFlags4", count = 1, fixed = 4},
-    {name = "auto_motion_timeout", type = "u8", count = 1, fixed = 1},
-    {name = "reserved_5", blob = "bytes", size = 48, count = 1, fixed = 48, reserved = true},
-  }
-
-  messages[52] = {name = "ReadParamsExt3Request", filter = "read_params_ext3request", command = "CMD_READ_PARAMS_EXT3", id = 104, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt3"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt3 = {{field = "profile_id", at = 0, size = 1}}}}}}
+  messages[52] = {name = "ReadParamsExt3", filter = "read_params_ext3", command = "CMD_READ_PARAMS_EXT3", id = 104, min = 221, max = 221, open = true, keeps_tail = true, tail = 34}
   messages[52].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+    {name = "reserved_1", blob = "bytes", size = 21, count = 1, fixed = 21, reserved = true},
+    {name = "ext_imu_type", type = "u8", enum = "ExtImuModel", count = 1, fixed = 1},
+    {name = "ext_imu_port", type = "u8", enum = "BoardPort", count = 1, fixed = 1},
+    {name = "ext_imu_position", type = "u8", enum = "ExtImuPosition", count = 1, fixed = 1},
+    {name = "ext_imu_orientation", type = "u8", packed = "ExtImuOrientation", count = 1, fixed = 1},
+    {name = "ext_imu_flags", type = "u16", enum = "ExtImuFlags", count = 1, fixed = 2},
+    {name = "ext_imu_align_correction", type = "i16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "ext_imu_startup_delay", type = "u8", count = 1, fixed = 1},
+    {name = "ext_imu_gyro_corr_rate", type = "u8", count = 1, fixed = 1},
+    {name = "reserved_2", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
+    {name = "soft_limit_width", type = "u8", unit = "deg", scale = 0.1, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "adc_replace_src", type = "u8", packed = "RcMap", dim = "fixed", count = 3, fixed = 3},
+    {name = "glock_mid_mot_pos_corr_rate", type = "u8", count = 1, fixed = 1},
+    {name = "extra_btn_cfg", type = "u8", packed = "ExtraButton", dim = "fixed", count = 5, fixed = 5},
+    {name = "overcurrent_protection", type = "u8", unit = "mA", scale = 500, count = 1, fixed = 1},
+    {name = "power_on_delay", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
+    {name = "power_off_delay", type = "u8", unit = "ms", scale = 100, count = 1, fixed = 1},
+    {name = "power_on_limiter", type = "u8", count = 1, fixed = 1},
+    {name = "reserved_3", blob = "bytes", size = 4, count = 1, fixed = 4, reserved = true},
+    {name = "lpf_q_inv", type = "u8", scale = 0.02, add = 0.2, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "can_imu_ext_sens_type", type = "u8", enum = "CanImuSensor", count = 1, fixed = 1},
+    {name = "profile_flags2", type = "u16", enum = "ProfileFlags2", count = 1, fixed = 2},
+    {name = "reserved_4", blob = "bytes", size = 3, count = 1, fixed = 3, reserved = true},
+    {name = "general_flags3", type = "u32", enum = "GeneralFlags3", count = 1, fixed = 4},
+    {name = "follow_offset_ext", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, min = -16384, max = 16384},
+    {name = "motor_startup_delay", type = "u16", unit = "ms", count = 1, fixed = 2},
+    {name = "imu_model_main", type = "u8", count = 1, fixed = 1},
+    {name = "imu_model_frame", type = "u8", count = 1, fixed = 1},
+    {name = "stab_threshold_angle", type = "u8", unit = "deg", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3, min = 15, max = 80, special = {[0] = "not set"}},
+    {name = "ext_buzzer_pin", type = "u8", enum = "OutputPin", count = 1, fixed = 1},
+    {name = "enc_limit_return_speed", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
+    {name = "tripod_mode_auto_threshold", type = "u8", count = 1, fixed = 1},
+    {name = "rc_deadband_pitch", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "rc_deadband_yaw", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "rc_expo_rate_pitch", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "rc_expo_rate_yaw", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "profile_flags3", type = "u32", enum = "ProfileFlags3", count = 1, fixed = 4},
+    {name = "default_profile", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
+    {name = "retracted_angle", type = "i16", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "shake_generator", struct = "ShakeGenerator6", count = 1, fixed = 22},
+    {name = "ext_motor_drv_ids", type = "u8", dim = "fixed", count = 7, fixed = 7},
+    {name = "encoder_cfg_ext", type = "u16", packed = "EncoderConfigExt", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6},
+    {name = "ext_sens_params", blob = "bytes", size = 16, count = 1, fixed = 16},
+    {name = "imu_angle_corr_r", type = "i16", unit = "deg", scale = 0.01, count = 1, fixed = 2, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "imu_angle_corr_p", type = "i16", unit = "deg", scale = 0.01, count = 1, fixed = 2, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
+    {name = "can_imu_servo_out", type = "u8", dim = "fixed", count = 2, fixed = 2, min = 1, max = 32, special = {[0] = "disabled"}},
+    {name = "can_imu_servo_rate", type = "u8", unit = "Hz", scale = 10, count = 1, fixed = 1},
+    {name = "servo_outer_p_mult", type = "u8", count = 1, fixed = 1},
+    {name = "servo_outer_i", type = "u8", count = 1, fixed = 1},
+    {name = "ext_pwr_sw_shunt_r", type = "u16", unit = "ohm", scale = 0.01, count = 1, fixed = 2},
+    {name = "general_flags4", type = "u32", enum = "GeneralFlags4", count = 1, fixed = 4},
+    {name = "auto_motion_timeout", type = "u8", count = 1, fixed = 1},
+    {name = "reserved_5", blob = "bytes", size = 48, count = 1, fixed = 48, reserved = true},
   }
 
-  messages[53] = {name = "WriteParamsExt3", filter = "write_params_ext3", command = "CMD_WRITE_PARAMS_EXT3", id = 105, to_board = true, min = 221, max = 221, open = true, keeps_tail = true, tail = 34, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[53] = {name = "ReadParamsExt3Request", filter = "read_params_ext3request", command = "CMD_READ_PARAMS_EXT3", id = 104, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"ReadParamsExt3"}, certain = true, timeout = 0.5, repeated = {ReadParamsExt3 = {{field = "profile_id", at = 0, size = 1}}}}}}
   messages[53].fields = {
+    {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
+  }
+
+  messages[54] = {name = "WriteParamsExt3", filter = "write_params_ext3", command = "CMD_WRITE_PARAMS_EXT3", id = 105, to_board = true, min = 221, max = 221, open = true, keeps_tail = true, tail = 34, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[54].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4, special = {[255] = "the active profile"}},
     {name = "reserved_1", blob = "bytes", size = 21, count = 1, fixed = 21, reserved = true},
     {name = "ext_imu_type", type = "u8", enum = "ExtImuModel", count = 1, fixed = 1},
@@ -980,12 +1047,12 @@ local protocol = (function()
     {name = "reserved_5", blob = "bytes", size = 48, count = 1, fixed = 48, reserved = true},
   }
 
-  messages[54] = {name = "RealtimeData", filter = "realtime_data", command = "CMD_REALTIME_DATA", id = 68, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[54].fields = {
+  messages[55] = {name = "RealtimeData", filter = "realtime_data", command = "CMD_REALTIME_DATA", id = 68, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[55].fields = {
   }
 
-  messages[55] = {name = "RealtimeData3", filter = "realtime_data3", command = "CMD_REALTIME_DATA_3", id = 23, min = 63, max = 63, open = true, keeps_tail = true, tail = 192}
-  messages[55].fields = {
+  messages[56] = {name = "RealtimeData3", filter = "realtime_data3", command = "CMD_REALTIME_DATA_3", id = 23, min = 63, max = 63, open = true, keeps_tail = true, tail = 192}
+  messages[56].fields = {
     {name = "axes", struct = "AxisSensors7", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
     {name = "serial_error_cnt", type = "u16", count = 1, fixed = 2},
     {name = "system_error", type = "u16", enum = "SystemErrors", count = 1, fixed = 2},
@@ -1008,12 +1075,12 @@ local protocol = (function()
     {name = "motor_power", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
   }
 
-  messages[56] = {name = "RealtimeData3Request", filter = "realtime_data3request", command = "CMD_REALTIME_DATA_3", id = 23, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[56].fields = {
+  messages[57] = {name = "RealtimeData3Request", filter = "realtime_data3request", command = "CMD_REALTIME_DATA_3", id = 23, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[57].fields = {
   }
 
-  messages[57] = {name = "RealtimeData4", filter = "realtime_data4", command = "CMD_REALTIME_DATA_4", id = 25, min = 124, max = 124, open = true, keeps_tail = true, tail = 131}
-  messages[57].fields = {
+  messages[58] = {name = "RealtimeData4", filter = "realtime_data4", command = "CMD_REALTIME_DATA_4", id = 25, min = 124, max = 124, open = true, keeps_tail = true, tail = 131}
+  messages[58].fields = {
     {name = "axes", struct = "AxisSensors7", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
     {name = "serial_error_cnt", type = "u16", count = 1, fixed = 2},
     {name = "system_error", type = "u16", enum = "SystemErrors", count = 1, fixed = 2},
@@ -1051,12 +1118,12 @@ local protocol = (function()
     {name = "reserved_3", blob = "bytes", size = 18, count = 1, fixed = 18, reserved = true},
   }
 
-  messages[58] = {name = "RealtimeData4Request", filter = "realtime_data4request", command = "CMD_REALTIME_DATA_4", id = 25, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData4"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[58].fields = {
+  messages[59] = {name = "RealtimeData4Request", filter = "realtime_data4request", command = "CMD_REALTIME_DATA_4", id = 25, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"RealtimeData4"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[59].fields = {
   }
 
-  messages[59] = {name = "RealtimeDataCustom", filter = "realtime_data_custom", command = "CMD_REALTIME_DATA_CUSTOM", id = 88, min = 2, max = 255, open = true, keeps_tail = true, tail = 253, repeats = {name = "flags", at = 2, size = 4, mask = 2147483648}}
-  messages[59].fields = {
+  messages[60] = {name = "RealtimeDataCustom", filter = "realtime_data_custom", command = "CMD_REALTIME_DATA_CUSTOM", id = 88, min = 2, max = 255, open = true, keeps_tail = true, tail = 253, repeats = {name = "flags", at = 2, size = 4, mask = 2147483648}}
+  messages[60].fields = {
     {name = "timestamp_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "flags", type = "u32", enum = "RealtimeDataCustomFlags", count = 1, fixed = 4, when = {context = "flags", all = 2147483648}},
     {name = "imu_angles", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, when = {context = "flags", all = 1}, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
@@ -1093,14 +1160,14 @@ local protocol = (function()
     {name = "main_imu_state", struct = "MainImuState15", count = 1, fixed = 11, when = {context = "flags", all = 536870912}},
   }
 
-  messages[60] = {name = "RealtimeDataCustomRequest", filter = "realtime_data_custom_request", command = "CMD_REALTIME_DATA_CUSTOM", id = 88, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"reads"}, answers = {{messages = {"RealtimeDataCustom"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[60].fields = {
+  messages[61] = {name = "RealtimeDataCustomRequest", filter = "realtime_data_custom_request", command = "CMD_REALTIME_DATA_CUSTOM", id = 88, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"reads"}, answers = {{messages = {"RealtimeDataCustom"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[61].fields = {
     {name = "flags", type = "u32", enum = "RealtimeDataCustomFlags", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 6, count = 1, fixed = 6, reserved = true},
   }
 
-  messages[61] = {name = "RealtimeDataCustom2", filter = "realtime_data_custom2", command = "CMD_REALTIME_DATA_CUSTOM2", id = 139, min = 2, max = 52, open = true, keeps_tail = true, tail = 253, repeats = {name = "flags", at = 2, size = 4, mask = 2147483648}}
-  messages[61].fields = {
+  messages[62] = {name = "RealtimeDataCustom2", filter = "realtime_data_custom2", command = "CMD_REALTIME_DATA_CUSTOM2", id = 139, min = 2, max = 52, open = true, keeps_tail = true, tail = 253, repeats = {name = "flags", at = 2, size = 4, mask = 2147483648}}
+  messages[62].fields = {
     {name = "timestamp_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "flags", type = "u32", enum = "RealtimeDataCustom2Flags", count = 1, fixed = 4, when = {context = "flags", all = 2147483648}},
     {name = "frame_imu_angles", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, when = {context = "flags", all = 1}, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
@@ -1112,14 +1179,14 @@ local protocol = (function()
     {name = "stab_err_ampl", type = "u16", unit = "deg", scale = 0.001, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, when = {context = "flags", all = 64}},
   }
 
-  messages[62] = {name = "RealtimeDataCustom2Request", filter = "realtime_data_custom2request", command = "CMD_REALTIME_DATA_CUSTOM2", id = 139, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"reads"}, answers = {{messages = {"RealtimeDataCustom2"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[62].fields = {
+  messages[63] = {name = "RealtimeDataCustom2Request", filter = "realtime_data_custom2request", command = "CMD_REALTIME_DATA_CUSTOM2", id = 139, to_board = true, min = 10, max = 10, open = true, takes_surplus = true, tail = 245, does = {"reads"}, answers = {{messages = {"RealtimeDataCustom2"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[63].fields = {
     {name = "flags", type = "u32", enum = "RealtimeDataCustom2Flags", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 6, count = 1, fixed = 6, reserved = true},
   }
 
-  messages[63] = {name = "DataStreamInterval", filter = "data_stream_interval", command = "CMD_DATA_STREAM_INTERVAL", id = 85, to_board = true, min = 21, max = 21, open = true, takes_surplus = true, tail = 234, does = {"sets"}, role = {is = "stream_request", command = "cmd_id", interval = "interval_ms", config = "config"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[63].fields = {
+  messages[64] = {name = "DataStreamInterval", filter = "data_stream_interval", command = "CMD_DATA_STREAM_INTERVAL", id = 85, to_board = true, min = 21, max = 21, open = true, takes_surplus = true, tail = 234, does = {"sets"}, role = {is = "stream_request", command = "cmd_id", interval = "interval_ms", config = "config"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[64].fields = {
     {name = "cmd_id", type = "u8", enum = "CommandFromBoard", count = 1, fixed = 1},
     {name = "interval_ms", type = "u16", unit = "ms", count = 1, fixed = 2, special = {[0] = "ends the stream", [1] = "a sample in every cycle, 0.8 ms"}},
     {name = "config", struct = "StreamConfig17", count = 1, fixed = 8},
@@ -1127,8 +1194,8 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 9, count = 1, fixed = 9, reserved = true},
   }
 
-  messages[64] = {name = "CanDrvTelemetry", filter = "can_drv_telemetry", command = "CMD_CAN_DRV_TELEMETRY", id = 127, min = 3, max = 35, open = true, keeps_tail = true, tail = 252}
-  messages[64].fields = {
+  messages[65] = {name = "CanDrvTelemetry", filter = "can_drv_telemetry", command = "CMD_CAN_DRV_TELEMETRY", id = 127, min = 3, max = 35, open = true, keeps_tail = true, tail = 252}
+  messages[65].fields = {
     {name = "drv_id", type = "u8", count = 1, fixed = 1, min = 0, max = 6},
     {name = "timestamp_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "can_bus_flags", type = "u8", count = 1, fixed = 1, when = {context = "flags", all = 1}},
@@ -1149,46 +1216,46 @@ local protocol = (function()
     {name = "pid_current_err", type = "i16", count = 1, fixed = 2, when = {context = "flags", all = 16384}},
   }
 
-  messages[65] = {name = "CanDrvState", filter = "can_drv_state", command = "CMD_CAN_DRV_STATE", id = 98, min = 0, max = 255, open = true, tail = 255}
-  messages[65].fields = {
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
-  }
-
-  messages[66] = {name = "CanDrvStateRequest", filter = "can_drv_state_request", command = "CMD_CAN_DRV_STATE", id = 98, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[66] = {name = "CanDrvState", filter = "can_drv_state", command = "CMD_CAN_DRV_STATE", id = 98, min = 0, max = 255, open = true, tail = 255}
   messages[66].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[67] = {name = "RealtimeDataCanDrv", filter = "realtime_data_can_drv", command = "CMD_REALTIME_DATA_CAN_DRV", id = 101, min = 0, max = 255, open = true, tail = 255}
+  messages[67] = {name = "CanDrvStateRequest", filter = "can_drv_state_request", command = "CMD_CAN_DRV_STATE", id = 98, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[67].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[68] = {name = "RealtimeDataCanDrvRequest", filter = "realtime_data_can_drv_request", command = "CMD_REALTIME_DATA_CAN_DRV", id = 101, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[68] = {name = "RealtimeDataCanDrv", filter = "realtime_data_can_drv", command = "CMD_REALTIME_DATA_CAN_DRV", id = 101, min = 0, max = 255, open = true, tail = 255}
   messages[68].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[69] = {name = "Control", filter = "control", command = "CMD_CONTROL", id = 67, to_board = true, min = 13, max = 13, tail = 242, does = {"moves"}, answers = {{when = {joined = "all", terms = {{steps = {"control_mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
+  messages[69] = {name = "RealtimeDataCanDrvRequest", filter = "realtime_data_can_drv_request", command = "CMD_REALTIME_DATA_CAN_DRV", id = 101, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[69].fields = {
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
+  }
+
+  messages[70] = {name = "Control", filter = "control", command = "CMD_CONTROL", id = 67, to_board = true, min = 13, max = 13, tail = 242, does = {"moves"}, answers = {{when = {joined = "all", terms = {{steps = {"control_mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
+  messages[70].fields = {
     {name = "control_mode", type = "u8", packed = "ControlMode", count = 1, fixed = 1},
     {name = "axes", struct = "ControlAxis18", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
   }
 
-  messages[70] = {name = "ControlExt", filter = "control_ext", command = "CMD_CONTROL", id = 67, to_board = true, min = 15, max = 15, open = true, takes_surplus = true, tail = 240, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"control_mode", "roll"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "roll"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "pitch"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "pitch"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "yaw"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "yaw"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
-  messages[70].fields = {
+  messages[71] = {name = "ControlExt", filter = "control_ext", command = "CMD_CONTROL", id = 67, to_board = true, min = 15, max = 15, open = true, takes_surplus = true, tail = 240, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"control_mode", "roll"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "roll"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "pitch"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "pitch"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"control_mode", "yaw"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"control_mode", "yaw"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
+  messages[71].fields = {
     {name = "control_mode", type = "u8", packed = "ControlMode", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
     {name = "axes", struct = "ControlAxis18", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
   }
 
-  messages[71] = {name = "ControlExtCommand", filter = "control_ext_command", command = "CMD_CONTROL_EXT", id = 121, to_board = true, min = 2, max = 32, open = true, takes_surplus = true, tail = 253, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"axes", "roll", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "roll", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "pitch", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "pitch", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "yaw", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "yaw", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
-  messages[71].fields = {
+  messages[72] = {name = "ControlExtCommand", filter = "control_ext_command", command = "CMD_CONTROL_EXT", id = 121, to_board = true, min = 2, max = 32, open = true, takes_surplus = true, tail = 253, does = {"moves"}, answers = {{when = {joined = "one_of", terms = {{joined = "all", terms = {{steps = {"axes", "roll", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "roll", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "pitch", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "pitch", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}, {joined = "all", terms = {{steps = {"axes", "yaw", "mode"}, part = {most = 240, shift = 0, enum = "ControlFlags"}, all = 64}, {steps = {"axes", "yaw", "mode"}, part = {most = 15, shift = 0, enum = "ControlModeKind"}, numbers = {[2] = true, [5] = true}}}}}}, confirm = true, count = 2, timeout = 12}, {confirm = true, timeout = 0.5}}}
+  messages[72].fields = {
     {name = "data_set", type = "u16", enum = "ControlExtFields", count = 1, fixed = 2},
     {name = "axes", struct = "ControlExtAxis19", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3},
   }
 
-  messages[72] = {name = "ControlConfig", filter = "control_config", command = "CMD_CONTROL_CONFIG", id = 90, to_board = true, min = 41, max = 41, open = true, takes_surplus = true, tail = 214, does = {"sets", "moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, timeout = 0.5}, {confirm = true, certain = true, timeout = 0.5}}}
-  messages[72].fields = {
+  messages[73] = {name = "ControlConfig", filter = "control_config", command = "CMD_CONTROL_CONFIG", id = 90, to_board = true, min = 41, max = 41, open = true, takes_surplus = true, tail = 214, does = {"sets", "moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, timeout = 0.5}, {confirm = true, certain = true, timeout = 0.5}}}
+  messages[73].fields = {
     {name = "timeout_ms", type = "u16", unit = "ms", count = 1, fixed = 2, special = {[0] = "no timeout"}},
     {name = "ch_priority", type = "u8", dim = "fixed", index = {"1", "2", "3", "4"}, count = 4, fixed = 4, min = 1, max = 255, special = {[0] = "the priority does not change"}},
     {name = "this_ch_priority", type = "u8", count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "the priority does not change"}},
@@ -1199,51 +1266,51 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 9, count = 1, fixed = 9, reserved = true},
   }
 
-  messages[73] = {name = "ControlQuatDisabled", filter = "control_quat_disabled", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 2, max = 2, tail = 253, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[73].fields = {
+  messages[74] = {name = "ControlQuatDisabled", filter = "control_quat_disabled", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 2, max = 2, tail = 253, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[74].fields = {
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 0, max = 0},
     {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
   }
 
-  messages[74] = {name = "ControlQuatSpeed", filter = "control_quat_speed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 14, max = 14, tail = 241, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[74].fields = {
+  messages[75] = {name = "ControlQuatSpeed", filter = "control_quat_speed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 14, max = 14, tail = 241, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[75].fields = {
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1},
     {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
     {name = "target_speed", type = "f32", unit = "rad/s", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[75] = {name = "ControlQuatAttitude", filter = "control_quat_attitude", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 18, max = 18, tail = 237, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 65}, confirm = true, certain = true, count = 2, timeout = 11}, {when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"flags"}, all = 64}, confirm = true, certain = true, timeout = 11}, {timeout = 0.5}}}
-  messages[75].fields = {
-    {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 2, max = 2},
-    {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
-    {name = "target_attitude", type = "f32", dim = "fixed", count = 4, fixed = 16, min = -1, max = 1},
-  }
-
-  messages[76] = {name = "ControlQuatAttitudePacked", filter = "control_quat_attitude_packed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 10, max = 10, tail = 245, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 65}, confirm = true, certain = true, count = 2, timeout = 11}, {when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"flags"}, all = 64}, confirm = true, certain = true, timeout = 11}, {timeout = 0.5}}}
+  messages[76] = {name = "ControlQuatAttitude", filter = "control_quat_attitude", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 18, max = 18, tail = 237, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 65}, confirm = true, certain = true, count = 2, timeout = 11}, {when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"flags"}, all = 64}, confirm = true, certain = true, timeout = 11}, {timeout = 0.5}}}
   messages[76].fields = {
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 2, max = 2},
     {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
+    {name = "target_attitude", type = "f32", dim = "fixed", count = 4, fixed = 16, min = -1, max = 1},
+  }
+
+  messages[77] = {name = "ControlQuatAttitudePacked", filter = "control_quat_attitude_packed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 10, max = 10, tail = 245, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 65}, confirm = true, certain = true, count = 2, timeout = 11}, {when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"flags"}, all = 64}, confirm = true, certain = true, timeout = 11}, {timeout = 0.5}}}
+  messages[77].fields = {
+    {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 2, max = 2},
+    {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
     {name = "target_attitude", type = "u64", packed = "PackedQuaternion", count = 1, fixed = 8},
   }
 
-  messages[77] = {name = "ControlQuatSpeedAttitude", filter = "control_quat_speed_attitude", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[77].fields = {
+  messages[78] = {name = "ControlQuatSpeedAttitude", filter = "control_quat_speed_attitude", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[78].fields = {
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 5, max = 5},
     {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
     {name = "target_attitude", type = "f32", dim = "fixed", count = 4, fixed = 16, min = -1, max = 1},
     {name = "target_speed", type = "f32", unit = "rad/s", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[78] = {name = "ControlQuatSpeedAttitudePacked", filter = "control_quat_speed_attitude_packed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 22, max = 22, tail = 233, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[78].fields = {
+  messages[79] = {name = "ControlQuatSpeedAttitudePacked", filter = "control_quat_speed_attitude_packed", command = "CMD_CONTROL_QUAT", id = 140, to_board = true, min = 22, max = 22, tail = 233, does = {"moves"}, answers = {{when = {steps = {"flags"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[79].fields = {
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, min = 5, max = 5},
     {name = "flags", type = "u8", enum = "ControlQuatFlags", count = 1, fixed = 1},
     {name = "target_attitude", type = "u64", packed = "PackedQuaternion", count = 1, fixed = 8},
     {name = "target_speed", type = "f32", unit = "rad/s", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[79] = {name = "ControlQuatStatus", filter = "control_quat_status", command = "CMD_CONTROL_QUAT_STATUS", id = 141, min = 2, max = 97, open = true, keeps_tail = true, tail = 253, fits = true}
-  messages[79].fields = {
+  messages[80] = {name = "ControlQuatStatus", filter = "control_quat_status", command = "CMD_CONTROL_QUAT_STATUS", id = 141, min = 2, max = 97, open = true, keeps_tail = true, tail = 253, fits = true}
+  messages[80].fields = {
     {name = "data_set", type = "u16", enum = "ControlQuatStatusFields", count = 1, fixed = 2},
     {name = "data_set_high", type = "u16", count = 1, fixed = 2, fits = true},
     {name = "mode", type = "u8", enum = "ControlQuatMode", count = 1, fixed = 1, when = {steps = {"data_set"}, all = 1}},
@@ -1259,14 +1326,14 @@ local protocol = (function()
     {name = "actual_attitude_packed", type = "u64", packed = "PackedQuaternion", count = 1, fixed = 8, when = {steps = {"data_set"}, all = 512}},
   }
 
-  messages[80] = {name = "ControlQuatStatusRequest", filter = "control_quat_status_request", command = "CMD_CONTROL_QUAT_STATUS", id = 141, to_board = true, min = 4, max = 4, open = true, takes_surplus = true, tail = 251, does = {"reads"}, answers = {{messages = {"ControlQuatStatus"}, certain = true, timeout = 0.5, repeated = {ControlQuatStatus = {{field = "data_set", at = 0, size = 2}}}}}}
-  messages[80].fields = {
+  messages[81] = {name = "ControlQuatStatusRequest", filter = "control_quat_status_request", command = "CMD_CONTROL_QUAT_STATUS", id = 141, to_board = true, min = 4, max = 4, open = true, takes_surplus = true, tail = 251, does = {"reads"}, answers = {{messages = {"ControlQuatStatus"}, certain = true, timeout = 0.5, repeated = {ControlQuatStatus = {{field = "data_set", at = 0, size = 2}}}}}}
+  messages[81].fields = {
     {name = "data_set", type = "u16", enum = "ControlQuatStatusFields", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 2, count = 1, fixed = 2, reserved = true},
   }
 
-  messages[81] = {name = "ControlQuatConfig", filter = "control_quat_config", command = "CMD_CONTROL_QUAT_CONFIG", id = 142, to_board = true, min = 2, max = 24, open = true, takes_surplus = true, tail = 253, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[81].fields = {
+  messages[82] = {name = "ControlQuatConfig", filter = "control_quat_config", command = "CMD_CONTROL_QUAT_CONFIG", id = 142, to_board = true, min = 2, max = 24, open = true, takes_surplus = true, tail = 253, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[82].fields = {
     {name = "data_set", type = "u16", enum = "ControlQuatConfigFields", count = 1, fixed = 2},
     {name = "max_speed", type = "u16", unit = "deg/s", scale = 0.12207403790398877, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, when = {steps = {"data_set"}, all = 1}},
     {name = "acc_limit", type = "u16", unit = "deg/s^2", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, min = 1, max = 65535, special = {[0] = "no limit"}, when = {steps = {"data_set"}, all = 2}},
@@ -1276,72 +1343,72 @@ local protocol = (function()
     {name = "speed_lpf_freq", type = "u8", unit = "Hz", count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "no filter"}, when = {steps = {"data_set"}, all = 32}},
   }
 
-  messages[82] = {name = "GetAngles", filter = "get_angles", command = "CMD_GET_ANGLES", id = 73, min = 18, max = 18, open = true, keeps_tail = true, tail = 237}
-  messages[82].fields = {
+  messages[83] = {name = "GetAngles", filter = "get_angles", command = "CMD_GET_ANGLES", id = 73, min = 18, max = 18, open = true, keeps_tail = true, tail = 237}
+  messages[83].fields = {
     {name = "axes", struct = "AxisState21", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
   }
 
-  messages[83] = {name = "GetAnglesRequest", filter = "get_angles_request", command = "CMD_GET_ANGLES", id = 73, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"GetAngles"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[83].fields = {
+  messages[84] = {name = "GetAnglesRequest", filter = "get_angles_request", command = "CMD_GET_ANGLES", id = 73, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"GetAngles"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[84].fields = {
   }
 
-  messages[84] = {name = "GetAnglesExt", filter = "get_angles_ext", command = "CMD_GET_ANGLES_EXT", id = 61, min = 54, max = 54, open = true, keeps_tail = true, tail = 201}
-  messages[84].fields = {
+  messages[85] = {name = "GetAnglesExt", filter = "get_angles_ext", command = "CMD_GET_ANGLES_EXT", id = 61, min = 54, max = 54, open = true, keeps_tail = true, tail = 201}
+  messages[85].fields = {
     {name = "axes", struct = "AxisStateExt22", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 54},
   }
 
-  messages[85] = {name = "GetAnglesExtRequest", filter = "get_angles_ext_request", command = "CMD_GET_ANGLES_EXT", id = 61, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"GetAnglesExt"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[85].fields = {
-  }
-
-  messages[86] = {name = "MotorsOn", filter = "motors_on", command = "CMD_MOTORS_ON", id = 77, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[86] = {name = "GetAnglesExtRequest", filter = "get_angles_ext_request", command = "CMD_GET_ANGLES_EXT", id = 61, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"GetAnglesExt"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[86].fields = {
   }
 
-  messages[87] = {name = "MotorsOff", filter = "motors_off", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 0, max = 0, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[87] = {name = "MotorsOn", filter = "motors_on", command = "CMD_MOTORS_ON", id = 77, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[87].fields = {
   }
 
-  messages[88] = {name = "MotorsOffExt", filter = "motors_off_ext", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[88] = {name = "MotorsOff", filter = "motors_off", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 0, max = 0, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[88].fields = {
+  }
+
+  messages[89] = {name = "MotorsOffExt", filter = "motors_off_ext", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[89].fields = {
     {name = "mode", type = "u8", enum = "MotorsOffMode", count = 1, fixed = 1},
   }
 
-  messages[89] = {name = "SyncMotors", filter = "sync_motors", command = "CMD_SYNC_MOTORS", id = 123, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[89].fields = {
+  messages[90] = {name = "SyncMotors", filter = "sync_motors", command = "CMD_SYNC_MOTORS", id = 123, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[90].fields = {
     {name = "axis", type = "u8", enum = "SyncMotorAxis", count = 1, fixed = 1},
     {name = "power", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "angle", type = "u16", count = 1, fixed = 2, special = {[0] = "the motor holds its position"}},
   }
 
-  messages[90] = {name = "Event", filter = "event", command = "CMD_EVENT", id = 102, min = 4, max = 4, open = true, keeps_tail = true, tail = 251}
-  messages[90].fields = {
+  messages[91] = {name = "Event", filter = "event", command = "CMD_EVENT", id = 102, min = 4, max = 4, open = true, keeps_tail = true, tail = 251}
+  messages[91].fields = {
     {name = "event_id", type = "u8", enum = "EventId", count = 1, fixed = 1},
     {name = "event_type", type = "u8", enum = "EventTypes", count = 1, fixed = 1},
     {name = "param", blob = "bytes", size = 2, count = 1, fixed = 2},
   }
 
-  messages[91] = {name = "ExecuteMenu", filter = "execute_menu", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 1, max = 1, tail = 254, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[91].fields = {
+  messages[92] = {name = "ExecuteMenu", filter = "execute_menu", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 1, max = 1, tail = 254, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[92].fields = {
     {name = "cmd_id", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
   }
 
-  messages[92] = {name = "ExecuteMenuExt", filter = "execute_menu_ext", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"param"}, all = 3}, confirm = true, certain = true, count = 2, timeout = 60}, {when = {steps = {"param"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"param"}, all = 2}, confirm = true, certain = true, timeout = 60}, {confirm = true, timeout = 0.5}}}
-  messages[92].fields = {
+  messages[93] = {name = "ExecuteMenuExt", filter = "execute_menu_ext", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"param"}, all = 3}, confirm = true, certain = true, count = 2, timeout = 60}, {when = {steps = {"param"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"param"}, all = 2}, confirm = true, certain = true, timeout = 60}, {confirm = true, timeout = 0.5}}}
+  messages[93].fields = {
     {name = "cmd_id", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
     {name = "param", type = "u8", enum = "ExecuteMenuFlags", count = 1, fixed = 1},
   }
 
-  messages[93] = {name = "HelperData", filter = "helper_data", command = "CMD_HELPER_DATA", id = 72, to_board = true, min = 10, max = 10, tail = 245, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[93].fields = {
+  messages[94] = {name = "HelperData", filter = "helper_data", command = "CMD_HELPER_DATA", id = 72, to_board = true, min = 10, max = 10, tail = 245, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[94].fields = {
     {name = "frame_acc", type = "i16", unit = "g", scale = 0.001953125, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
     {name = "frame_angle_roll", type = "i16", unit = "deg", scale = 0.02197265625, count = 1, fixed = 2, min = -32768, max = 32767, special = {[0] = "with FRAME_ANGLE_PITCH 0 too, not used"}},
     {name = "frame_angle_pitch", type = "i16", unit = "deg", scale = 0.02197265625, count = 1, fixed = 2, min = -32768, max = 32767, special = {[0] = "with FRAME_ANGLE_ROLL 0 too, not used"}},
   }
 
-  messages[94] = {name = "HelperDataExt", filter = "helper_data_ext", command = "CMD_HELPER_DATA", id = 72, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[94].fields = {
+  messages[95] = {name = "HelperDataExt", filter = "helper_data_ext", command = "CMD_HELPER_DATA", id = 72, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[95].fields = {
     {name = "frame_acc", type = "i16", unit = "g", scale = 0.001953125, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
     {name = "frame_angle_roll", type = "i16", unit = "deg", scale = 0.02197265625, count = 1, fixed = 2, min = -32768, max = 32767, special = {[0] = "with FRAME_ANGLE_PITCH 0 too, not used"}},
     {name = "frame_angle_pitch", type = "i16", unit = "deg", scale = 0.02197265625, count = 1, fixed = 2, min = -32768, max = 32767, special = {[0] = "with FRAME_ANGLE_ROLL 0 too, not used"}},
@@ -1351,15 +1418,15 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 1, count = 1, fixed = 1, reserved = true},
   }
 
-  messages[95] = {name = "ExtMotorsAction", filter = "ext_motors_action", command = "CMD_EXT_MOTORS_ACTION", id = 128, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"moves"}, answers = {{when = {steps = {"for_motors"}, all = 128}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[95].fields = {
+  messages[96] = {name = "ExtMotorsAction", filter = "ext_motors_action", command = "CMD_EXT_MOTORS_ACTION", id = 128, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"moves"}, answers = {{when = {steps = {"for_motors"}, all = 128}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[96].fields = {
     {name = "for_motors", type = "u8", enum = "ExtMotorTargets", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "ExtMotorActionKind", count = 1, fixed = 1},
     {name = "args", blob = "bytes", dim = "rest", count = 1, capacity = 253, reserved = true},
   }
 
-  messages[96] = {name = "ExtMotorsControl", filter = "ext_motors_control", command = "CMD_EXT_MOTORS_CONTROL", id = 129, to_board = true, min = 2, max = 58, tail = 253, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[96].fields = {
+  messages[97] = {name = "ExtMotorsControl", filter = "ext_motors_control", command = "CMD_EXT_MOTORS_CONTROL", id = 129, to_board = true, min = 2, max = 58, tail = 253, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[97].fields = {
     {name = "for_motors", type = "u8", enum = "ExtMotors", count = 1, fixed = 1},
     {name = "data_set", type = "u8", enum = "ExtMotorsControlFields", count = 1, fixed = 1},
     {name = "setpoint16", type = "i16", dim = "counted", capacity = 8, counter = "for_motors", counting = "bits", when = {steps = {"data_set"}, none = {1, 2, 4}}},
@@ -1370,8 +1437,8 @@ local protocol = (function()
     {name = "setpoint32_param32", struct = "ExtMotorTarget3226", dim = "counted", capacity = 8, counter = "for_motors", counting = "bits", when = {steps = {"data_set"}, all = 5, none = {2}}},
   }
 
-  messages[97] = {name = "ExtMotorsControlConfig", filter = "ext_motors_control_config", command = "CMD_EXT_MOTORS_CONTROL_CONFIG", id = 130, to_board = true, min = 3, max = 12, open = true, takes_surplus = true, tail = 252, does = {"sets"}, answers = {{when = {steps = {"for_motors"}, all = 128}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
-  messages[97].fields = {
+  messages[98] = {name = "ExtMotorsControlConfig", filter = "ext_motors_control_config", command = "CMD_EXT_MOTORS_CONTROL_CONFIG", id = 130, to_board = true, min = 3, max = 12, open = true, takes_surplus = true, tail = 252, does = {"sets"}, answers = {{when = {steps = {"for_motors"}, all = 128}, confirm = true, certain = true, timeout = 0.5}, {timeout = 0.5}}}
+  messages[98].fields = {
     {name = "for_motors", type = "u8", enum = "ExtMotorTargets", count = 1, fixed = 1},
     {name = "data_set", type = "u16", enum = "ExtMotorsControlConfigFields", count = 1, fixed = 2},
     {name = "mode", type = "u8", enum = "ExtMotorMode", count = 1, fixed = 1, when = {steps = {"data_set"}, all = 1}},
@@ -1381,8 +1448,8 @@ local protocol = (function()
     {name = "max_torque", type = "u16", count = 1, fixed = 2, when = {steps = {"data_set"}, all = 16}},
   }
 
-  messages[98] = {name = "ExtMotorsState", filter = "ext_motors_state", command = "CMD_EXT_MOTORS_STATE", id = 131, min = 5, max = 50, open = true, keeps_tail = true, tail = 250}
-  messages[98].fields = {
+  messages[99] = {name = "ExtMotorsState", filter = "ext_motors_state", command = "CMD_EXT_MOTORS_STATE", id = 131, min = 5, max = 50, open = true, keeps_tail = true, tail = 250}
+  messages[99].fields = {
     {name = "motor_id", type = "u8", count = 1, fixed = 1, min = 0, max = 6},
     {name = "data_set", type = "u32", enum = "ExtMotorsStateFields", count = 1, fixed = 4},
     {name = "control_mode", type = "u8", enum = "ExtMotorMode", count = 1, fixed = 1, when = {steps = {"data_set"}, all = 1}},
@@ -1407,67 +1474,67 @@ local protocol = (function()
     {name = "driver_temperature", type = "i8", unit = "degC", count = 1, fixed = 1, when = {steps = {"data_set"}, all = 524288}},
   }
 
-  messages[99] = {name = "ExtMotorsStateRequest", filter = "ext_motors_state_request", command = "CMD_EXT_MOTORS_STATE", id = 131, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"reads"}, answers = {{messages = {"ExtMotorsState"}, certain = true, timeout = 0.5, repeated = {ExtMotorsState = {{field = "data_set", at = 1, size = 4}}}}}}
-  messages[99].fields = {
+  messages[100] = {name = "ExtMotorsStateRequest", filter = "ext_motors_state_request", command = "CMD_EXT_MOTORS_STATE", id = 131, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"reads"}, answers = {{messages = {"ExtMotorsState"}, certain = true, timeout = 0.5, repeated = {ExtMotorsState = {{field = "data_set", at = 1, size = 4}}}}}}
+  messages[100].fields = {
     {name = "for_motors", type = "u8", enum = "ExtMotors", count = 1, fixed = 1},
     {name = "data_set", type = "u32", enum = "ExtMotorsStateFields", count = 1, fixed = 4},
   }
 
-  messages[100] = {name = "CalibAcc", filter = "calib_acc", command = "CMD_CALIB_ACC", id = 65, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
-  messages[100].fields = {
+  messages[101] = {name = "CalibAcc", filter = "calib_acc", command = "CMD_CALIB_ACC", id = 65, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
+  messages[101].fields = {
   }
 
-  messages[101] = {name = "CalibAccExt", filter = "calib_acc_ext", command = "CMD_CALIB_ACC", id = 65, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, certain = true, count = 2, timeout = 3600}, {confirm = true, certain = true, count = 2, timeout = 30}}}
-  messages[101].fields = {
+  messages[102] = {name = "CalibAccExt", filter = "calib_acc_ext", command = "CMD_CALIB_ACC", id = 65, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, certain = true, count = 2, timeout = 3600}, {confirm = true, certain = true, count = 2, timeout = 30}}}
+  messages[102].fields = {
     {name = "imu_idx", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[102] = {name = "CalibGyro", filter = "calib_gyro", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
-  messages[102].fields = {
+  messages[103] = {name = "CalibGyro", filter = "calib_gyro", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
+  messages[103].fields = {
   }
 
-  messages[103] = {name = "CalibGyroExt", filter = "calib_gyro_ext", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, certain = true, count = 2, timeout = 3600}, {confirm = true, certain = true, count = 2, timeout = 30}}}
-  messages[103].fields = {
+  messages[104] = {name = "CalibGyroExt", filter = "calib_gyro_ext", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, certain = true, count = 2, timeout = 3600}, {confirm = true, certain = true, count = 2, timeout = 30}}}
+  messages[104].fields = {
     {name = "imu_idx", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2, special = {[0] = "about 4 s"}},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[104] = {name = "CalibMag", filter = "calib_mag", command = "CMD_CALIB_MAG", id = 59, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[104].fields = {
+  messages[105] = {name = "CalibMag", filter = "calib_mag", command = "CMD_CALIB_MAG", id = 59, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[105].fields = {
   }
 
-  messages[105] = {name = "CalibMagExt", filter = "calib_mag_ext", command = "CMD_CALIB_MAG", id = 59, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
-  messages[105].fields = {
+  messages[106] = {name = "CalibMagExt", filter = "calib_mag_ext", command = "CMD_CALIB_MAG", id = 59, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
+  messages[106].fields = {
     {name = "imu_idx", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[106] = {name = "CalibExtGain", filter = "calib_ext_gain", command = "CMD_CALIB_EXT_GAIN", id = 71, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
-  messages[106].fields = {
-  }
-
-  messages[107] = {name = "CalibPoles", filter = "calib_poles", command = "CMD_CALIB_POLES", id = 80, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
+  messages[107] = {name = "CalibExtGain", filter = "calib_ext_gain", command = "CMD_CALIB_EXT_GAIN", id = 71, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
   messages[107].fields = {
   }
 
-  messages[108] = {name = "CalibOffset", filter = "calib_offset", command = "CMD_CALIB_OFFSET", id = 79, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[108] = {name = "CalibPoles", filter = "calib_poles", command = "CMD_CALIB_POLES", id = 80, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
   messages[108].fields = {
   }
 
-  messages[109] = {name = "CalibBat", filter = "calib_bat", command = "CMD_CALIB_BAT", id = 66, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[109] = {name = "CalibOffset", filter = "calib_offset", command = "CMD_CALIB_OFFSET", id = 79, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[109].fields = {
+  }
+
+  messages[110] = {name = "CalibBat", filter = "calib_bat", command = "CMD_CALIB_BAT", id = 66, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[110].fields = {
     {name = "actual_voltage", type = "u16", unit = "V", scale = 0.01, count = 1, fixed = 2},
   }
 
-  messages[110] = {name = "CalibInfo", filter = "calib_info", command = "CMD_CALIB_INFO", id = 49, min = 33, max = 33, open = true, keeps_tail = true, tail = 222}
-  messages[110].fields = {
+  messages[111] = {name = "CalibInfo", filter = "calib_info", command = "CMD_CALIB_INFO", id = 49, min = 33, max = 33, open = true, keeps_tail = true, tail = 222}
+  messages[111].fields = {
     {name = "progress", type = "u8", unit = "%", count = 1, fixed = 1, min = 0, max = 100},
     {name = "imu_type", type = "u8", enum = "SelectedImu", count = 1, fixed = 1},
     {name = "acc_data", type = "i16", unit = "g", scale = 0.001953125, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
@@ -1486,36 +1553,36 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 7, count = 1, fixed = 7, reserved = true},
   }
 
-  messages[111] = {name = "CalibInfoRequest", filter = "calib_info_request", command = "CMD_CALIB_INFO", id = 49, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"reads"}, answers = {{messages = {"CalibInfo"}, certain = true, timeout = 0.5, repeated = {CalibInfo = {{field = "imu_type", at = 1, size = 1}}}}}}
-  messages[111].fields = {
+  messages[112] = {name = "CalibInfoRequest", filter = "calib_info_request", command = "CMD_CALIB_INFO", id = 49, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"reads"}, answers = {{messages = {"CalibInfo"}, certain = true, timeout = 0.5, repeated = {CalibInfo = {{field = "imu_type", at = 1, size = 1}}}}}}
+  messages[112].fields = {
     {name = "imu_type", type = "u8", enum = "SelectedImu", count = 1, fixed = 1},
     {name = "reserved", blob = "bytes", size = 11, count = 1, fixed = 11, reserved = true},
   }
 
-  messages[112] = {name = "CalibMotorMagLink", filter = "calib_motor_mag_link", command = "CMD_CALIB_MOTOR_MAG_LINK", id = 74, min = 0, max = 255, open = true, tail = 255}
-  messages[112].fields = {
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
-  }
-
-  messages[113] = {name = "CalibMotorMagLinkRequest", filter = "calib_motor_mag_link_request", command = "CMD_CALIB_MOTOR_MAG_LINK", id = 74, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[113] = {name = "CalibMotorMagLink", filter = "calib_motor_mag_link", command = "CMD_CALIB_MOTOR_MAG_LINK", id = 74, min = 0, max = 255, open = true, tail = 255}
   messages[113].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[114] = {name = "EncodersCalibOffset4", filter = "encoders_calib_offset4", command = "CMD_ENCODERS_CALIB_OFFSET_4", id = 26, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[114] = {name = "CalibMotorMagLinkRequest", filter = "calib_motor_mag_link_request", command = "CMD_CALIB_MOTOR_MAG_LINK", id = 74, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[114].fields = {
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
+  }
+
+  messages[115] = {name = "EncodersCalibOffset4", filter = "encoders_calib_offset4", command = "CMD_ENCODERS_CALIB_OFFSET_4", id = 26, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"stores"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[115].fields = {
     {name = "for_motor", type = "u8", enum = "CalibMotor", count = 1, fixed = 1, appended = true},
   }
 
-  messages[115] = {name = "EncodersCalibFldOffset4", filter = "encoders_calib_fld_offset4", command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4", id = 27, to_board = true, min = 0, max = 14, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[115].fields = {
+  messages[116] = {name = "EncodersCalibFldOffset4", filter = "encoders_calib_fld_offset4", command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4", id = 27, to_board = true, min = 0, max = 14, open = true, takes_surplus = true, tail = 255, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[116].fields = {
     {name = "calib_angle", type = "i16", unit = "deg", scale = 0.02197265625, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, appended = true},
     {name = "calib_speed", type = "i16", unit = "deg/s", scale = 0.061037018951994385, dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 6, appended = true},
     {name = "calib_flags", type = "u16", enum = "FieldOffsetFlags", count = 1, fixed = 2, appended = true},
   }
 
-  messages[116] = {name = "AutoPid", filter = "auto_pid", command = "CMD_AUTO_PID", id = 35, min = 57, max = 57, open = true, keeps_tail = true, tail = 198}
-  messages[116].fields = {
+  messages[117] = {name = "AutoPid", filter = "auto_pid", command = "CMD_AUTO_PID", id = 35, min = 57, max = 57, open = true, keeps_tail = true, tail = 198}
+  messages[117].fields = {
     {name = "p", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
     {name = "i", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
     {name = "d", type = "u8", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 3},
@@ -1525,8 +1592,8 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 10, count = 1, fixed = 10, reserved = true},
   }
 
-  messages[117] = {name = "AutoPidRequest", filter = "auto_pid_request", command = "CMD_AUTO_PID", id = 35, to_board = true, min = 19, max = 19, open = true, takes_surplus = true, tail = 236, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[117].fields = {
+  messages[118] = {name = "AutoPidRequest", filter = "auto_pid_request", command = "CMD_AUTO_PID", id = 35, to_board = true, min = 19, max = 19, open = true, takes_surplus = true, tail = 236, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[118].fields = {
     {name = "profile_id", type = "u8", count = 1, fixed = 1, min = 0, max = 4},
     {name = "cfg_flags", type = "u8", enum = "AutoPidFlags", count = 1, fixed = 1, special = {[0] = "stops the tuning"}},
     {name = "gain_vs_stability", type = "u8", count = 1, fixed = 1, min = 0, max = 255},
@@ -1535,44 +1602,44 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 14, count = 1, fixed = 14, reserved = true},
   }
 
-  messages[118] = {name = "AutoPid2", filter = "auto_pid2", command = "CMD_AUTO_PID2", id = 108, to_board = true, min = 11, max = 73, open = true, takes_surplus = true, tail = 244, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[118].fields = {
+  messages[119] = {name = "AutoPid2", filter = "auto_pid2", command = "CMD_AUTO_PID2", id = 108, to_board = true, min = 11, max = 73, open = true, takes_surplus = true, tail = 244, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[119].fields = {
     {name = "action", type = "u8", enum = "AutoPid2Action", count = 1, fixed = 1},
     {name = "cmd_flags", type = "u16", enum = "AutoPid2CommandFlags", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
     {name = "config", struct = "AutoPid2Config29", count = 1, fixed = 62, when = {steps = {"action"}, numbers = {[1] = true, [2] = true, [3] = true}}},
   }
 
-  messages[119] = {name = "CalibOrientCorr", filter = "calib_orient_corr", command = "CMD_CALIB_ORIENT_CORR", id = 91, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
-  messages[119].fields = {
+  messages[120] = {name = "CalibOrientCorr", filter = "calib_orient_corr", command = "CMD_CALIB_ORIENT_CORR", id = 91, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 30}}}
+  messages[120].fields = {
     {name = "reserved", blob = "bytes", size = 16, count = 1, fixed = 16, reserved = true},
   }
 
-  messages[120] = {name = "CalibCogging", filter = "calib_cogging", command = "CMD_CALIB_COGGING", id = 93, to_board = true, min = 57, max = 57, open = true, takes_surplus = true, tail = 198, does = {"stores", "moves", "erases"}, answers = {{confirm = true, certain = true, timeout = 30}}}
-  messages[120].fields = {
+  messages[121] = {name = "CalibCogging", filter = "calib_cogging", command = "CMD_CALIB_COGGING", id = 93, to_board = true, min = 57, max = 57, open = true, takes_surplus = true, tail = 198, does = {"stores", "moves", "erases"}, answers = {{confirm = true, certain = true, timeout = 30}}}
+  messages[121].fields = {
     {name = "action", type = "u8", enum = "CoggingAction", count = 1, fixed = 1},
     {name = "axes", type = "u8", enum = "CoggingAxes", count = 1, fixed = 1},
-    {name = "motors", struct = "CoggingMotor30", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 45},
-    {name = "iterations_num", type = "u8", count = 1, fixed = 1, min = 2, max = 255},
+    {name = "motors", struct = "CoggingMotor30", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 45, used_when = {joined = "all", terms = {{steps = {"action"}, numbers = {[2] = true}, negated = true}, {steps = {"axes"}, all = 1, elements = {roll = {steps = {"axes"}, all = 1}, pitch = {steps = {"axes"}, all = 2}, yaw = {steps = {"axes"}, all = 4}}}}}},
+    {name = "iterations_num", type = "u8", count = 1, fixed = 1, min = 2, max = 255, used_when = {steps = {"action"}, numbers = {[2] = true}, negated = true}},
     {name = "reserved", blob = "bytes", size = 9, count = 1, fixed = 9, reserved = true},
   }
 
-  messages[121] = {name = "CalibAccExtRef", filter = "calib_acc_ext_ref", command = "CMD_CALIB_ACC_EXT_REF", id = 94, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 30}}}
-  messages[121].fields = {
+  messages[122] = {name = "CalibAccExtRef", filter = "calib_acc_ext_ref", command = "CMD_CALIB_ACC_EXT_REF", id = 94, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 30}}}
+  messages[122].fields = {
     {name = "acc_ref", type = "i16", unit = "g", scale = 0.001953125, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
     {name = "reserved", blob = "bytes", size = 14, count = 1, fixed = 14, reserved = true},
   }
 
-  messages[122] = {name = "BodeTestStartStop", filter = "bode_test_start_stop", command = "CMD_BODE_TEST_START_STOP", id = 37, min = 22, max = 22, open = true, keeps_tail = true, tail = 233}
-  messages[122].fields = {
+  messages[123] = {name = "BodeTestStartStop", filter = "bode_test_start_stop", command = "CMD_BODE_TEST_START_STOP", id = 37, min = 22, max = 22, open = true, keeps_tail = true, tail = 233}
+  messages[123].fields = {
     {name = "samples_count", type = "u32", count = 1, fixed = 4},
     {name = "error_code", type = "u16", count = 1, fixed = 2, special = {[0] = "success"}},
     {name = "mode", type = "u8", count = 1, fixed = 1},
     {name = "reserved", blob = "bytes", size = 15, count = 1, fixed = 15, reserved = true},
   }
 
-  messages[123] = {name = "BodeTestStartStopRequest", filter = "bode_test_start_stop_request", command = "CMD_BODE_TEST_START_STOP", id = 37, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{messages = {"BodeTestStartStop"}, confirm = true, certain = true, timeout = 3600, repeated = {}}}}
-  messages[123].fields = {
+  messages[124] = {name = "BodeTestStartStopRequest", filter = "bode_test_start_stop_request", command = "CMD_BODE_TEST_START_STOP", id = 37, to_board = true, min = 30, max = 30, open = true, takes_surplus = true, tail = 225, does = {"moves"}, answers = {{messages = {"BodeTestStartStop"}, confirm = true, certain = true, timeout = 3600, repeated = {}}}}
+  messages[124].fields = {
     {name = "axis", type = "u8", enum = "BodeAxis", count = 1, fixed = 1},
     {name = "stimulus_type", type = "u8", enum = "BodeStimulus", count = 1, fixed = 1},
     {name = "stimulus_gain", type = "u16", count = 1, fixed = 2, min = 1, max = 65535},
@@ -1584,8 +1651,8 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 16, count = 1, fixed = 16, reserved = true},
   }
 
-  messages[124] = {name = "BodeTestData", filter = "bode_test_data", command = "CMD_BODE_TEST_DATA", id = 38, min = 17, max = 97, open = true, tail = 238}
-  messages[124].fields = {
+  messages[125] = {name = "BodeTestData", filter = "bode_test_data", command = "CMD_BODE_TEST_DATA", id = 38, min = 17, max = 97, open = true, tail = 238}
+  messages[125].fields = {
     {name = "sample_counter", type = "u8", count = 1, fixed = 1},
     {name = "input_min", type = "f32", count = 1, fixed = 4},
     {name = "output_min", type = "f32", count = 1, fixed = 4},
@@ -1594,209 +1661,209 @@ local protocol = (function()
     {name = "samples", struct = "BodeSample31", dim = "rest", capacity = 59},
   }
 
-  messages[125] = {name = "CoggingCalibInfo", filter = "cogging_calib_info", command = "CMD_COGGING_CALIB_INFO", id = 92, min = 0, max = 255, open = true, tail = 255}
-  messages[125].fields = {
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
-  }
-
-  messages[126] = {name = "CoggingCalibInfoRequest", filter = "cogging_calib_info_request", command = "CMD_COGGING_CALIB_INFO", id = 92, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[126] = {name = "CoggingCalibInfo", filter = "cogging_calib_info", command = "CMD_COGGING_CALIB_INFO", id = 92, min = 0, max = 255, open = true, tail = 255}
   messages[126].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[127] = {name = "CanDrvHardParams", filter = "can_drv_hard_params", command = "CMD_CAN_DRV_HARD_PARAMS", id = 97, min = 0, max = 255, open = true, tail = 255}
+  messages[127] = {name = "CoggingCalibInfoRequest", filter = "cogging_calib_info_request", command = "CMD_COGGING_CALIB_INFO", id = 92, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[127].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[128] = {name = "CanDrvHardParamsRequest", filter = "can_drv_hard_params_request", command = "CMD_CAN_DRV_HARD_PARAMS", id = 97, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[128] = {name = "CanDrvHardParams", filter = "can_drv_hard_params", command = "CMD_CAN_DRV_HARD_PARAMS", id = 97, min = 0, max = 255, open = true, tail = 255}
   messages[128].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[129] = {name = "CanDrvCalibrate", filter = "can_drv_calibrate", command = "CMD_CAN_DRV_CALIBRATE", id = 99, min = 0, max = 255, open = true, tail = 255}
+  messages[129] = {name = "CanDrvHardParamsRequest", filter = "can_drv_hard_params_request", command = "CMD_CAN_DRV_HARD_PARAMS", id = 97, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[129].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[130] = {name = "CanDrvCalibrateRequest", filter = "can_drv_calibrate_request", command = "CMD_CAN_DRV_CALIBRATE", id = 99, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[130] = {name = "CanDrvCalibrate", filter = "can_drv_calibrate", command = "CMD_CAN_DRV_CALIBRATE", id = 99, min = 0, max = 255, open = true, tail = 255}
   messages[130].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[131] = {name = "CalibEncoderLut", filter = "calib_encoder_lut", command = "CMD_CALIB_ENCODER_LUT", id = 117, min = 0, max = 255, open = true, tail = 255}
+  messages[131] = {name = "CanDrvCalibrateRequest", filter = "can_drv_calibrate_request", command = "CMD_CAN_DRV_CALIBRATE", id = 99, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[131].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[132] = {name = "CalibEncoderLutRequest", filter = "calib_encoder_lut_request", command = "CMD_CALIB_ENCODER_LUT", id = 117, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[132] = {name = "CalibEncoderLut", filter = "calib_encoder_lut", command = "CMD_CALIB_ENCODER_LUT", id = 117, min = 0, max = 255, open = true, tail = 255}
   messages[132].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[133] = {name = "CalibEncoderLutRes", filter = "calib_encoder_lut_res", command = "CMD_CALIB_ENCODER_LUT_RES", id = 118, min = 0, max = 255, open = true, tail = 255}
+  messages[133] = {name = "CalibEncoderLutRequest", filter = "calib_encoder_lut_request", command = "CMD_CALIB_ENCODER_LUT", id = 117, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[133].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[134] = {name = "CalibEncoderLutResRequest", filter = "calib_encoder_lut_res_request", command = "CMD_CALIB_ENCODER_LUT_RES", id = 118, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[134] = {name = "CalibEncoderLutRes", filter = "calib_encoder_lut_res", command = "CMD_CALIB_ENCODER_LUT_RES", id = 118, min = 0, max = 255, open = true, tail = 255}
   messages[134].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[135] = {name = "CalibCurSens", filter = "calib_cur_sens", command = "CMD_CALIB_CUR_SENS", id = 120, min = 0, max = 255, open = true, tail = 255}
+  messages[135] = {name = "CalibEncoderLutResRequest", filter = "calib_encoder_lut_res_request", command = "CMD_CALIB_ENCODER_LUT_RES", id = 118, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[135].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[136] = {name = "CalibCurSensRequest", filter = "calib_cur_sens_request", command = "CMD_CALIB_CUR_SENS", id = 120, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[136] = {name = "CalibCurSens", filter = "calib_cur_sens", command = "CMD_CALIB_CUR_SENS", id = 120, min = 0, max = 255, open = true, tail = 255}
   messages[136].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[137] = {name = "EncIntCalib", filter = "enc_int_calib", command = "CMD_ENC_INT_CALIB", id = 122, min = 0, max = 255, open = true, tail = 255}
+  messages[137] = {name = "CalibCurSensRequest", filter = "calib_cur_sens_request", command = "CMD_CALIB_CUR_SENS", id = 120, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[137].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[138] = {name = "EncIntCalibRequest", filter = "enc_int_calib_request", command = "CMD_ENC_INT_CALIB", id = 122, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[138] = {name = "EncIntCalib", filter = "enc_int_calib", command = "CMD_ENC_INT_CALIB", id = 122, min = 0, max = 255, open = true, tail = 255}
   messages[138].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[139] = {name = "VibrationTestStartStop", filter = "vibration_test_start_stop", command = "CMD_VIBRATION_TEST_START_STOP", id = 125, min = 0, max = 255, open = true, tail = 255}
+  messages[139] = {name = "EncIntCalibRequest", filter = "enc_int_calib_request", command = "CMD_ENC_INT_CALIB", id = 122, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[139].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[140] = {name = "VibrationTestStartStopRequest", filter = "vibration_test_start_stop_request", command = "CMD_VIBRATION_TEST_START_STOP", id = 125, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[140] = {name = "VibrationTestStartStop", filter = "vibration_test_start_stop", command = "CMD_VIBRATION_TEST_START_STOP", id = 125, min = 0, max = 255, open = true, tail = 255}
   messages[140].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[141] = {name = "VibrationTestData", filter = "vibration_test_data", command = "CMD_VIBRATION_TEST_DATA", id = 126, min = 0, max = 255, open = true, tail = 255}
+  messages[141] = {name = "VibrationTestStartStopRequest", filter = "vibration_test_start_stop_request", command = "CMD_VIBRATION_TEST_START_STOP", id = 125, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[141].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[142] = {name = "VibrationTestDataRequest", filter = "vibration_test_data_request", command = "CMD_VIBRATION_TEST_DATA", id = 126, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[142] = {name = "VibrationTestData", filter = "vibration_test_data", command = "CMD_VIBRATION_TEST_DATA", id = 126, min = 0, max = 255, open = true, tail = 255}
   messages[142].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[143] = {name = "SelectImu3", filter = "select_imu3", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 1, max = 1, tail = 254, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[143] = {name = "VibrationTestDataRequest", filter = "vibration_test_data_request", command = "CMD_VIBRATION_TEST_DATA", id = 126, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[143].fields = {
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
+  }
+
+  messages[144] = {name = "SelectImu3", filter = "select_imu3", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 1, max = 1, tail = 254, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[144].fields = {
     {name = "imu_type", type = "u8", enum = "SelectedImu", count = 1, fixed = 1},
   }
 
-  messages[144] = {name = "SelectImu3Ext", filter = "select_imu3ext", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 2, max = 10, tail = 253, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[144].fields = {
+  messages[145] = {name = "SelectImu3Ext", filter = "select_imu3ext", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 2, max = 10, tail = 253, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[145].fields = {
     {name = "imu_type", type = "u8", enum = "SelectedImu", count = 1, fixed = 1},
     {name = "param", type = "u8", count = 1, fixed = 1},
     {name = "params", blob = "bytes", dim = "rest", count = 1, capacity = 253},
   }
 
-  messages[145] = {name = "SelectImu3CalibrateShort", filter = "select_imu3calibrate_short", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 11, max = 11, tail = 244, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
-  messages[145].fields = {
+  messages[146] = {name = "SelectImu3CalibrateShort", filter = "select_imu3calibrate_short", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 11, max = 11, tail = 244, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
+  messages[146].fields = {
     {name = "imu_type", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 7, count = 1, fixed = 7, reserved = true},
   }
 
-  messages[146] = {name = "SelectImu3Calibrate", filter = "select_imu3calibrate", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
-  messages[146].fields = {
+  messages[147] = {name = "SelectImu3Calibrate", filter = "select_imu3calibrate", command = "CMD_SELECT_IMU_3", id = 24, to_board = true, min = 12, max = 12, open = true, takes_surplus = true, tail = 243, does = {"stores", "restarts", "erases"}, answers = {{when = {steps = {"action"}, numbers = {[2] = true, [4] = true, [5] = true}}, confirm = true, timeout = 0.5}, {when = {steps = {"action"}, numbers = {[3] = true}}, confirm = true, count = 2, timeout = 3600}, {confirm = true, count = 2, timeout = 30}}}
+  messages[147].fields = {
     {name = "imu_type", type = "u8", enum = "CalibImu", count = 1, fixed = 1},
     {name = "action", type = "u8", enum = "CalibAction", count = 1, fixed = 1},
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[147] = {name = "AhrsHelper", filter = "ahrs_helper", command = "CMD_AHRS_HELPER", id = 56, min = 24, max = 24, open = true, keeps_tail = true, tail = 231}
-  messages[147].fields = {
-    {name = "z1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
-    {name = "h1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
-  }
-
-  messages[148] = {name = "AhrsHelperRequest", filter = "ahrs_helper_request", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 1, max = 1, tail = 254, does = {"reads"}, answers = {{messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[148] = {name = "AhrsHelper", filter = "ahrs_helper", command = "CMD_AHRS_HELPER", id = 56, min = 24, max = 24, open = true, keeps_tail = true, tail = 231}
   messages[148].fields = {
-    {name = "mode", type = "u8", enum = "AhrsHelperMode", count = 1, fixed = 1},
+    {name = "z1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
+    {name = "h1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
   }
 
-  messages[149] = {name = "AhrsHelperRequestWide", filter = "ahrs_helper_request_wide", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[149] = {name = "AhrsHelperRequest", filter = "ahrs_helper_request", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 1, max = 1, tail = 254, does = {"reads"}, answers = {{messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[149].fields = {
+    {name = "mode", type = "u8", enum = "AhrsHelperMode", count = 1, fixed = 1},
+  }
+
+  messages[150] = {name = "AhrsHelperRequestWide", filter = "ahrs_helper_request_wide", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[150].fields = {
     {name = "mode", type = "u16", enum = "AhrsHelperWideMode", count = 1, fixed = 2},
   }
 
-  messages[150] = {name = "AhrsHelperRequestExt", filter = "ahrs_helper_request_ext", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 25, max = 25, tail = 230, does = {"moves"}, answers = {{when = {steps = {"mode"}, all = 1}, confirm = true, timeout = 0.5}, {messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[150].fields = {
+  messages[151] = {name = "AhrsHelperRequestExt", filter = "ahrs_helper_request_ext", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 25, max = 25, tail = 230, does = {"moves"}, answers = {{when = {steps = {"mode"}, all = 1}, confirm = true, timeout = 0.5}, {messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[151].fields = {
     {name = "mode", type = "u8", enum = "AhrsHelperMode", count = 1, fixed = 1},
     {name = "z1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
     {name = "h1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
   }
 
-  messages[151] = {name = "AhrsHelperRequestExtWide", filter = "ahrs_helper_request_ext_wide", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 26, max = 26, open = true, takes_surplus = true, tail = 229, does = {"moves"}, answers = {{when = {steps = {"mode"}, all = 1}, confirm = true, timeout = 0.5}, {messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[151].fields = {
+  messages[152] = {name = "AhrsHelperRequestExtWide", filter = "ahrs_helper_request_ext_wide", command = "CMD_AHRS_HELPER", id = 56, to_board = true, min = 26, max = 26, open = true, takes_surplus = true, tail = 229, does = {"moves"}, answers = {{when = {steps = {"mode"}, all = 1}, confirm = true, timeout = 0.5}, {messages = {"AhrsHelper"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[152].fields = {
     {name = "mode", type = "u16", enum = "AhrsHelperWideMode", count = 1, fixed = 2},
     {name = "z1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
     {name = "h1_vector", type = "f32", dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 12, min = -1, max = 1},
   }
 
-  messages[152] = {name = "GyroCorrection", filter = "gyro_correction", command = "CMD_GYRO_CORRECTION", id = 75, to_board = true, min = 9, max = 9, open = true, takes_surplus = true, tail = 246, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[152].fields = {
+  messages[153] = {name = "GyroCorrection", filter = "gyro_correction", command = "CMD_GYRO_CORRECTION", id = 75, to_board = true, min = 9, max = 9, open = true, takes_surplus = true, tail = 246, does = {"stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[153].fields = {
     {name = "imu_type", type = "u8", enum = "ImuIndex", count = 1, fixed = 1},
     {name = "gyro_zero_corr", type = "i16", unit = "gyro unit", scale = 0.001, dim = "xyz", index = {"x", "y", "z"}, count = 3, fixed = 6, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
     {name = "gyro_zero_heading_corr", type = "i16", unit = "gyro unit", scale = 0.001, count = 1, fixed = 2, ways = {pitch = {"down", "up"}, yaw = {"right", "left"}}},
   }
 
-  messages[153] = {name = "ExtImuDebugInfo", filter = "ext_imu_debug_info", command = "CMD_EXT_IMU_DEBUG_INFO", id = 106, min = 74, max = 74, open = true, keeps_tail = true, tail = 181}
-  messages[153].fields = {
+  messages[154] = {name = "ExtImuDebugInfo", filter = "ext_imu_debug_info", command = "CMD_EXT_IMU_DEBUG_INFO", id = 106, min = 74, max = 74, open = true, keeps_tail = true, tail = 181}
+  messages[154].fields = {
     {name = "ahrs_debug_info", struct = "AhrsDebugInfo9", count = 1, fixed = 26},
     {name = "dcm", type = "f32", dim = "fixed", count = 9, fixed = 36},
     {name = "acc_body", type = "f32", dim = "fixed", count = 3, fixed = 12},
   }
 
-  messages[154] = {name = "ExtImuDebugInfoRequest", filter = "ext_imu_debug_info_request", command = "CMD_EXT_IMU_DEBUG_INFO", id = 106, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ExtImuDebugInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[154].fields = {
-  }
-
-  messages[155] = {name = "ExtImuCmd", filter = "ext_imu_cmd", command = "CMD_EXT_IMU_CMD", id = 110, min = 1, max = 255, open = true, tail = 254}
+  messages[155] = {name = "ExtImuDebugInfoRequest", filter = "ext_imu_debug_info_request", command = "CMD_EXT_IMU_DEBUG_INFO", id = 106, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ExtImuDebugInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[155].fields = {
-    {name = "cmd_id", type = "u8", count = 1, fixed = 1},
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[156] = {name = "ExtImuCmd", filter = "ext_imu_cmd", command = "CMD_EXT_IMU_CMD", id = 110, to_board = true, min = 1, max = 255, open = true, tail = 254, does = {"sets", "stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[156] = {name = "ExtImuCmd", filter = "ext_imu_cmd", command = "CMD_EXT_IMU_CMD", id = 110, min = 1, max = 255, open = true, tail = 254}
   messages[156].fields = {
     {name = "cmd_id", type = "u8", count = 1, fixed = 1},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[157] = {name = "ExtSensCmd", filter = "ext_sens_cmd", command = "CMD_EXT_SENS_CMD", id = 150, min = 1, max = 255, open = true, tail = 254}
+  messages[157] = {name = "ExtImuCmd", filter = "ext_imu_cmd", command = "CMD_EXT_IMU_CMD", id = 110, to_board = true, min = 1, max = 255, open = true, tail = 254, does = {"sets", "stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[157].fields = {
+    {name = "cmd_id", type = "u8", count = 1, fixed = 1},
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 254},
+  }
+
+  messages[158] = {name = "ExtSensCmd", filter = "ext_sens_cmd", command = "CMD_EXT_SENS_CMD", id = 150, min = 1, max = 255, open = true, tail = 254}
+  messages[158].fields = {
     {name = "cmd_id", type = "u8", enum = "ExtSensCommand", count = 1, fixed = 1},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[158] = {name = "ExtSensCmdRequest", filter = "ext_sens_cmd_request", command = "CMD_EXT_SENS_CMD", id = 150, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets", "stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[158].fields = {
+  messages[159] = {name = "ExtSensCmdRequest", filter = "ext_sens_cmd_request", command = "CMD_EXT_SENS_CMD", id = 150, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets", "stores", "moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[159].fields = {
     {name = "flags", type = "u8", enum = "ExtSensOptions", count = 1, fixed = 1},
     {name = "cmd_id", type = "u8", enum = "ExtSensCommand", count = 1, fixed = 1},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 253},
   }
 
-  messages[159] = {name = "ImuAdvancedCalib", filter = "imu_advanced_calib", command = "CMD_IMU_ADVANCED_CALIB", id = 115, min = 0, max = 255, open = true, tail = 255}
-  messages[159].fields = {
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
-  }
-
-  messages[160] = {name = "ImuAdvancedCalibRequest", filter = "imu_advanced_calib_request", command = "CMD_IMU_ADVANCED_CALIB", id = 115, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[160] = {name = "ImuAdvancedCalib", filter = "imu_advanced_calib", command = "CMD_IMU_ADVANCED_CALIB", id = 115, min = 0, max = 255, open = true, tail = 255}
   messages[160].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[161] = {name = "BeepSound", filter = "beep_sound", command = "CMD_BEEP_SOUND", id = 89, to_board = true, min = 12, max = 112, open = true, tail = 243, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[161] = {name = "ImuAdvancedCalibRequest", filter = "imu_advanced_calib_request", command = "CMD_IMU_ADVANCED_CALIB", id = 115, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[161].fields = {
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
+  }
+
+  messages[162] = {name = "BeepSound", filter = "beep_sound", command = "CMD_BEEP_SOUND", id = 89, to_board = true, min = 12, max = 112, open = true, tail = 243, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[162].fields = {
     {name = "mode", type = "u16", enum = "BeepModes", count = 1, fixed = 2},
     {name = "note_length", type = "u8", unit = "ms", scale = 8, count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "without meaning unless a custom melody is played"}},
     {name = "decay_factor", type = "u8", count = 1, fixed = 1, min = 0, max = 15, special = {[0] = "no envelope"}},
@@ -1804,120 +1871,120 @@ local protocol = (function()
     {name = "note_freq_hz", type = "u16", unit = "Hz", dim = "rest", capacity = 121, min = 554, max = 20999, special = {[21000] = "pause, then the envelope starts again"}},
   }
 
-  messages[162] = {name = "TriggerPin", filter = "trigger_pin", command = "CMD_TRIGGER_PIN", id = 84, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[162].fields = {
+  messages[163] = {name = "TriggerPin", filter = "trigger_pin", command = "CMD_TRIGGER_PIN", id = 84, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[163].fields = {
     {name = "pin_id", type = "u8", enum = "OutputPin", count = 1, fixed = 1},
     {name = "state", type = "u8", enum = "PinState", count = 1, fixed = 1},
   }
 
-  messages[163] = {name = "ServoOut", filter = "servo_out", command = "CMD_SERVO_OUT", id = 36, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[163].fields = {
+  messages[164] = {name = "ServoOut", filter = "servo_out", command = "CMD_SERVO_OUT", id = 36, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[164].fields = {
     {name = "servo_time", type = "i16", unit = "us", dim = "fixed", index = {"1", "2", "3", "4", "5", "6", "7", "8"}, count = 8, fixed = 16, min = -1, max = 20000, special = {[-1] = "the pin is set free and floats", [0] = "the pin is low all the time"}},
   }
 
-  messages[164] = {name = "ServoOutFour", filter = "servo_out_four", command = "CMD_SERVO_OUT", id = 36, to_board = true, min = 8, max = 8, tail = 247, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[164].fields = {
+  messages[165] = {name = "ServoOutFour", filter = "servo_out_four", command = "CMD_SERVO_OUT", id = 36, to_board = true, min = 8, max = 8, tail = 247, does = {"moves"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[165].fields = {
     {name = "servo_time", type = "i16", unit = "us", dim = "fixed", index = {"1", "2", "3", "4"}, count = 4, fixed = 8, min = -1, max = 20000, special = {[-1] = "the pin is set free and floats", [0] = "the pin is low all the time"}},
   }
 
-  messages[165] = {name = "ServoOutExt", filter = "servo_out_ext", command = "CMD_SERVO_OUT_EXT", id = 133, to_board = true, min = 4, max = 68, tail = 251, does = {"moves"}, answers = {{timeout = 0.5}}}
-  messages[165].fields = {
+  messages[166] = {name = "ServoOutExt", filter = "servo_out_ext", command = "CMD_SERVO_OUT_EXT", id = 133, to_board = true, min = 4, max = 68, tail = 251, does = {"moves"}, answers = {{timeout = 0.5}}}
+  messages[166].fields = {
     {name = "servo_bits", type = "u32", enum = "ServoOutputs", count = 1, fixed = 4},
     {name = "servo_time", type = "i16", unit = "us", dim = "counted", capacity = 32, counter = "servo_bits", counting = "bits", min = -1, max = 20000, special = {[-1] = "the pin is set free and floats", [0] = "the pin is low all the time"}},
   }
 
-  messages[166] = {name = "I2cWriteRegBuf", filter = "i2c_write_reg_buf", command = "CMD_I2C_WRITE_REG_BUF", id = 39, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets", "stores"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[166].fields = {
+  messages[167] = {name = "I2cWriteRegBuf", filter = "i2c_write_reg_buf", command = "CMD_I2C_WRITE_REG_BUF", id = 39, to_board = true, min = 2, max = 255, open = true, tail = 253, does = {"sets", "stores"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[167].fields = {
     {name = "device_addr", type = "u8", packed = "I2cDevice", count = 1, fixed = 1},
     {name = "reg_addr", type = "u8", count = 1, fixed = 1},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 253},
   }
 
-  messages[167] = {name = "I2cReadRegBuf", filter = "i2c_read_reg_buf", command = "CMD_I2C_READ_REG_BUF", id = 40, min = 0, max = 255, open = true, tail = 255}
-  messages[167].fields = {
+  messages[168] = {name = "I2cReadRegBuf", filter = "i2c_read_reg_buf", command = "CMD_I2C_READ_REG_BUF", id = 40, min = 0, max = 255, open = true, tail = 255}
+  messages[168].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[168] = {name = "I2cReadRegBufRequest", filter = "i2c_read_reg_buf_request", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 3, max = 3, tail = 252, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[168].fields = {
+  messages[169] = {name = "I2cReadRegBufRequest", filter = "i2c_read_reg_buf_request", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 3, max = 3, tail = 252, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[169].fields = {
     {name = "device_addr", type = "u8", packed = "I2cDevice", count = 1, fixed = 1},
     {name = "reg_addr", type = "u8", count = 1, fixed = 1},
     {name = "data_len", type = "u8", unit = "byte", count = 1, fixed = 1, min = 1, max = 255},
   }
 
-  messages[169] = {name = "I2cReadRegBufRequestNoRegister", filter = "i2c_read_reg_buf_request_no_register", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[169].fields = {
+  messages[170] = {name = "I2cReadRegBufRequestNoRegister", filter = "i2c_read_reg_buf_request_no_register", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[170].fields = {
     {name = "device_addr", type = "u8", packed = "I2cDevice", count = 1, fixed = 1},
     {name = "data_len", type = "u8", unit = "byte", count = 1, fixed = 1, min = 1, max = 255},
   }
 
-  messages[170] = {name = "I2cReadRegBufRequestWideRegister", filter = "i2c_read_reg_buf_request_wide_register", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 4, max = 4, open = true, takes_surplus = true, tail = 251, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[170].fields = {
+  messages[171] = {name = "I2cReadRegBufRequestWideRegister", filter = "i2c_read_reg_buf_request_wide_register", command = "CMD_I2C_READ_REG_BUF", id = 40, to_board = true, min = 4, max = 4, open = true, takes_surplus = true, tail = 251, does = {"reads"}, answers = {{messages = {"I2cReadRegBuf"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[171].fields = {
     {name = "device_addr", type = "u8", packed = "I2cDevice", count = 1, fixed = 1},
     {name = "reg_addr", type = "u16", count = 1, fixed = 2},
     {name = "data_len", type = "u8", unit = "byte", count = 1, fixed = 1, min = 1, max = 255},
   }
 
-  messages[171] = {name = "ApiVirtChControl", filter = "api_virt_ch_control", command = "CMD_API_VIRT_CH_CONTROL", id = 45, to_board = true, min = 2, max = 64, open = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
-  messages[171].fields = {
+  messages[172] = {name = "ApiVirtChControl", filter = "api_virt_ch_control", command = "CMD_API_VIRT_CH_CONTROL", id = 45, to_board = true, min = 2, max = 64, open = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[172].fields = {
     {name = "val_ch", type = "i16", scale = 0.002, dim = "rest", index = {"1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20", "21", "22", "23", "24", "25", "26", "27", "28", "29", "30", "31", "32"}, capacity = 32, min_count = 1, min = -500, max = 500, special = {[-10000] = "undefined, as if the signal were lost"}},
   }
 
-  messages[172] = {name = "ApiVirtChHighRes", filter = "api_virt_ch_high_res", command = "CMD_API_VIRT_CH_HIGH_RES", id = 116, to_board = true, min = 2, max = 64, open = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{timeout = 0.5}}}
-  messages[172].fields = {
+  messages[173] = {name = "ApiVirtChHighRes", filter = "api_virt_ch_high_res", command = "CMD_API_VIRT_CH_HIGH_RES", id = 116, to_board = true, min = 2, max = 64, open = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{timeout = 0.5}}}
+  messages[173].fields = {
     {name = "val_ch", type = "i16", scale = 6.103515625e-05, dim = "rest", index = {"1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20", "21", "22", "23", "24", "25", "26", "27", "28", "29", "30", "31", "32"}, capacity = 32, min_count = 1, min = -16384, max = 16384, special = {[-32768] = "undefined, as if the signal were lost"}},
   }
 
-  messages[173] = {name = "ReadRcInputs", filter = "read_rc_inputs", command = "CMD_READ_RC_INPUTS", id = 100, min = 0, max = 254, open = true, tail = 255}
-  messages[173].fields = {
+  messages[174] = {name = "ReadRcInputs", filter = "read_rc_inputs", command = "CMD_READ_RC_INPUTS", id = 100, min = 0, max = 254, open = true, tail = 255}
+  messages[174].fields = {
     {name = "rc_val", type = "i16", scale = 6.103515625e-05, dim = "rest", capacity = 127, min = -16384, max = 16384, special = {[-32768] = "undefined"}},
   }
 
-  messages[174] = {name = "ReadRcInputsRequest", filter = "read_rc_inputs_request", command = "CMD_READ_RC_INPUTS", id = 100, to_board = true, min = 2, max = 129, open = true, tail = 253, does = {"sets"}, answers = {{messages = {"ReadRcInputs"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[174].fields = {
+  messages[175] = {name = "ReadRcInputsRequest", filter = "read_rc_inputs_request", command = "CMD_READ_RC_INPUTS", id = 100, to_board = true, min = 2, max = 129, open = true, tail = 253, does = {"sets"}, answers = {{messages = {"ReadRcInputs"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[175].fields = {
     {name = "cfg_flags", type = "u16", enum = "RcInputOptions", count = 1, fixed = 2},
     {name = "rc_src", type = "u8", packed = "RcMap", dim = "rest", capacity = 253},
   }
 
-  messages[175] = {name = "ModuleList", filter = "module_list", command = "CMD_MODULE_LIST", id = 76, min = 1, max = 222, open = true, keeps_tail = true, tail = 254}
-  messages[175].fields = {
+  messages[176] = {name = "ModuleList", filter = "module_list", command = "CMD_MODULE_LIST", id = 76, min = 1, max = 222, open = true, keeps_tail = true, tail = 254}
+  messages[176].fields = {
     {name = "device_num", type = "u8", count = 1, fixed = 1, min = 0, max = 17},
     {name = "modules", struct = "ModuleInfo32", dim = "counted", capacity = 19, counter = "device_num"},
   }
 
-  messages[176] = {name = "ModuleListRequest", filter = "module_list_request", command = "CMD_MODULE_LIST", id = 76, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ModuleList"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[176].fields = {
+  messages[177] = {name = "ModuleListRequest", filter = "module_list_request", command = "CMD_MODULE_LIST", id = 76, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ModuleList"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[177].fields = {
   }
 
-  messages[177] = {name = "CanDeviceScan", filter = "can_device_scan", command = "CMD_CAN_DEVICE_SCAN", id = 96, min = 0, max = 252, open = true, tail = 255}
-  messages[177].fields = {
+  messages[178] = {name = "CanDeviceScan", filter = "can_device_scan", command = "CMD_CAN_DEVICE_SCAN", id = 96, min = 0, max = 252, open = true, tail = 255}
+  messages[178].fields = {
     {name = "devices", struct = "CanDevice33", dim = "rest", capacity = 18},
   }
 
-  messages[178] = {name = "CanDeviceScanRequest", filter = "can_device_scan_request", command = "CMD_CAN_DEVICE_SCAN", id = 96, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"CanDeviceScan"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[178].fields = {
-  }
-
-  messages[179] = {name = "TransparentSapi", filter = "transparent_sapi", command = "CMD_TRANSPARENT_SAPI", id = 151, min = 1, max = 255, open = true, tail = 254}
+  messages[179] = {name = "CanDeviceScanRequest", filter = "can_device_scan_request", command = "CMD_CAN_DEVICE_SCAN", id = 96, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"CanDeviceScan"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[179].fields = {
-    {name = "target", type = "u8", packed = "TransparentTarget", count = 1, fixed = 1},
-    {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[180] = {name = "TransparentSapiRequest", filter = "transparent_sapi_request", command = "CMD_TRANSPARENT_SAPI", id = 151, to_board = true, min = 1, max = 255, open = true, tail = 254, does = {"sets", "stores", "moves", "restarts", "erases"}, answers = {{timeout = 0.5}}}
+  messages[180] = {name = "TransparentSapi", filter = "transparent_sapi", command = "CMD_TRANSPARENT_SAPI", id = 151, min = 1, max = 255, open = true, tail = 254}
   messages[180].fields = {
     {name = "target", type = "u8", packed = "TransparentTarget", count = 1, fixed = 1},
     {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 254},
   }
 
-  messages[181] = {name = "ModuleFlashStart", filter = "module_flash_start", command = "CMD_MODULE_FLASH_START", id = 78, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"restarts", "erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[181] = {name = "TransparentSapiRequest", filter = "transparent_sapi_request", command = "CMD_TRANSPARENT_SAPI", id = 151, to_board = true, min = 1, max = 255, open = true, tail = 254, does = {"sets", "stores", "moves", "restarts", "erases"}, answers = {{timeout = 0.5}}}
   messages[181].fields = {
+    {name = "target", type = "u8", packed = "TransparentTarget", count = 1, fixed = 1},
+    {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 254},
+  }
+
+  messages[182] = {name = "ModuleFlashStart", filter = "module_flash_start", command = "CMD_MODULE_FLASH_START", id = 78, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"restarts", "erases"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[182].fields = {
     {name = "device_id", type = "u8", enum = "ModuleId", count = 1, fixed = 1},
     {name = "firmware_size", type = "u32", unit = "byte", scale = 4, count = 1, fixed = 4, min = 1, max = 4294967295},
   }
 
-  messages[182] = {name = "ModuleFlashWrite", filter = "module_flash_write", command = "CMD_MODULE_FLASH_WRITE", id = 81, to_board = true, min = 14, max = 138, open = true, tail = 241, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 5}}}
-  messages[182].fields = {
+  messages[183] = {name = "ModuleFlashWrite", filter = "module_flash_write", command = "CMD_MODULE_FLASH_WRITE", id = 81, to_board = true, min = 14, max = 138, open = true, tail = 241, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[183].fields = {
     {name = "device_id", type = "u8", enum = "ModuleId", count = 1, fixed = 1},
     {name = "packet_id", type = "u8", count = 1, fixed = 1},
     {name = "address", type = "u32", count = 1, fixed = 4},
@@ -1925,106 +1992,115 @@ local protocol = (function()
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 245, min_count = 4},
   }
 
-  messages[183] = {name = "ModuleFlashFinish", filter = "module_flash_finish", command = "CMD_MODULE_FLASH_FINISH", id = 83, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 5}}}
-  messages[183].fields = {
+  messages[184] = {name = "ModuleFlashFinish", filter = "module_flash_finish", command = "CMD_MODULE_FLASH_FINISH", id = 83, to_board = true, min = 5, max = 5, open = true, takes_surplus = true, tail = 250, does = {"stores"}, answers = {{confirm = true, certain = true, timeout = 5}}}
+  messages[184].fields = {
     {name = "device_id", type = "u8", enum = "ModuleId", count = 1, fixed = 1},
     {name = "file_crc32", type = "u32", count = 1, fixed = 4},
   }
 
-  messages[184] = {name = "UdrvDeviceScan", filter = "udrv_device_scan", command = "CMD_UDRV_DEVICE_SCAN", id = 144, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores"}, answers = {{messages = {"CanDeviceScan"}, certain = true, timeout = 5, repeated = {}}}}
-  messages[184].fields = {
+  messages[185] = {name = "UdrvDeviceScan", filter = "udrv_device_scan", command = "CMD_UDRV_DEVICE_SCAN", id = 144, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"stores"}, answers = {{messages = {"CanDeviceScan"}, certain = true, timeout = 5, repeated = {}}}}
+  messages[185].fields = {
   }
 
-  messages[185] = {name = "SetTranspProxy", filter = "set_transp_proxy", command = "CMD_SET_TRANSP_PROXY", id = 143, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "disconnects"}, answers = {{timeout = 0.5}}}
-  messages[185].fields = {
+  messages[186] = {name = "SetTranspProxy", filter = "set_transp_proxy", command = "CMD_SET_TRANSP_PROXY", id = 143, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "disconnects"}, answers = {{timeout = 0.5}}}
+  messages[186].fields = {
     {name = "port1", type = "u8", count = 1, fixed = 1, special = {[0] = "the port of this request"}},
     {name = "port2", type = "u8", count = 1, fixed = 1, special = {[0] = "the port of this request"}},
   }
 
-  messages[186] = {name = "UartBypass", filter = "uart_bypass", command = "CMD_UART_BYPASS", id = 60, min = 0, max = 255, open = true, tail = 255}
-  messages[186].fields = {
-    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
-  }
-
-  messages[187] = {name = "UartBypassRequest", filter = "uart_bypass_request", command = "CMD_UART_BYPASS", id = 60, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[187] = {name = "UartBypass", filter = "uart_bypass", command = "CMD_UART_BYPASS", id = 60, min = 0, max = 255, open = true, tail = 255}
   messages[187].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[188] = {name = "SetDeviceAddr", filter = "set_device_addr", command = "CMD_SET_DEVICE_ADDR", id = 107, min = 0, max = 255, open = true, tail = 255}
+  messages[188] = {name = "UartBypassRequest", filter = "uart_bypass_request", command = "CMD_UART_BYPASS", id = 60, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[188].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[189] = {name = "SetDeviceAddrRequest", filter = "set_device_addr_request", command = "CMD_SET_DEVICE_ADDR", id = 107, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[189] = {name = "SetDeviceAddr", filter = "set_device_addr", command = "CMD_SET_DEVICE_ADDR", id = 107, min = 0, max = 255, open = true, tail = 255}
   messages[189].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[190] = {name = "SerialProxy", filter = "serial_proxy", command = "CMD_SERIAL_PROXY", id = 113, min = 0, max = 255, open = true, tail = 255}
+  messages[190] = {name = "SetDeviceAddrRequest", filter = "set_device_addr_request", command = "CMD_SET_DEVICE_ADDR", id = 107, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[190].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[191] = {name = "SerialProxyRequest", filter = "serial_proxy_request", command = "CMD_SERIAL_PROXY", id = 113, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[191] = {name = "SerialProxy", filter = "serial_proxy", command = "CMD_SERIAL_PROXY", id = 113, min = 0, max = 255, open = true, tail = 255}
   messages[191].fields = {
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[192] = {name = "SetAdjVarsVal", filter = "set_adj_vars_val", command = "CMD_SET_ADJ_VARS_VAL", id = 31, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
+  messages[192] = {name = "SerialProxyRequest", filter = "serial_proxy_request", command = "CMD_SERIAL_PROXY", id = 113, to_board = true, min = 0, max = 255, open = true, tail = 255, does = {"unknown"}, answers = {{confirm = true, timeout = 0.5}}}
   messages[192].fields = {
-    {name = "num_vars", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
-    {name = "params", struct = "AdjVarValue34", dim = "counted", capacity = 50, counter = "num_vars"},
+    {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 255},
   }
 
-  messages[193] = {name = "SetAdjVarsVal", filter = "set_adj_vars_val", command = "CMD_SET_ADJ_VARS_VAL", id = 31, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[193] = {name = "SetAdjVarsVal", filter = "set_adj_vars_val", command = "CMD_SET_ADJ_VARS_VAL", id = 31, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
   messages[193].fields = {
     {name = "num_vars", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "params", struct = "AdjVarValue34", dim = "counted", capacity = 50, counter = "num_vars"},
   }
 
-  messages[194] = {name = "GetAdjVarsVal", filter = "get_adj_vars_val", command = "CMD_GET_ADJ_VARS_VAL", id = 64, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsVal"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsVal = {{field = "param_id", at = 1, size = 1}}}}}}
+  messages[194] = {name = "SetAdjVarsVal", filter = "set_adj_vars_val", command = "CMD_SET_ADJ_VARS_VAL", id = 31, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[194].fields = {
+    {name = "num_vars", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
+    {name = "params", struct = "AdjVarValue34", dim = "counted", capacity = 50, counter = "num_vars"},
+  }
+
+  messages[195] = {name = "GetAdjVarsVal", filter = "get_adj_vars_val", command = "CMD_GET_ADJ_VARS_VAL", id = 64, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsVal"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsVal = {{field = "param_id", at = 1, size = 1}}}}}}
+  messages[195].fields = {
     {name = "num_vars", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "param_id", type = "u8", enum = "VariableId", dim = "counted", capacity = 254, counter = "num_vars"},
   }
 
-  messages[195] = {name = "ReadAdjVarsCfg", filter = "read_adj_vars_cfg", command = "CMD_READ_ADJ_VARS_CFG", id = 43, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
-  messages[195].fields = {
-    {name = "trigger_slots", struct = "TriggerSlot35", dim = "fixed", count = 10, fixed = 60},
-    {name = "analog_slots", struct = "AnalogSlot36", dim = "fixed", count = 15, fixed = 60},
-    {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
-  }
-
-  messages[196] = {name = "ReadAdjVarsCfgRequest", filter = "read_adj_vars_cfg_request", command = "CMD_READ_ADJ_VARS_CFG", id = 43, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadAdjVarsCfg"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[196] = {name = "ReadAdjVarsCfg", filter = "read_adj_vars_cfg", command = "CMD_READ_ADJ_VARS_CFG", id = 43, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
   messages[196].fields = {
-  }
-
-  messages[197] = {name = "WriteAdjVarsCfg", filter = "write_adj_vars_cfg", command = "CMD_WRITE_ADJ_VARS_CFG", id = 44, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[197].fields = {
     {name = "trigger_slots", struct = "TriggerSlot35", dim = "fixed", count = 10, fixed = 60},
     {name = "analog_slots", struct = "AnalogSlot36", dim = "fixed", count = 15, fixed = 60},
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[198] = {name = "AdjVarsState", filter = "adj_vars_state", command = "CMD_ADJ_VARS_STATE", id = 46, min = 15, max = 15, open = true, keeps_tail = true, tail = 240}
+  messages[197] = {name = "ReadAdjVarsCfgRequest", filter = "read_adj_vars_cfg_request", command = "CMD_READ_ADJ_VARS_CFG", id = 43, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadAdjVarsCfg"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[197].fields = {
+  }
+
+  messages[198] = {name = "WriteAdjVarsCfg", filter = "write_adj_vars_cfg", command = "CMD_WRITE_ADJ_VARS_CFG", id = 44, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 2}}}
   messages[198].fields = {
+    {name = "trigger_slots", struct = "TriggerSlot35", dim = "fixed", count = 10, fixed = 60},
+    {name = "analog_slots", struct = "AnalogSlot36", dim = "fixed", count = 15, fixed = 60},
+    {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
+  }
+
+  messages[199] = {name = "AdjVarsState", filter = "adj_vars_state", command = "CMD_ADJ_VARS_STATE", id = 46, min = 15, max = 15, open = true, keeps_tail = true, tail = 240}
+  messages[199].fields = {
     {name = "trigger_rc_data", type = "i16", scale = 0.002, count = 1, fixed = 2, min = -500, max = 500},
     {name = "trigger_action", type = "u8", enum = "MenuCommand", count = 1, fixed = 1, min = 0, max = 255},
     {name = "analog_rc_data", type = "i16", scale = 0.002, count = 1, fixed = 2, min = -500, max = 500},
     {name = "analog_value", type = "i32", count = 1, fixed = 4},
+    {name = "reserved", blob = "bytes", size = 6, count = 1, fixed = 6, reserved = true},
+  }
+
+  messages[200] = {name = "AdjVarsStateExt", filter = "adj_vars_state_ext", command = "CMD_ADJ_VARS_STATE", id = 46, min = 15, max = 15, open = true, asked = true, keeps_tail = true, tail = 240}
+  messages[200].fields = {
+    {name = "trigger_rc_data", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
+    {name = "trigger_action", type = "u8", enum = "MenuCommand", count = 1, fixed = 1, min = 0, max = 255},
+    {name = "analog_src_value", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
+    {name = "analog_var_value", type = "f32", count = 1, fixed = 4},
     {name = "lut_src_value", type = "i16", scale = 6.103515625e-05, count = 1, fixed = 2, min = -16384, max = 16384},
     {name = "lut_var_value", type = "f32", count = 1, fixed = 4},
   }
 
-  messages[199] = {name = "AdjVarsStateRequest", filter = "adj_vars_state_request", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[199].fields = {
+  messages[201] = {name = "AdjVarsStateRequest", filter = "adj_vars_state_request", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 2, max = 2, tail = 253, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[201].fields = {
     {name = "trigger_slot", type = "u8", count = 1, fixed = 1},
     {name = "analog_slot", type = "u8", count = 1, fixed = 1},
   }
 
-  messages[200] = {name = "AdjVarsStateRequestExt", filter = "adj_vars_state_request_ext", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 7, max = 7, open = true, takes_surplus = true, tail = 248, does = {"reads"}, answers = {{messages = {"AdjVarsState"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[200].fields = {
+  messages[202] = {name = "AdjVarsStateRequestExt", filter = "adj_vars_state_request_ext", command = "CMD_ADJ_VARS_STATE", id = 46, to_board = true, min = 7, max = 7, open = true, takes_surplus = true, tail = 248, does = {"reads"}, answers = {{messages = {"AdjVarsStateExt"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[202].fields = {
     {name = "trigger_slot", type = "u8", count = 1, fixed = 1, min = 0, max = 9},
     {name = "analog_src_id", type = "u16", count = 1, fixed = 2},
     {name = "analog_var_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
@@ -2032,151 +2108,151 @@ local protocol = (function()
     {name = "lut_var_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
   }
 
-  messages[201] = {name = "AdjVarsInfo", filter = "adj_vars_info", command = "CMD_ADJ_VARS_INFO", id = 132, min = 1, max = 255, open = true, tail = 254}
-  messages[201].fields = {
+  messages[203] = {name = "AdjVarsInfo", filter = "adj_vars_info", command = "CMD_ADJ_VARS_INFO", id = 132, min = 1, max = 255, open = true, tail = 254}
+  messages[203].fields = {
     {name = "total_number", type = "u8", count = 1, fixed = 1},
     {name = "vars", struct = "AdjVarInfo37", dim = "rest", capacity = 25},
   }
 
-  messages[202] = {name = "AdjVarsInfoRequest", filter = "adj_vars_info_request", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[202].fields = {
+  messages[204] = {name = "AdjVarsInfoRequest", filter = "adj_vars_info_request", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 1, max = 1, open = true, takes_surplus = true, tail = 254, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[204].fields = {
     {name = "start_id", type = "u8", enum = "VariableId", count = 1, fixed = 1},
   }
 
-  messages[203] = {name = "AdjVarsInfoRequestAll", filter = "adj_vars_info_request_all", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[203].fields = {
-  }
-
-  messages[204] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
-  messages[204].fields = {
-    {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
-    {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
-  }
-
-  messages[205] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[205] = {name = "AdjVarsInfoRequestAll", filter = "adj_vars_info_request_all", command = "CMD_ADJ_VARS_INFO", id = 132, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"AdjVarsInfo"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[205].fields = {
+  }
+
+  messages[206] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, min = 1, max = 201, open = true, keeps_tail = true, tail = 254}
+  messages[206].fields = {
     {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
   }
 
-  messages[206] = {name = "GetAdjVarsValF", filter = "get_adj_vars_val_f", command = "CMD_GET_ADJ_VARS_VAL_F", id = 135, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsValF"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsValF = {{field = "id", at = 1, size = 1}}}}}}
-  messages[206].fields = {
+  messages[207] = {name = "SetAdjVarsValF", filter = "set_adj_vars_val_f", command = "CMD_SET_ADJ_VARS_VAL_F", id = 134, to_board = true, min = 1, max = 201, open = true, keeps_tail = true, tail = 254, does = {"sets", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[207].fields = {
+    {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
+    {name = "params", struct = "AdjVarFloat38", dim = "counted", capacity = 50, counter = "num_params"},
+  }
+
+  messages[208] = {name = "GetAdjVarsValF", filter = "get_adj_vars_val_f", command = "CMD_GET_ADJ_VARS_VAL_F", id = 135, to_board = true, min = 1, max = 41, tail = 254, does = {"reads"}, answers = {{messages = {"SetAdjVarsValF"}, certain = true, timeout = 0.5, repeated = {SetAdjVarsValF = {{field = "id", at = 1, size = 1}}}}}}
+  messages[208].fields = {
     {name = "num_params", type = "u8", count = 1, fixed = 1, min = 1, max = 40},
     {name = "id", type = "u8", enum = "VariableId", dim = "counted", capacity = 254, counter = "num_params"},
   }
 
-  messages[207] = {name = "EepromWrite", filter = "eeprom_write", command = "CMD_EEPROM_WRITE", id = 47, to_board = true, min = 4, max = 196, open = true, tail = 251, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[207].fields = {
+  messages[209] = {name = "EepromWrite", filter = "eeprom_write", command = "CMD_EEPROM_WRITE", id = 47, to_board = true, min = 4, max = 196, open = true, tail = 251, does = {"stores", "moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[209].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[208] = {name = "ReadFile", filter = "read_file", command = "CMD_READ_FILE", id = 53, min = 4, max = 255, open = true, tail = 251}
-  messages[208].fields = {
+  messages[210] = {name = "ReadFile", filter = "read_file", command = "CMD_READ_FILE", id = 53, min = 4, max = 255, open = true, tail = 251}
+  messages[210].fields = {
     {name = "file_size", type = "u16", unit = "byte", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[209] = {name = "ReadFileError", filter = "read_file_error", command = "CMD_READ_FILE", id = 53, min = 1, max = 1, tail = 254}
-  messages[209].fields = {
+  messages[211] = {name = "ReadFileError", filter = "read_file_error", command = "CMD_READ_FILE", id = 53, min = 1, max = 1, tail = 254}
+  messages[211].fields = {
     {name = "err_code", type = "u8", enum = "FileError", count = 1, fixed = 1},
   }
 
-  messages[210] = {name = "ReadFileRequest", filter = "read_file_request", command = "CMD_READ_FILE", id = 53, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"reads"}, answers = {{messages = {"ReadFile", "ReadFileError"}, certain = true, timeout = 0.5, repeated = {ReadFile = {{field = "page_offset", at = 2, size = 2}}}}}}
-  messages[210].fields = {
+  messages[212] = {name = "ReadFileRequest", filter = "read_file_request", command = "CMD_READ_FILE", id = 53, to_board = true, min = 20, max = 20, open = true, takes_surplus = true, tail = 235, does = {"reads"}, answers = {{messages = {"ReadFile", "ReadFileError"}, certain = true, timeout = 0.5, repeated = {ReadFile = {{field = "page_offset", at = 2, size = 2}}}}}}
+  messages[212].fields = {
     {name = "file_id", type = "u16", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "max_data_size", type = "u16", unit = "byte", count = 1, fixed = 2, min = 0, max = 251},
     {name = "reserved", blob = "bytes", size = 14, count = 1, fixed = 14, reserved = true},
   }
 
-  messages[211] = {name = "WriteFile", filter = "write_file", command = "CMD_WRITE_FILE", id = 54, to_board = true, min = 6, max = 255, open = true, tail = 249, does = {"stores", "erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[211].fields = {
+  messages[213] = {name = "WriteFile", filter = "write_file", command = "CMD_WRITE_FILE", id = 54, to_board = true, min = 6, max = 255, open = true, tail = 249, does = {"stores", "erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[213].fields = {
     {name = "file_id", type = "u16", count = 1, fixed = 2},
     {name = "file_size", type = "u16", unit = "byte", count = 1, fixed = 2},
     {name = "page_offset", type = "u16", unit = "byte", scale = 64, count = 1, fixed = 2},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 249},
   }
 
-  messages[212] = {name = "FsClearAll", filter = "fs_clear_all", command = "CMD_FS_CLEAR_ALL", id = 55, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
-  messages[212].fields = {
+  messages[214] = {name = "FsClearAll", filter = "fs_clear_all", command = "CMD_FS_CLEAR_ALL", id = 55, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"erases"}, answers = {{confirm = true, certain = true, timeout = 2}}}
+  messages[214].fields = {
   }
 
-  messages[213] = {name = "EepromRead", filter = "eeprom_read", command = "CMD_EEPROM_READ", id = 48, min = 4, max = 196, open = true, tail = 251}
-  messages[213].fields = {
+  messages[215] = {name = "EepromRead", filter = "eeprom_read", command = "CMD_EEPROM_READ", id = 48, min = 4, max = 196, open = true, tail = 251}
+  messages[215].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "data", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[214] = {name = "EepromReadRequest", filter = "eeprom_read_request", command = "CMD_EEPROM_READ", id = 48, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"reads"}, answers = {{messages = {"EepromRead"}, certain = true, timeout = 0.5, repeated = {EepromRead = {{field = "addr", at = 0, size = 4}}}}}}
-  messages[214].fields = {
+  messages[216] = {name = "EepromReadRequest", filter = "eeprom_read_request", command = "CMD_EEPROM_READ", id = 48, to_board = true, min = 6, max = 6, open = true, takes_surplus = true, tail = 249, does = {"reads"}, answers = {{messages = {"EepromRead"}, certain = true, timeout = 0.5, repeated = {EepromRead = {{field = "addr", at = 0, size = 4}}}}}}
+  messages[216].fields = {
     {name = "addr", type = "u32", count = 1, fixed = 4},
     {name = "size", type = "u16", unit = "byte", count = 1, fixed = 2, min = 0, max = 192},
   }
 
-  messages[215] = {name = "ReadExternalData", filter = "read_external_data", command = "CMD_READ_EXTERNAL_DATA", id = 42, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
-  messages[215].fields = {
-    {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
-  }
-
-  messages[216] = {name = "ReadExternalDataRequest", filter = "read_external_data_request", command = "CMD_READ_EXTERNAL_DATA", id = 42, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadExternalData"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[216].fields = {
-  }
-
-  messages[217] = {name = "WriteExternalData", filter = "write_external_data", command = "CMD_WRITE_EXTERNAL_DATA", id = 41, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
+  messages[217] = {name = "ReadExternalData", filter = "read_external_data", command = "CMD_READ_EXTERNAL_DATA", id = 42, min = 128, max = 128, open = true, keeps_tail = true, tail = 127}
   messages[217].fields = {
     {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
   }
 
-  messages[218] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[218] = {name = "ReadExternalDataRequest", filter = "read_external_data_request", command = "CMD_READ_EXTERNAL_DATA", id = 42, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"ReadExternalData"}, certain = true, timeout = 0.5, repeated = {}}}}
   messages[218].fields = {
+  }
+
+  messages[219] = {name = "WriteExternalData", filter = "write_external_data", command = "CMD_WRITE_EXTERNAL_DATA", id = 41, to_board = true, min = 128, max = 128, open = true, keeps_tail = true, tail = 127, does = {"stores"}, answers = {{confirm = true, timeout = 2}}}
+  messages[219].fields = {
+    {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
+  }
+
+  messages[220] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[220].fields = {
     {name = "mode", type = "u8", enum = "ScriptMode", count = 1, fixed = 1},
     {name = "slot", type = "u8", count = 1, fixed = 1},
     {name = "reserved", blob = "bytes", size = 32, count = 1, fixed = 32, reserved = true},
   }
 
-  messages[219] = {name = "ScriptDebug", filter = "script_debug", command = "CMD_SCRIPT_DEBUG", id = 58, min = 3, max = 3, open = true, keeps_tail = true, tail = 252}
-  messages[219].fields = {
+  messages[221] = {name = "ScriptDebug", filter = "script_debug", command = "CMD_SCRIPT_DEBUG", id = 58, min = 3, max = 3, open = true, keeps_tail = true, tail = 252}
+  messages[221].fields = {
     {name = "cmd_count", type = "u16", count = 1, fixed = 2},
     {name = "err_code", type = "u8", enum = "FileError", count = 1, fixed = 1},
   }
 
-  messages[220] = {name = "DebugVarsInfo3", filter = "debug_vars_info3", command = "CMD_DEBUG_VARS_INFO_3", id = 253, min = 1, max = 255, open = true, keeps_tail = true, tail = 254}
-  messages[220].fields = {
+  messages[222] = {name = "DebugVarsInfo3", filter = "debug_vars_info3", command = "CMD_DEBUG_VARS_INFO_3", id = 253, min = 1, max = 255, open = true, keeps_tail = true, tail = 254}
+  messages[222].fields = {
     {name = "debug_vars_num", type = "u8", count = 1, fixed = 1, min = 1, max = 255},
     {name = "vars", struct = "DebugVarInfo39", dim = "counted", capacity = 63, counter = "debug_vars_num"},
   }
 
-  messages[221] = {name = "DebugVarsInfo3Request", filter = "debug_vars_info3request", command = "CMD_DEBUG_VARS_INFO_3", id = 253, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVarsInfo3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[221].fields = {
+  messages[223] = {name = "DebugVarsInfo3Request", filter = "debug_vars_info3request", command = "CMD_DEBUG_VARS_INFO_3", id = 253, to_board = true, min = 0, max = 1, open = true, takes_surplus = true, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVarsInfo3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[223].fields = {
     {name = "start_idx", type = "u8", count = 1, fixed = 1, appended = true},
   }
 
-  messages[222] = {name = "DebugVars3", filter = "debug_vars3", command = "CMD_DEBUG_VARS_3", id = 254, min = 0, max = 255, open = true, keeps_tail = true, tail = 255}
-  messages[222].fields = {
+  messages[224] = {name = "DebugVars3", filter = "debug_vars3", command = "CMD_DEBUG_VARS_3", id = 254, min = 0, max = 255, open = true, keeps_tail = true, tail = 255}
+  messages[224].fields = {
     {name = "var_value", announced = "types", dim = "rest", capacity = 255},
   }
 
-  messages[223] = {name = "DebugVars3Request", filter = "debug_vars3request", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVars3"}, certain = true, timeout = 0.5, repeated = {}}}}
-  messages[223].fields = {
+  messages[225] = {name = "DebugVars3Request", filter = "debug_vars3request", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 0, max = 0, tail = 255, does = {"reads"}, answers = {{messages = {"DebugVars3"}, certain = true, timeout = 0.5, repeated = {}}}}
+  messages[225].fields = {
   }
 
-  messages[224] = {name = "DebugVars3RequestSelected", filter = "debug_vars3request_selected", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 4, max = 32, open = true, tail = 251, does = {"reads"}, answers = {{timeout = 0.5}}}
-  messages[224].fields = {
+  messages[226] = {name = "DebugVars3RequestSelected", filter = "debug_vars3request_selected", command = "CMD_DEBUG_VARS_3", id = 254, to_board = true, min = 4, max = 32, open = true, tail = 251, does = {"reads"}, answers = {{timeout = 0.5}}}
+  messages[226].fields = {
     {name = "selected_mask", type = "u32", dim = "rest", capacity = 63, min_count = 1},
   }
 
-  messages[225] = {name = "SetDebugPort", filter = "set_debug_port", command = "CMD_SET_DEBUG_PORT", id = 249, min = 4, max = 255, open = true, tail = 251}
-  messages[225].fields = {
+  messages[227] = {name = "SetDebugPort", filter = "set_debug_port", command = "CMD_SET_DEBUG_PORT", id = 249, min = 4, max = 255, open = true, tail = 251}
+  messages[227].fields = {
     {name = "time_ms", type = "u16", unit = "ms", count = 1, fixed = 2},
     {name = "port_and_dir", type = "u8", packed = "DebugPortLine", count = 1, fixed = 1},
     {name = "cmd_id", type = "u8", count = 1, fixed = 1},
     {name = "payload", blob = "bytes", dim = "rest", count = 1, capacity = 251},
   }
 
-  messages[226] = {name = "SetDebugPortRequest", filter = "set_debug_port_request", command = "CMD_SET_DEBUG_PORT", id = 249, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
-  messages[226].fields = {
+  messages[228] = {name = "SetDebugPortRequest", filter = "set_debug_port_request", command = "CMD_SET_DEBUG_PORT", id = 249, to_board = true, min = 16, max = 16, open = true, takes_surplus = true, tail = 239, does = {"sets"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[228].fields = {
     {name = "action", type = "u8", enum = "DebugPortAction", count = 1, fixed = 1},
     {name = "cmd_filter", type = "u32", enum = "DebugPortCommands", count = 1, fixed = 4},
     {name = "reserved", blob = "bytes", size = 11, count = 1, fixed = 11, reserved = true},
@@ -2327,6 +2403,8 @@ local protocol = (function()
       {name = "v2", start = 36, header = 4, trailer = 2, most = 255, id = 1, size = 2, in_header = {{kind = "sum8", is_first = true, at = 3, bytes = 1, from = 1, to = 3}}, in_trailer = {{kind = "crc16", at = 0, bytes = 2, from = 1, width = 16, polynomial = 32773, initial = 0, reflect_in = true, final = 0}}},
     },
     learns = {
+      {from = "AdjVarsStateRequest", ["for"] = 46, name = "asked", is = "AdjVarsState"},
+      {from = "AdjVarsStateRequestExt", ["for"] = 46, name = "asked", is = "AdjVarsStateExt"},
       {from = "RealtimeDataCustomRequest", path = {"flags"}, ["for"] = "RealtimeDataCustom", name = "flags"},
       {from = "DataStreamInterval", path = {"config", "flags"}, ["for"] = "RealtimeDataCustom", name = "flags"},
       {from = "RealtimeDataCustom2Request", path = {"flags"}, ["for"] = "RealtimeDataCustom2", name = "flags"},
@@ -2698,6 +2776,10 @@ local function expand(inner, path, element)
     local here = field.struct and field.name == AXES and path or path .. "." .. field.name
     local by_word = (field.dim == "axis" or field.dim == "xyz") and field.index
     local node = {field = field, name = field.name, when = condition_of(field.when, element), words = by_word}
+    if field.used_when then
+      node.used = {}
+      for _, word in ipairs(by_word or {""}) do node.used[word] = condition_of(field.used_when, word) end
+    end
     if field.struct then
       node.struct, node.kids = protocol.structs[field.struct], {}
       for _, word in ipairs(by_word or {""}) do
@@ -2734,14 +2816,19 @@ for _, message in ipairs(protocol.messages) do
   M.commands[message.id] = M.commands[message.id] or message.command
 end
 
--- The message of a body, or nil and the reason.
-function M.choose(to_board, id, size)
+-- The message of a body, or nil and the reason; of several of one size, the one that was asked for.
+function M.choose(to_board, id, size, asked)
   local forms = M.forms[to_board][id]
   if not forms then return nil, "unknown command" end
   if #forms == 1 then return forms[1] end
+  local found
   for _, form in ipairs(forms) do
-    if (form.min or 0) <= size and (form.open or size <= (form.max or 0)) then return form end
+    if (form.min or 0) <= size and (form.open or size <= (form.max or 0)) then
+      if form.name == asked then return form end
+      if not form.asked then found = found or form end
+    end
   end
+  if found then return found end
   return nil, "no form of the command has " .. size .. " bytes"
 end
 
@@ -2771,7 +2858,7 @@ local function need(reader, size, field)
 end
 
 local function add(reader, leaf, size, value, label)
-  local item = {leaf = leaf, at = reader.at, size = size, value = value, label = label}
+  local item = {leaf = leaf, at = reader.at, size = size, value = value, label = label, unused = reader.unused}
   reader.items[#reader.items + 1] = item
   reader.at = reader.at + size
   return item
@@ -2972,6 +3059,11 @@ local function read_list(node, reader, level)
   return values
 end
 
+-- Notes whether the board uses a field, or the element `word` of it.
+local function note_use(node, reader, level, word)
+  if node.used then reader.unused = not holds(node.used[word], level, reader.context) end
+end
+
 local function read_field(node, reader, level)
   local field = node.field
   if node.words then
@@ -2982,6 +3074,7 @@ local function read_field(node, reader, level)
     return group(reader, field.name, nil, function()
       local values = {}
       for _, word in ipairs(node.words) do
+        note_use(node, reader, level, word)
         if node.leaves then
           values[word] = read_leaf(node.leaves[word], reader, level, word)
         else
@@ -2991,6 +3084,7 @@ local function read_field(node, reader, level)
       return values
     end)
   end
+  note_use(node, reader, level, "")
   if field.announced then return read_announced(node, reader) end
   if field.dim then return read_list(node, reader, level) end
   return read_element(node, (node.kids or {})[""], field.name, reader, level)
@@ -3000,6 +3094,7 @@ end
 read_fields = function(nodes, reader, level, asked)
   for _, node in ipairs(nodes) do
     if is_present(node, reader, asked) then level.values[node.name] = read_field(node, reader, level) end
+    if node.used then reader.unused = nil end
   end
 end
 
@@ -3448,7 +3543,9 @@ function M.learn(known_facts, message, values)
   local result = known_facts
   for _, fact in ipairs(learners[message.name] or {}) do
     local value
-    if fact.list then
+    if fact.is then
+      value = fact.is
+    elseif fact.list then
       value = types_in(fact, values)
     else
       value = values
@@ -3592,7 +3689,7 @@ nodes.proto.experts = list
 
 local function check_range(item, tree)
   local field, value, meaning = item.leaf.field, item.value, item.meaning or item.leaf.field
-  if type(value) ~= "number" or (field.special or {})[value] then return end
+  if type(value) ~= "number" or (field.special or {})[value] or item.unused then return end
   local low, high = meaning.min, meaning.max
   if low and value < low then
     tree:add_proto_expert_info(experts.range, item.leaf.name .. ": " .. value .. " is below " .. low)
@@ -3811,7 +3908,8 @@ end
 
 -- Decodes a frame as far as it is asked: for its tree, for what later bodies need, or for its request.
 local function take(one, frame, all, known, pinfo, ordinal, to_board, tree, wants_tree)
-  local message, reason = nodes.choose(to_board, frame.id, frame.body_size)
+  local asked = not to_board and (known[frame.id] or {}).asked
+  local message, reason = nodes.choose(to_board, frame.id, frame.body_size, asked)
   local taken = {frame = frame, message = message, reason = reason}
   if not message then
     local name = nodes.commands[frame.id] or protocol.prefix .. frame.id

@@ -37,6 +37,16 @@ bool is_learned_from(const MessageType& type) {
   return std::ranges::find(names, type.info->name) != names.end();
 }
 
+/// True if a request decides which message such a frame is.
+bool is_asked(bool from_board, const Frame& frame) {
+  bool result = false;
+  if (from_board) {
+    select(Direction::from_board, frame.id, frame.body.size(),
+           [&]<class M>(Type<M>) { result = sbgc::detail::IsAsked<M>; });
+  }
+  return result;
+}
+
 /// All messages of one type.
 struct Kind {
   explicit Kind(const MessageType& of)
@@ -94,8 +104,8 @@ class CaptureReader {
   };
   /// What frames of one id and size are.
   struct Form {
-    bool is_known = false;
-    Kind* kind = nullptr;  // null if they do not decode
+    bool is_known = false;  // false again if a request decides for each
+    Kind* kind = nullptr;   // null if they do not decode
   };
 
   void take_items() {
@@ -136,10 +146,10 @@ class CaptureReader {
     const double time = seconds(side.arrivals.of(end));
     Form& form = forms_.at(from_board ? 1 : 0).at(frame.id).at(frame.body.size());
     // Whether a body with a fixed layout decodes depends on its size alone.
-    if (form.kind != nullptr && form.kind->layout && !form.kind->teaches) {
+    if (form.is_known && form.kind != nullptr && form.kind->layout && !form.kind->teaches) {
       return form.kind->bodies->add(time, frame.body);
     }
-    if (!form.is_known) form = {true, kind_of(from_board, frame)};
+    if (!form.is_known) form = {!is_asked(from_board, frame), kind_of(from_board, frame)};
     if (form.kind == nullptr || !decode(*form.kind, time, frame.body)) ++undecoded;
   }
 
@@ -158,7 +168,7 @@ class CaptureReader {
   /// Returns the kind of a frame; null if there is none, or such frames never decode.
   Kind* kind_of(bool from_board, const Frame& frame) {
     const Direction direction = from_board ? Direction::from_board : Direction::to_board;
-    const MessageType* const type = find_message(direction, frame.id, frame.body.size());
+    const MessageType* const type = find_message(direction, frame.id, frame.body.size(), contexts_);
     if (type == nullptr) return nullptr;
     const auto found = std::ranges::find(kinds_, type, [](const auto& kind) { return kind->type; });
     if (found != kinds_.end()) return usable(**found, frame);

@@ -33,13 +33,14 @@ OwnFrame own(const Frame& frame) {
 
 AnyMessage decode_body(std::uint8_t id, Bytes body, bool from_board, const Contexts* contexts) {
   const Direction direction = from_board ? Direction::from_board : Direction::to_board;
-  const MessageType* const type = find_message(direction, id, body.size());
+  const Contexts& known = contexts == nullptr ? detail::nothing_known : *contexts;
+  const MessageType* const type = find_message(direction, id, body.size(), known);
   if (type == nullptr) {
     const Code code = select(direction, id, body.size(), [](auto) {});
     raise_status("DecodeError", "command " + std::to_string(id), {code});
   }
   AnyMessage message = type->make();
-  const Status status = message.decode(body, contexts == nullptr ? Contexts{} : *contexts);
+  const Status status = message.decode(body, known);
   if (!status) raise_status("DecodeError", type->info->name, status);
   return message;
 }

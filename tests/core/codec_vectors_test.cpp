@@ -91,7 +91,8 @@ class Vector {
   void check_decode(const MessageType& type) const {
     const ByteVector bytes = body_of(json_);
     const ExactCopy body(bytes);
-    EXPECT_EQ(find_message(direction_of(json_), json_["id"], bytes.size()), chosen(type));
+    EXPECT_EQ(find_message(direction_of(json_), json_["id"], bytes.size(), contexts_),
+              chosen(type));
     auto message = type.make();
     const Status status = message.decode(body.get(), contexts_);
     if (has("error")) {

@@ -45,6 +45,23 @@ TEST(Validate, FieldsThatOlderFirmwareDoesNotHave) {
   EXPECT_TRUE(valid_for(2711));
 }
 
+TEST(Validate, WhatTheBoardDoesNotUseMayHaveAnyValue) {
+  msg::CalibCogging message{.action = msg::CoggingAction::erase,
+                            .axes = msg::CoggingAxis::roll | msg::CoggingAxis::pitch};
+  EXPECT_EQ(violations_of(message), Violations{});
+  EXPECT_TRUE(is_valid(message));
+  message.action = msg::CoggingAction::calibrate;
+  message.motors.roll = {.angle = msg::WideDegrees(20), .smooth = msg::Percent(100)};
+  message.motors.yaw.smooth = msg::Percent(101);
+  EXPECT_EQ(violations_of(message),
+            (Violations{{"motors.pitch.angle", 0, 20, Rule::minimum},
+                        {"iterations_num", 0, 2, Rule::minimum}}));
+  EXPECT_FALSE(is_valid(message));
+  message.iterations_num = 2;
+  message.axes = msg::CoggingAxis::roll;
+  EXPECT_EQ(violations_of(message), Violations{});
+}
+
 TEST(Validate, RulesAcrossFields) {
   msg::ReadParamsExt2 params;
   const auto orders = [&] {

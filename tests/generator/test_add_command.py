@@ -174,6 +174,8 @@ def test_every_example_of_the_guide_is_valid_and_has_an_effect(tmp_path: Path) -
     assert fields["18.password"].secret and fields["18.password"].fits_rest
     lamp = fields["19.lamps"].type
     assert isinstance(lamp, Struct) and lamp.element_sizes == (1, 3)
+    used = {leaf.path: leaf.used_when.words for leaf in made[20].leaves if leaf.used_when}
+    assert used["period.yaw"] == "light is LIGHT_BLINK and lamps has YAW"
     enums = {e.name: e for e in layout.enums}
     assert enums["LampOptions"].values[1].since.firmware_text == "2.74"
     assert enums["LampEffect"].values[0].former

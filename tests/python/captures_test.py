@@ -201,6 +201,16 @@ def test_later_firmware_appends_to_bodies(tmp_path: Path) -> None:
     assert [bytes(tail) for tail in table.array["tail"]] == [bytes(3), b"new", bytes(3)]
 
 
+def test_the_request_decides_between_answers_of_one_size(tmp_path: Path) -> None:
+    answer = (FROM_BOARD, frame(46, bytes.fromhex("00201200c00000c03f6400000010c0")))
+    requests = [(TO_BOARD, frame(46, bytes(size))) for size in (7, 2)]
+    sent = [answer, requests[0], answer, answer, requests[1], answer]
+    records = [record(kind, time, data) for time, (kind, data) in enumerate(sent)]
+    capture = read_capture(write(tmp_path / "capture.sbgc", session(), *records))
+    assert capture[msg.AdjVarsState].array["analog_value"].tolist() == [1069547520] * 2
+    assert capture[msg.AdjVarsStateExt].array["analog_var_value"].tolist() == [1.5] * 2
+
+
 def test_a_live_recording_is_read(tmp_path: Path) -> None:
     path = tmp_path / "live.sbgc"
     with sbgc.emulator() as board, sbgc.connect(board, capture=path) as gimbal:

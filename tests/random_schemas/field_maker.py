@@ -175,6 +175,9 @@ class FieldMaker(TypeMaker):
         name = self.field_name()
         dim, count = self.dimension(scope, kind)
         node = self.decorate({"name": name + dim, "type": kind.name}, kind, scope)
+        used = self.condition(scope) if scope.in_message and self.chance(0.15) else None
+        if used is not None and "context" not in used:
+            node["used_when"] = used
         scope.add(node, kind.least * count, kind.memory * count, True)
         is_integer = kind.name in (*INTEGERS, "u24", "i24")
         is_integer = is_integer or (kind.is_quantity and kind.number in INTEGERS)

@@ -21,6 +21,7 @@ class MessageMaker(FieldMaker):
             self.add_announcement()
         makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
         makers += [self.add_dependent, self.add_gaps, self.add_records, self.add_settings]
+        makers += [self.add_asked]
         for maker in makers:
             maker()
         makers += [self.add_command] * 5 + [self.add_undocumented]
@@ -196,6 +197,31 @@ class MessageMaker(FieldMaker):
         order = sorted(forms)
         self.random.shuffle(order)
         node[direction] = self.sourced({"forms": {form: forms[form] for form in order}})
+
+    def add_asked(self) -> None:
+        """Adds a command with answers of one size, which the request tells apart."""
+        _, family, node = self.new_command("from_board", "to_board")
+        size = self.random.choice((1, 2, 4))
+        types = [name for name in (*INTEGERS, "f32") if SIZES[name] == size]
+        forms: dict[str, Node] = {"from_board": {}, "to_board": {}}
+        for length, form in enumerate(self.random.sample(("simple", "extended", "success"), 2), 1):
+            names = {direction: self.unique("Asked") for direction in forms}
+            scopes = {direction: self.scope(family, 60) for direction in forms}
+            for direction, type_ in (
+                ("from_board", self.random.choice(types)),
+                ("to_board", f"bytes[{length}]"),
+            ):
+                field = self.said({"name": self.field_name(), "type": type_})
+                least = size if direction == "from_board" else length
+                scopes[direction].add(field, least, least, True)
+                content = self.said({"fields": scopes[direction].fields, "as": names[direction]})
+                if direction == "to_board":
+                    content["effect"] = "reads"
+                    content["answer"] = {"message": names["from_board"], "retry": "safe"}
+                forms[direction][form] = content
+                self.add_body(names[direction], scopes[direction], direction)
+        for direction, known in forms.items():
+            node[direction] = self.sourced({"forms": known})
 
     def add_both_ways(self) -> None:
         """Adds a command with the same body in both directions."""

@@ -245,7 +245,7 @@ TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
   EXPECT_FALSE(confused(one, two));
   two.profile_id = 255;
   EXPECT_TRUE(confused(one, two));
-  EXPECT_TRUE(confused(one, sbgc::msg::ReadParams{})) << "another command, the same answer";
+  EXPECT_FALSE(confused(one, sbgc::msg::ReadParams{})) << "each has an answer of its own";
   EXPECT_TRUE(confused(sbgc::msg::RealtimeData{}, sbgc::msg::RealtimeData3Request{}));
   EXPECT_FALSE(confused(sbgc::msg::RealtimeData4Request{}, sbgc::msg::RealtimeData3Request{}));
   EXPECT_TRUE(confused(sbgc::msg::Control{}, sbgc::msg::ControlExt{}));
@@ -275,7 +275,7 @@ using sbgc::Maybe;
 using sbgc::ResponseMessages;
 using sbgc::TypeList;
 static_assert(std::same_as<sbgc::msg::BoardInfoRequest::Response, sbgc::msg::BoardInfo>);
-static_assert(std::same_as<sbgc::msg::ReadParams::Response, sbgc::msg::ReadParams3>);
+static_assert(std::same_as<sbgc::msg::ReadParams::Response, sbgc::msg::ReadParamsAnswer>);
 static_assert(std::same_as<sbgc::msg::GetAdjVarsVal::Response, sbgc::msg::SetAdjVarsVal>);
 static_assert(std::same_as<sbgc::msg::BootMode3Ext::Response, Maybe<sbgc::msg::Reset>>);
 static_assert(

@@ -240,6 +240,24 @@ def test_a_request_tells_what_its_answer_holds() -> None:
     assert lines[1]["fields"] == {"timestamp_ms": 7, "gyro_data": {"roll": 1, "pitch": 2, "yaw": 3}}
 
 
+def test_the_request_decides_between_answers_of_one_size() -> None:
+    answer = frame(46, bytes.fromhex("00201200c00000c03f6400000010c0"))
+    alone = decode_one(answer)
+    assert (alone["message"], alone["fields"]["analog_value"]) == ("AdjVarsState", 1069547520)
+    (other,) = alone["others"]
+    assert (other["message"], other["after"]) == ("AdjVarsStateExt", "AdjVarsStateRequestExt")
+    values = [
+        other["fields"][name] for name in ("analog_var_value", "lut_src_value", "lut_var_value")
+    ]
+    assert values == [1.5, 100, -2.25]
+    for request, fields in ((bytes(2), alone["fields"]), (bytes(7), other["fields"])):
+        line = decode(frame(46, request) + answer)[-1]
+        assert "others" not in line and line["fields"] == fields
+    assert (
+        "after AdjVarsStateRequestExt, it is AdjVarsStateExt:\n" in run("decode", stdin=answer).text
+    )
+
+
 @pytest.mark.parametrize("vector", valid_frames(), ids=lambda v: v["meaning"][:40])
 def test_vectors_from_outside(vector: dict) -> None:
     sender = "host" if vector["direction"] == "to_board" else "board"

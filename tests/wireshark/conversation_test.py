@@ -67,6 +67,19 @@ def test_samples_are_decoded_with_the_flags_of_the_request(tmp_path: Path) -> No
         ]
 
 
+def test_the_request_decides_between_answers_of_one_size(tmp_path: Path) -> None:
+    answer = Packet(frame(46, bytes.fromhex("00201200c00000c03f6400000010c0")), BOARD)
+    asked = [Packet(frame(46, bytes(size)), HOST) for size in (7, 2)]
+    (tmp_path / "packets").write_bytes(
+        CARRIERS["line"]([answer, asked[0], answer, asked[1], answer])
+    )
+    for passes in ([], ["-2"]):
+        found = [o for o in shown(tmp_path / "packets", *passes) if o.text("sbgc.direction") == "0"]
+        floats = [one.text("sbgc.adj_vars_state_ext.analog_var_value") for one in found]
+        integers = [one.text("sbgc.adj_vars_state.analog_value") for one in found]
+        assert (floats, integers) == (["", "1.5", ""], ["1069547520", "", "1069547520"])
+
+
 def test_what_is_wrong_is_expert_information(tmp_path: Path) -> None:
     good = frame(86)
     packets = [

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 
 #include <sbgc/detail/compiler.hpp>
 #include <sbgc/explain.hpp>
@@ -91,6 +92,20 @@ void put_name(TextOutput& out, const char* name) {
   out.put('"');
 }
 
+/// Writes the other messages that the body may be.
+void put_others(TextOutput& out, const DecodedFrame& decoded) {
+  for (const OtherReading& other : decoded.others) {
+    out.put(&other == decoded.others.data() ? ",\"others\":[{\"message\":" : ",{\"message\":");
+    put_name(out, other.message->name);
+    out.put(",\"after\":");
+    put_name(out, other.request);
+    out.put(",\"fields\":");
+    out.put(other.fields);
+    out.put('}');
+  }
+  if (!decoded.others.empty()) out.put(']');
+}
+
 }  // namespace
 
 DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
@@ -145,16 +160,45 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   result.command = command_name(frame.id, result.direction);
   result.status = decode_body(frame.body, contexts_, result);
   result.error_field = result.status.field;
-  select_received(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
+  others_.clear();
+  const auto use = [&]<class M>(Type<M>) {
     result.message = &Meta<M>::info;
     result.is_for_firmware = versions_.has_value();
     if (versions_) result.objection = objection_to(Meta<M>::info, *versions_);
     if (result.status.code == Code::too_short && result.error_field.empty()) {
       result.error_field = field_at<M>(result.status.offset);
     }
-  });
+    if constexpr (detail::IsAsked<M>) {
+      if (!result.status || contexts_.*OtherForms<M>::asked != Form::only) return;
+      OtherForms<M>::Types::for_each([&]<class Other>(Type<Other>) { add_other<Other>(result); });
+    }
+  };
+  select_received(result.direction, frame.id, frame.body.size(), use, contexts_);
   if (!result.status) describe_error(result);
   return result;
+}
+
+template <class M>
+void FrameDecoder::add_other(DecodedFrame& result) {
+  OtherReading other{.message = &Meta<M>::info};
+  AllMessages::for_each([&]<class Request>(Type<Request>) {
+    if constexpr (requires { requires std::same_as<typename Request::Response, M>; }) {
+      other.request = Meta<Request>::info.name;
+    }
+  });
+  Values& values = others_.emplace_back();
+  const auto take = [&](const M& message) {
+    if (wanted_.json) other.fields = Taker::json(message, values.json, wanted_.secrets);
+    if (wanted_.rows) {
+      values.rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_),
+                         wanted_.secrets);
+      other.rows = values.rows.rows();
+    }
+  };
+  const std::span<const std::uint8_t> body = result.frame.body;
+  if (detail::decode_and_call<M>(body.data(), body.size(), take, contexts_)) {
+    result.others.push_back(other);
+  }
 }
 
 void FrameDecoder::describe_error(DecodedFrame& result) {
@@ -221,6 +265,7 @@ void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* 
   if (decoded.status) {
     out.put(",\"fields\":");
     out.put(decoded.fields);
+    put_others(out, decoded);
     if (decoded.is_for_firmware) {
       out.put(",\"objections\":");
       put_objections(out, decoded);

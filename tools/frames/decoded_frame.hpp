@@ -1,9 +1,11 @@
 /// A decoded frame and its description.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <sbgc/frame.hpp>
 #include <sbgc/text_output.hpp>
@@ -12,6 +14,14 @@
 #include "frames/value_rows.hpp"
 
 namespace sbgc::tools {
+
+/// Another message that a body may be: the request decides, and nobody has seen it.
+struct OtherReading {
+  const MessageInfo* message{};
+  const char* request = "";   ///< after which the body is this message
+  Rows rows{};                ///< if wanted
+  std::string_view fields{};  ///< the JSON of the message, if wanted
+};
 
 /// The result of decoding one frame. The views are valid until the decoder decodes the next one.
 struct DecodedFrame {
@@ -29,6 +39,7 @@ struct DecodedFrame {
   /// The number of leading bytes whose values have arrived whole, and where the message has them.
   std::size_t certain = max_body_size;
   Rows rows{};  ///< if wanted; of a body that is too short, the values in `certain` bytes
+  std::vector<OtherReading> others{};
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
   Secrets secrets{};        ///< whether the texts below show them
@@ -79,6 +90,8 @@ class FrameDecoder {
   DecodedFrame decode_from(const Frame& frame, Direction direction);
   Status decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
                      DecodedFrame& result);
+  template <class M>
+  void add_other(DecodedFrame& result);
   /// Sets the explanation, and the rows of a body that is too short.
   void describe_error(DecodedFrame& result);
   /// Sets the rows of a body that is too short.
@@ -91,6 +104,11 @@ class FrameDecoder {
   std::string json_{};
   std::string with_secrets_{};
   ValueRows rows_{};
+  struct Values {
+    ValueRows rows{};
+    std::string json{};
+  };
+  std::deque<Values> others_{};  // of the last frame
 };
 
 }  // namespace sbgc::tools

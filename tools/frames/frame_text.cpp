@@ -164,6 +164,14 @@ void put_text(TextOutput& out, const DecodedFrame& decoded, const Colors& colors
   put_heading(out, decoded, colors);
   if (!decoded.status) put_error(out, decoded, colors);
   put_values(out, decoded.rows, colors);
+  for (const OtherReading& other : decoded.others) {
+    out.put("    The request decides what this is: after ");
+    out.put(other.request);
+    out.put(", it is ");
+    out.put(other.message->name);
+    out.put(":\n");
+    put_values(out, other.rows, colors);
+  }
 }
 
 }  // namespace sbgc::tools

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -98,22 +97,20 @@ Reaction handle(RequestContext& context, const msg::AdjVarsStateRequest& request
   }
   return context.answer(slots.state(remote, parameters, request.trigger_slot, request.analog_slot));
 }
-/// The bytes of the analog value are a floating-point number here (E208).
 Reaction handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request,
                 const Slots& slots, const RemoteControl& remote, const Parameters& parameters) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto analog = parameters.variable(request.analog_var_id);
   const auto table = parameters.variable(request.lut_var_id);
   if (!analog || !table) return context.refuse(msg::BoardErrorCode::wrong_params);
-  msg::AdjVarsState state = slots.state(remote, parameters, request.trigger_slot, 0);
-  const auto trigger = slots.signal(remote, request.trigger_slot);
-  state.trigger_rc_data = msg::CentredRcSignal(centred_signal(trigger).raw());
-  state.analog_rc_data =
-      msg::CentredRcSignal(centred_signal(signal_of(remote, request.analog_src_id)).raw());
-  state.analog_value = std::bit_cast<std::int32_t>(static_cast<float>(*analog));
-  state.lut_src_value = centred_signal(signal_of(remote, request.lut_src_id));
-  state.lut_var_value = static_cast<float>(*table);
-  return context.answer(state);
+  const msg::AdjVarsState slot = slots.state(remote, parameters, request.trigger_slot, 0);
+  return context.answer(msg::AdjVarsStateExt{
+      .trigger_rc_data = centred_signal(slots.signal(remote, request.trigger_slot)),
+      .trigger_action = slot.trigger_action,
+      .analog_src_value = centred_signal(signal_of(remote, request.analog_src_id)),
+      .analog_var_value = static_cast<float>(*analog),
+      .lut_src_value = centred_signal(signal_of(remote, request.lut_src_id)),
+      .lut_var_value = static_cast<float>(*table)});
 }
 
 /// Describes as many variables as fit into one body, from this one on.

@@ -25,6 +25,12 @@ template <class Request, class... Parameters>
 inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
     ((reads<Request, Parameters> || writes<Request, Parameters>) || ...);
 
+/// The answer to a request for S, whose body it has: that to an older request may have another id.
+template <class Request, class S>
+struct AnswerTo {
+  using Type = typename Request::Response;
+};
+
 /// Returns the copy that a request selects; nothing if there is no such copy.
 template <class S, class Request>
 std::optional<std::uint8_t> copy_of(const Parameters& parameters, const Request& request) {
@@ -63,7 +69,7 @@ Reaction access_parameters(RequestContext& context, const Request& request, Para
       if (!copy) {
         reaction = context.refuse(msg::BoardErrorCode::wrong_params);
       } else if constexpr (detail::reads<Request, S>) {
-        S answer = parameters.read<S>(*copy);
+        typename detail::AnswerTo<Request, S>::Type answer{parameters.read<S>(*copy)};
         detail::fill_state(parameters, imus, answer);
         reaction = context.answer_anyway(answer);
       } else if (parameters.write<S>(*copy, request)) {

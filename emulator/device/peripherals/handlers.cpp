@@ -11,11 +11,13 @@ Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs
   const bool switched =
       outputs.set_pin(parameters, context.versions(), request.pin_id, request.state);
   using enum msg::PinState;
-  if (!switched) return RequestContext::ignore();
-  if (request.state != input_pull_up && request.state != input_pull_down) return context.confirm();
+  const bool is_input = request.state == input_pull_up || request.state == input_pull_down;
+  if (!is_input) return switched ? context.confirm() : RequestContext::ignore();
+  if (!knows(context.versions(), request.state)) return RequestContext::ignore();
   // Nothing is connected, so the pull decides.
   const std::int8_t level = request.state == input_pull_up ? 1 : 0;
-  return context.confirm({.pin_id = request.pin_id, .pin_state = level});
+  return context.confirm(
+      {.pin_id = request.pin_id, .pin_state = switched ? level : msg::Confirm::pin_unavailable});
 }
 
 Reaction handle(RequestContext& context, const msg::ServoOut& request, Outputs& outputs,

@@ -63,6 +63,7 @@ using AllMessages = TypeList<
     msg::SaveParams3,
     msg::UseDefaults,
     msg::WriteParams3,
+    msg::ReadParamsAnswer,
     msg::WriteParams,
     msg::WriteParamsExt,
     msg::WriteParamsExt2,
@@ -212,6 +213,7 @@ using AllMessages = TypeList<
     msg::ReadAdjVarsCfg,
     msg::ReadAdjVarsCfgRequest,
     msg::AdjVarsState,
+    msg::AdjVarsStateExt,
     msg::AdjVarsStateRequest,
     msg::AdjVarsStateRequestExt,
     msg::AdjVarsInfo,
@@ -247,6 +249,8 @@ struct Contexts {
   msg::RealtimeDataCustom2::Context realtime_data_custom2{};
   msg::CanDrvTelemetry::Context can_drv_telemetry{};
   msg::DebugVars3::Context debug_vars3{};
+  /// The form of CMD_ADJ_VARS_STATE that the last request asked for; `only` if there was none.
+  Form adj_vars_state_form = Form::only;
 
   constexpr const msg::RealtimeDataCustom::Context& of(const msg::RealtimeDataCustom&) const noexcept {
     return realtime_data_custom;
@@ -278,6 +282,12 @@ struct Contexts {
       if (!detail::announce(debug_vars3.types, type, item.arr_size)) break;
     }
   }
+  constexpr void learn(const msg::AdjVarsStateRequest&) noexcept {
+    adj_vars_state_form = Form::simple;
+  }
+  constexpr void learn(const msg::AdjVarsStateRequestExt&) noexcept {
+    adj_vars_state_form = Form::extended;
+  }
   /// Stores the facts of a message that later ones need. Most messages have none.
   template <class M>
   constexpr void learn(const M&) noexcept {}
@@ -288,15 +298,43 @@ struct Contexts {
       std::is_same_v<M, msg::RealtimeDataCustomRequest> ||
       std::is_same_v<M, msg::DataStreamInterval> ||
       std::is_same_v<M, msg::RealtimeDataCustom2Request> ||
-      std::is_same_v<M, msg::DebugVarsInfo3>;
+      std::is_same_v<M, msg::DebugVarsInfo3> ||
+      std::is_same_v<M, msg::AdjVarsStateRequest> ||
+      std::is_same_v<M, msg::AdjVarsStateRequestExt>;
 };
 
+/// The other messages that a body of an M may be: the request decides. Most messages have none.
+template <class M>
+struct OtherForms {
+  using Types = TypeList<>;
+};
+template <>
+struct OtherForms<msg::AdjVarsState> {
+  using Types = TypeList<msg::AdjVarsStateExt>;
+  static constexpr auto asked = &Contexts::adj_vars_state_form;
+};
+template <>
+struct OtherForms<msg::AdjVarsStateExt> {
+  using Types = TypeList<msg::AdjVarsState>;
+  static constexpr auto asked = &Contexts::adj_vars_state_form;
+};
+
+namespace detail {
+inline constexpr Contexts nothing_known{};
+
+/// True if the request decides which message a body of an M is.
+template <class M>
+concept IsAsked = requires { OtherForms<M>::asked; };
+}  // namespace detail
+
 /// Calls `use(Type<M>{})` with the message type M of a body of `size` bytes. Selects the form that
-/// matches the size; if the command has only one, selects it for any size, so that decode() can
-/// report a wrong one. Returns ok, unknown_command or unknown_form.
+/// matches the size, and of several the one that the last request asked for; if the command has only
+/// one, selects it for any size, so that decode() can report a wrong one. Returns ok, unknown_command
+/// or unknown_form.
 template <class Use>
 constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std::size_t size,
-                      Use&& use) {
+                      Use&& use,
+                      [[maybe_unused]] const Contexts& contexts = detail::nothing_known) {
   if (direction == Direction::from_board) {
     switch (id) {
       case 20:  // CMD_BOARD_INFO_3
@@ -328,7 +366,9 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
       case 43:  // CMD_READ_ADJ_VARS_CFG
         return use(Type<msg::ReadAdjVarsCfg>{}), Code::ok;
       case 46:  // CMD_ADJ_VARS_STATE
-        return use(Type<msg::AdjVarsState>{}), Code::ok;
+        if (contexts.adj_vars_state_form == Form::extended && size >= 15) return use(Type<msg::AdjVarsStateExt>{}), Code::ok;
+        if (size >= 15) return use(Type<msg::AdjVarsState>{}), Code::ok;
+        return Code::unknown_form;
       case 48:  // CMD_EEPROM_READ
         return use(Type<msg::EepromRead>{}), Code::ok;
       case 49:  // CMD_CALIB_INFO
@@ -359,6 +399,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::CalibMotorMagLink>{}), Code::ok;
       case 76:  // CMD_MODULE_LIST
         return use(Type<msg::ModuleList>{}), Code::ok;
+      case 82:  // CMD_READ_PARAMS
+        return use(Type<msg::ReadParamsAnswer>{}), Code::ok;
       case 86:  // CMD_BOARD_INFO
         return use(Type<msg::BoardInfo>{}), Code::ok;
       case 88:  // CMD_REALTIME_DATA_CUSTOM

@@ -354,6 +354,8 @@ enum class CommandFromBoard : std::uint8_t {
   calib_motor_mag_link = 74,
   /// CMD_MODULE_LIST: Modules connected to the board.
   module_list = 76,
+  /// CMD_READ_PARAMS: Older id of CMD_READ_PARAMS_3.
+  read_params = 82,
   /// CMD_BOARD_INFO: Board version and features.
   board_info = 86,
   /// CMD_REALTIME_DATA_CUSTOM: Live data of the requested blocks.

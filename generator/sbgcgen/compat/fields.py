@@ -369,6 +369,10 @@ def _compare_field(
     pair.compare(WIRE, "is present if it fits", "fits")
     pair.compare(MEANING, "is hidden in text and JSON", "secret")
     _compare_conditions(pair, names)
+    # Values that were valid become invalid only if the board used the field less often.
+    pair.compare(
+        MEANING if old.used_when else COMPATIBLE, "used when", lambda f: _when_text(f.used_when)
+    )
     # A new default changes what a program sends that does not set the field.
     pair.compare(MEANING, "default")
     pair.compare(MEANING if new.constant else COMPATIBLE, "constant")

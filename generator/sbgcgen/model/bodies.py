@@ -201,7 +201,8 @@ class Field:
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
     the `axis`, or of the index. `later` are the meanings that later firmware gives it, the first one first.
-    `needs` is the feature of boards that have it.
+    `needs` is the feature of boards that have it. The board uses it only if `used_when` holds, which may differ
+    between elements; otherwise, any value is valid.
     An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
@@ -228,6 +229,7 @@ class Field:
     reserved: bool = False
     optional: bool = False
     when: Condition | None = None
+    used_when: Condition | None = None
     alternative: Alternative | None = None
     since: Availability = Availability()
     deprecated: Deprecation | None = None
@@ -327,8 +329,8 @@ class Leaf:
     """One value or run of bytes of a body, with its full path.
 
     `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
-    before an `optional` leaf. `when` is the condition of the field or of a group that it is in. If the
-    field counts in a direction, it is `direction`, or None if that is not known. In a list of
+    before an `optional` leaf. `when` and `used_when` are the conditions of the field or of a group that it
+    is in. If the field counts in a direction, it is `direction`, or None if that is not known. In a list of
     structs, `count` is None and `each` is the count in one element.
     """
 
@@ -341,6 +343,7 @@ class Leaf:
     cases: tuple[Leaf, ...] = ()
     optional: bool = False
     when: Condition | None = None
+    used_when: Condition | None = None
     direction: AxisDirection | None = None
     each: int | None = None
 

@@ -50,6 +50,22 @@ class Line:
 
 
 @dataclass(frozen=True)
+class AskedForms:
+    """Forms of a command of the board that have the same size: the request decides which one a body is.
+
+    Without a request, it is the first. `requests` are those that ask for one of the forms, with that form.
+    """
+
+    identifier: str
+    forms: tuple[Message, ...]
+    requests: tuple[tuple[Message, Message], ...]
+
+    def asks_for(self, form: Message) -> list[str]:
+        """The names of the requests for a form."""
+        return [request.name for request, wanted in self.requests if wanted is form]
+
+
+@dataclass(frozen=True)
 class Topic:
     """What parameters are about; `fields` are their names, `words` other names of the topic."""
 
@@ -156,6 +172,29 @@ class Layout:
         return _grouped(self.messages, lambda m: (m.command, m.direction))
 
     @cached_property
+    def asked(self) -> tuple[AskedForms, ...]:
+        """The forms of the board that have the same size."""
+        found: list[AskedForms] = []
+        for (command, direction), messages in self._by_command.items():
+            if direction == "to_board":
+                continue
+            sizes = [(m.min_size, m.max_size) for m in messages]
+            forms = tuple(m for m in messages if sizes.count((m.min_size, m.max_size)) > 1)
+            requests = [
+                (request, form)
+                for request in self.messages
+                for form in forms
+                if request.answer and request.answer.messages == (form.name,)
+            ]
+            if forms:
+                found.append(AskedForms(messages[0].command_identifier, forms, tuple(requests)))
+        return tuple(found)
+
+    def asked_forms(self, message: Message) -> AskedForms | None:
+        """The forms of the same size that a message is one of."""
+        return next((asked for asked in self.asked if message in asked.forms), None)
+
+    @cached_property
     def messages_by_id(self) -> dict[tuple[str, int], tuple[Message, ...]]:
         """The messages of each direction and id."""
         return _grouped(self.messages, lambda m: (m.direction, m.id))
@@ -169,6 +208,7 @@ class Layout:
     def settings(self) -> tuple[Settings, ...]:
         """The settings that can be read and stored, in the order of families."""
         stored = {m.stores for m in self.messages}
+        bodies = {m.name: m.same_as or m.name for m in self.messages}
 
         def requests(of: list[Message]) -> tuple[Message, ...]:
             return tuple(sorted(of, key=lambda m: m.deprecated is not None))
@@ -177,7 +217,11 @@ class Layout:
             Settings(
                 message,
                 requests(
-                    [m for m in self.messages if m.answer and message.name in m.answer.messages]
+                    [
+                        m
+                        for m in self.messages
+                        if m.answer and message.name in (bodies.get(n) for n in m.answer.messages)
+                    ]
                 ),
                 requests([m for m in self.messages if m.stores == message.name]),
             )

@@ -2,7 +2,8 @@
 
 A line is {"message", "command", "id", "direction", "hex", "fields", "why"}. It may also have:
 
-- "context": raw values that the body needs for decoding, with "after", the messages with them;
+- "context": raw values that the body needs for decoding;
+- "after": the messages with these values, or the request that tells the message from others of its size;
 - "error": without "fields", the error of decoding "hex"; without "hex", that of encoding "fields";
 - "chosen": the name of the form that the size of the body selects, null for none, if it is not
   "message".
@@ -16,7 +17,7 @@ from typing import Any
 
 from sbgcgen.model import Context, Field, Message, Struct, satisfying
 from sbgcgen.oracle.announced import announced_types, announcing
-from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import Choice, Places, compose
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
@@ -40,9 +41,14 @@ def line(vector: Vector, forms: Forms) -> str:
             for context in message.contexts
             if context.name in vector.context
         ]
+    asking = request_for(forms, message)
+    if asking:
+        result["after"] = [_sent(asking, compose(asking, Choice(Places(), short=True)))]
     if vector.body is not None:
         result["hex"] = vector.body.hex()
         chosen = _chosen(forms, message, len(vector.body))
+        if asking and chosen and _sizes(chosen) == _sizes(message):
+            chosen = message
         if chosen is not message:
             result["chosen"] = chosen.name if chosen else None
     if vector.fields is not None:
@@ -58,6 +64,19 @@ def _chosen(forms: Forms, message: Message, size: int) -> Message | None:
         return choose_message(forms, message.direction, message.id, size)
     except CodecError:
         return None
+
+
+def request_for(forms: Forms, message: Message) -> Message | None:
+    """The request that tells a message from others of its size; None if a body is it without a request."""
+    same = [m for m in forms[message.direction, message.id] if _sizes(m) == _sizes(message)]
+    if message.direction == "to_board" or message is same[0]:
+        return None
+    requests = (m for same_id in forms.values() for m in same_id if m.answer)
+    return next(m for m in requests if m.answer and m.answer.messages == (message.name,))
+
+
+def _sizes(message: Message) -> tuple[int, int]:
+    return message.min_size, message.max_size
 
 
 def error_words(error: CodecError) -> dict[str, Any]:
@@ -77,6 +96,10 @@ def _telling(context: Context, value: Any, forms: Forms) -> dict[str, Any]:
     else:
         forced = {path: value, **_conditions_of(path, message.fields)}
         fields = compose(message, Choice(Places(), short=True, forced=forced))
+    return _sent(message, fields)
+
+
+def _sent(message: Message, fields: Fields) -> dict[str, Any]:
     return {
         "id": message.id,
         "direction": message.direction,

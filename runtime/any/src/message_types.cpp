@@ -141,9 +141,11 @@ const MessageType& detail::message_type() noexcept {
 
 std::span<const MessageType* const> message_types() noexcept { return types; }
 
-const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size) noexcept {
+const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size,
+                                const Contexts& contexts) noexcept {
   const MessageType* found = nullptr;
-  select_received(direction, id, size, [&]<class M>(Type<M>) { found = &type_object<M>; });
+  const auto use = [&]<class M>(Type<M>) { found = &type_object<M>; };
+  select_received(direction, id, size, use, contexts);
   return found;
 }
 

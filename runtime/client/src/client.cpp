@@ -63,11 +63,11 @@ Result<Client> Client::connect(const std::string& address, const ConnectOptions&
 template <>
 Result<std::optional<AnyMessage>> detail::read_any(const Result<Reply>& reply) {
   if (!reply) return reply.error();
+  const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
   const MessageType* const type =
-      find_message(Direction::from_board, reply->id, reply->body.size());
+      find_message(Direction::from_board, reply->id, reply->body.size(), contexts);
   if (type == nullptr) return std::optional<AnyMessage>();
   AnyMessage message = type->make();
-  const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
   const Status status = message.decode(reply->body, contexts);
   if (!status) return detail::decode_error(status, *reply);
   return std::optional(std::move(message));

@@ -90,12 +90,12 @@ TEST(Availability, BeforeBoard3ThereAreNoErrors) {
   EXPECT_EQ(host.board.counters().refused, 1U);
 }
 
-TEST(Availability, OldRequestsHaveTheAnswersOfNewerOnes) {
+TEST(Availability, OldRequestsHaveTheirAnswers) {
   Host host(versions(10, 2200));
   host.board.gimbal().set_battery(12.3, host.now);
   EXPECT_NEAR(host.get<msg::RealtimeData3>(msg::RealtimeData{}).bat_level.volts(), 12.3, 0.01);
   EXPECT_THAT(host.ask(msg::RealtimeData3Request{}), IsEmpty());
-  EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams{.profile_id = 1}).profile_id, 1);
+  EXPECT_EQ(host.get<msg::ReadParamsAnswer>(msg::ReadParams{.profile_id = 1}).profile_id, 1);
   EXPECT_THAT(host.ask(msg::ReadParams3Request{}), IsEmpty());
 }
 

@@ -126,7 +126,9 @@ TEST_P(EachFirmware, HasFactoryParametersThatItKnows) {
     if (!is_supported<M>(versions)) return;
     M parameters{};
     ParametersOf<M>::Readers::for_each([&]<class Request>(Type<Request>) {
-      if (is_supported<Request>(versions)) parameters = host.get<M>(Request{});
+      if (is_supported<Request>(versions)) {
+        parameters = host.get<typename Request::Response>(Request{});
+      }
     });
     validate(parameters, versions, [](const Violation& violation) {
       ADD_FAILURE() << Meta<M>::info.name << ": " << to_string(violation);

@@ -99,6 +99,22 @@ TEST(Pins, WhatIsNoPinOrStateIsMetWithSilence) {
   EXPECT_THAT(host.ask(pin(msg::OutputPin::pin_aux1, msg::PinState{2})), IsEmpty());
 }
 
+TEST(Pins, AnInputThatDoesNotExistIsUnavailable) {
+  BoardOptions options;
+  options.board = msg::BoardVersion(36);
+  for (const std::uint16_t firmware : {newest_firmware, std::uint16_t{2742}}) {
+    options.firmware = msg::FirmwareVersion(firmware);
+    Host host(options);
+    for (const auto state : {msg::PinState::input_pull_up, msg::PinState::input_pull_down}) {
+      const auto confirmed = all<msg::Confirm>(host.ask(pin(msg::OutputPin{19}, state)));
+      ASSERT_EQ(confirmed.size(), firmware == newest_firmware ? 1U : 0U);
+      if (confirmed.empty()) continue;
+      EXPECT_EQ(confirmed[0].pin_id, msg::OutputPin{19});
+      EXPECT_EQ(confirmed[0].pin_state, msg::Confirm::pin_unavailable);
+    }
+  }
+}
+
 TEST(Pins, OldBoardsHaveFewer) {
   BoardOptions options;
   options.board = msg::BoardVersion(12);

@@ -1,6 +1,5 @@
 // Tests of slots: RC signals that start actions and change variables.
 
-#include <bit>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -156,11 +155,11 @@ TEST(Slots, LaterFirmwareAsksWithMoreBytes) {
                                             .analog_var_id = msg::VariableId::p_pitch,
                                             .lut_src_id = channel(1).raw(),
                                             .lut_var_id = msg::VariableId::p_roll};
-  const auto answer = host.get<msg::AdjVarsState>(request);
+  const auto answer = host.get<msg::AdjVarsStateExt>(request);
   EXPECT_EQ(answer.trigger_rc_data.raw(), 450 * 16384 / 500 + 1) << "in high resolution";
-  EXPECT_EQ(answer.analog_rc_data.raw(), 0) << "no signal";
+  EXPECT_EQ(answer.analog_src_value.raw(), 0) << "no signal";
   const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 255});
-  EXPECT_EQ(std::bit_cast<float>(answer.analog_value), static_cast<float>(parameters.axes.pitch.p));
+  EXPECT_EQ(answer.analog_var_value, static_cast<float>(parameters.axes.pitch.p));
   EXPECT_EQ(answer.lut_src_value.raw(), 450 * 16384 / 500 + 1);
   EXPECT_EQ(answer.lut_var_value, static_cast<float>(parameters.axes.roll.p));
 }

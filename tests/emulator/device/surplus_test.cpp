@@ -225,6 +225,18 @@ TEST(Surplus, IsWhatTheFirmwareDoesNotHave) {
   }
 }
 
+TEST(Surplus, IsTheActionOfALaterSelection) {
+  constexpr std::uint8_t select_imu = 24;
+  for (const std::size_t size : {2U, 10U, 11U, 12U, 20U}) {
+    Host host(with_firmware(30, 2590));
+    Bytes body(size);
+    body[0] = 2;
+    host.send_bytes(frame_of(select_imu, body));
+    EXPECT_EQ(confirmations<msg::SelectImu3>(host.listen(milliseconds(50))), 1) << size;
+    EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).cur_imu, msg::SelectedImu::frame);
+  }
+}
+
 TEST(Surplus, IsRefusedByAStrictBoard) {
   BoardOptions options;
   options.is_strict = true;

@@ -2,8 +2,10 @@
 
 #include "serving/faults.hpp"
 
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +15,9 @@
 namespace sbgc::serving {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 /// The live data of a board with these faults, two seconds after its start.
 msg::RealtimeData4 seen(const std::string& list) {
@@ -85,15 +89,36 @@ TEST(GimbalFaults, MistakesAreExplained) {
   EXPECT_THAT(problem(""), HasSubstr("there are low-battery"));
   EXPECT_THAT(problem("imu,"), HasSubstr("unknown fault ''"));
   EXPECT_EQ(problem("imu=1"), "the fault 'imu' has no value");
-  for (const char* text :
-       {"resonance", "resonance=", "resonance=Hz", "resonance=0", "resonance=37:x", "resonance=nan",
-        "resonance=37Hz:0.1:pan", "resonance=37:1:roll:5"}) {
+  for (const char* text : {"resonance", "resonance=37:1:roll:5"}) {
     EXPECT_EQ(problem(text), "the fault is resonance=FREQUENCY[:RATE[:AXIS]]") << text;
   }
-  for (const char* text : {"low-battery=-1", "imbalance=2", "overload=3", "slow-cycle=0",
-                           "slow-cycle=1e9", "drift=inf", "i2c-errors=-5", "line=x"}) {
-    EXPECT_THAT(problem(text), HasSubstr("the fault is ")) << text;
+  const std::map<std::string, std::vector<const char*>> ranges{
+      {", FREQUENCY from 0.1 to 1000 Hz",
+       {"resonance=", "resonance=Hz", "resonance=0", "resonance=nan", "resonance=37%"}},
+      {", RATE from 0 to 1000", {"resonance=37:x", "i2c-errors=-5", "line=x"}},
+      {", AXIS roll, pitch or yaw", {"resonance=37Hz:0.1:pan", "overload=3", "imbalance=30%:x"}},
+      {", VOLTS from 0 to 100 V", {"low-battery=-1"}},
+      {", US from 1 to 60000 us", {"slow-cycle=0", "slow-cycle=1e9"}},
+      {", RATE from -100 to 100", {"drift=inf"}},
+      {", SHARE from -1 to 1 (-100% to 100%)",
+       {"imbalance=2", "imbalance=101%", "imbalance=-101%", "imbalance=%", "imbalance=nan%"}},
+  };
+  for (const auto& [range, texts] : ranges) {
+    for (const char* text : texts) {
+      EXPECT_THAT(problem(text), AllOf(StartsWith("the fault is "), HasSubstr(range))) << text;
+    }
   }
+}
+
+TEST(GimbalFaults, AShareIsANumberOrPercent) {
+  const auto imbalance = [](const char* text) {
+    emulator::BoardOptions board;
+    add_faults(text, board);
+    return board.gimbal.imbalance;
+  };
+  EXPECT_DOUBLE_EQ(imbalance("imbalance=0.3")[1], 0.3);
+  EXPECT_DOUBLE_EQ(imbalance("imbalance=-30%:roll")[0], -0.3);
+  EXPECT_DOUBLE_EQ(imbalance("imbalance=100%:yaw")[2], 1);
 }
 
 }  // namespace

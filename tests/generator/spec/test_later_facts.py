@@ -111,6 +111,14 @@ def test_errata_named_in_reasons_exist(exceptions: list[Json], model: Json) -> N
         assert named <= errata, entry
 
 
+def test_what_the_document_lacks_has_a_first_firmware() -> None:
+    documented = {entry["value"] for entry in loaded(DATA / "specification_facts.json")["defines"]}
+    commands = loaded(DATA.parents[1] / "generated/simplebgc.json")["commands"]
+    later = [c for c in commands if c["id"] not in {None, *documented}]
+    undated = [c["name"] for c in later if not (c["since"] or {}).get("firmware")]
+    assert later and undated == []
+
+
 def test_no_fact_is_lost(facts: Json, checks: list[Check]) -> None:
     assert {key: n for key, n in FACTS.items() if len(facts[key]) < n} == {}
     assert sum(not check.is_addition for check in checks) >= CHECKS

@@ -265,6 +265,7 @@ class Calls {
 
   /// Sign a message with the keys of the board.
   /// Effect: reads.
+  /// Since firmware 2.50, board 3.0.
   template <class M = msg::SignMessageRequest>
   CallResult<M> sign_message(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -327,6 +328,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::ExtLicenseInfoRequest>
   CallResult<M> ext_license_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -529,6 +531,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CanDrvStateRequest>
   CallResult<M> can_drv_state(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -537,6 +540,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::RealtimeDataCanDrvRequest>
   CallResult<M> realtime_data_can_drv(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -919,6 +923,7 @@ class Calls {
 
   /// Calibrate the cogging of the motors, or delete this calibration.
   /// Effect: stores, moves, erases.
+  /// Since firmware 2.60.
   template <class M = msg::CalibCogging>
   CallResult<M> calib_cogging(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -936,6 +941,7 @@ class Calls {
 
   /// Start the recording of a frequency response.
   /// Effect: moves.
+  /// Since firmware 2.50, board 3.0.
   template <class M = msg::BodeTestStartStopRequest>
   CallResult<M> bode_test_start_stop(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -944,6 +950,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CoggingCalibInfoRequest>
   CallResult<M> cogging_calib_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -952,6 +959,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CanDrvHardParamsRequest>
   CallResult<M> can_drv_hard_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -960,6 +968,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CanDrvCalibrateRequest>
   CallResult<M> can_drv_calibrate(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -968,6 +977,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CalibEncoderLutRequest>
   CallResult<M> calib_encoder_lut(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -976,6 +986,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CalibEncoderLutResRequest>
   CallResult<M> calib_encoder_lut_res(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -984,6 +995,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::CalibCurSensRequest>
   CallResult<M> calib_cur_sens(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -992,6 +1004,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::EncIntCalibRequest>
   CallResult<M> enc_int_calib(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1000,6 +1013,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::VibrationTestStartStopRequest>
   CallResult<M> vibration_test_start_stop(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1008,6 +1022,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::VibrationTestDataRequest>
   CallResult<M> vibration_test_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1025,7 +1040,7 @@ class Calls {
 
   /// Select an IMU, with parameters that no source describes.
   /// Effect: sets.
-  /// Since board 3.0.
+  /// Since firmware 2.60.
   template <class M = msg::SelectImu3Ext>
   CallResult<M> select_imu_3_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1108,6 +1123,7 @@ class Calls {
 
   /// Forward a command to the external IMU.
   /// Effect: sets, stores, moves.
+  /// Since firmware 2.60.
   template <class M = msg::ExtImuCmd>
   CallResult<M> ext_imu_cmd(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1125,6 +1141,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::ImuAdvancedCalibRequest>
   CallResult<M> imu_advanced_calib(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1231,6 +1248,7 @@ class Calls {
 
   /// Request the RC signals of selected inputs.
   /// Effect: sets.
+  /// Since firmware 2.60.
   template <class M = msg::ReadRcInputsRequest>
   CallResult<M> read_rc_inputs(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1239,6 +1257,7 @@ class Calls {
 
   /// Request the list of the modules connected to the board.
   /// Effect: reads.
+  /// Since firmware 2.60.
   template <class M = msg::ModuleListRequest>
   CallResult<M> module_list(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1247,6 +1266,7 @@ class Calls {
 
   /// Search for devices on the CAN bus.
   /// Effect: reads.
+  /// Since firmware 2.60.
   template <class M = msg::CanDeviceScanRequest>
   CallResult<M> can_device_scan(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1264,6 +1284,7 @@ class Calls {
 
   /// Begin to load new firmware into a module.
   /// Effect: restarts, erases.
+  /// Since firmware 2.74.5.
   template <class M = msg::ModuleFlashStart>
   CallResult<M> module_flash_start(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1272,6 +1293,7 @@ class Calls {
 
   /// Load a part of new firmware into a module.
   /// Effect: stores.
+  /// Since firmware 2.74.5.
   template <class M = msg::ModuleFlashWrite>
   CallResult<M> module_flash_write(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1280,6 +1302,7 @@ class Calls {
 
   /// End the loading of firmware into a module.
   /// Effect: stores.
+  /// Since firmware 2.74.5.
   template <class M = msg::ModuleFlashFinish>
   CallResult<M> module_flash_finish(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1288,6 +1311,7 @@ class Calls {
 
   /// Search for uDrv modules and give them ids.
   /// Effect: stores.
+  /// Since firmware 2.74.5.
   template <class M = msg::UdrvDeviceScan>
   CallResult<M> udrv_device_scan(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1305,6 +1329,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.50, board 3.0.
   template <class M = msg::UartBypassRequest>
   CallResult<M> uart_bypass(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1313,6 +1338,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::SetDeviceAddrRequest>
   CallResult<M> set_device_addr(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1321,6 +1347,7 @@ class Calls {
 
   /// Undocumented body to the board.
   /// Effect: unknown.
+  /// Since firmware 2.60.
   template <class M = msg::SerialProxyRequest>
   CallResult<M> serial_proxy(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1519,6 +1546,7 @@ class Calls {
 
   /// Start or stop the copies of the messages on the board's other ports.
   /// Effect: sets.
+  /// Since firmware 2.60.
   template <class M = msg::SetDebugPortRequest>
   CallResult<M> set_debug_port(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

@@ -19,6 +19,7 @@ static_assert(codec_version == 3, "generated code and runtime do not match");
 
 struct AdjVarsInfo;
 struct AdjVarsState;
+struct AdjVarsStateExt;
 struct ReadAdjVarsCfg;
 struct SetAdjVarsVal;
 struct SetAdjVarsValF;
@@ -190,17 +191,15 @@ struct ReadAdjVarsCfgRequest {
   bool operator==(const ReadAdjVarsCfgRequest&) const = default;
 };
 
-/// Current state of one trigger slot and one analog slot. The response to the 7-byte request of
-/// firmware 2.62b5 and later differs: RC signals range from -16384 to 16384, ANALOG_RC_DATA is that
-/// of ANALOG_SRC_ID, and the bytes of ANALOG_VALUE are a floating-point number, the value of
-/// ANALOG_VAR_ID.
+/// Current state of one trigger slot and one analog slot. The response to the 2-byte request. That
+/// to the 7-byte request has the same size: the request decides.
 ///
-/// CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more. Since
-/// board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
+/// CMD_ADJ_VARS_STATE (46), from the board, simple form; 15 bytes, and later firmware may append
+/// more. Since board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
 struct AdjVarsState {
   static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_state;
   static constexpr Direction direction = Direction::from_board;
-  static constexpr Form form = Form::only;
+  static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 15;
   static constexpr std::size_t max_size = 15;
   static constexpr Availability since{.board = 30};
@@ -213,18 +212,48 @@ struct AdjVarsState {
   CentredRcSignal analog_rc_data{};
   /// Value of the variable, in its own units.
   std::int32_t analog_value{};
-  /// RC signal of LUT_SRC_ID; only in the response to the 7-byte request. Range: -1 to 1. Since
-  /// firmware 2.62b5.
-  FineRcSignal lut_src_value{};
-  /// Value of LUT_VAR_ID; only in the response to the 7-byte request. Since firmware 2.62b5.
-  float lut_var_value{};
+  /// Reserved; kept as it is.
+  Bytes<6> reserved{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<240> tail{};
 
   bool operator==(const AdjVarsState&) const = default;
   using FixedMembers = Members<&AdjVarsState::trigger_rc_data, &AdjVarsState::trigger_action,
-      &AdjVarsState::analog_rc_data, &AdjVarsState::analog_value, &AdjVarsState::lut_src_value,
-      &AdjVarsState::lut_var_value>;
+      &AdjVarsState::analog_rc_data, &AdjVarsState::analog_value, &AdjVarsState::reserved>;
+};
+
+/// Current state of a trigger slot, two RC signals and two variables. The response to the 7-byte
+/// request. That to the 2-byte request has the same size: the request decides.
+///
+/// CMD_ADJ_VARS_STATE (46), from the board, extended form; 15 bytes, and later firmware may append
+/// more. Since firmware 2.62b5. Source: Later firmware.
+struct AdjVarsStateExt {
+  static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_state;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::extended;
+  static constexpr std::size_t min_size = 15;
+  static constexpr std::size_t max_size = 15;
+  static constexpr Availability since{.firmware = 2625};
+
+  /// RC signal of the trigger slot. Range: -1 to 1.
+  FineRcSignal trigger_rc_data{};
+  /// Action that the slot triggered.
+  MenuCommand trigger_action{};
+  /// RC signal of ANALOG_SRC_ID. Range: -1 to 1.
+  FineRcSignal analog_src_value{};
+  /// Value of ANALOG_VAR_ID, in its own units.
+  float analog_var_value{};
+  /// RC signal of LUT_SRC_ID. Range: -1 to 1.
+  FineRcSignal lut_src_value{};
+  /// Value of LUT_VAR_ID, in its own units.
+  float lut_var_value{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<240> tail{};
+
+  bool operator==(const AdjVarsStateExt&) const = default;
+  using FixedMembers = Members<&AdjVarsStateExt::trigger_rc_data, &AdjVarsStateExt::trigger_action,
+      &AdjVarsStateExt::analog_src_value, &AdjVarsStateExt::analog_var_value,
+      &AdjVarsStateExt::lut_src_value, &AdjVarsStateExt::lut_var_value>;
 };
 
 /// Request the state of one trigger slot and one analog slot.
@@ -261,7 +290,7 @@ struct AdjVarsStateRequestExt {
   static constexpr std::size_t min_size = 7;
   static constexpr std::size_t max_size = 7;
   static constexpr Availability since{.firmware = 2625};
-  using Response = AdjVarsState;
+  using Response = AdjVarsStateExt;
 
   /// Trigger slot, counted from 0. Range: 0 to 9.
   std::uint8_t trigger_slot{};

@@ -656,24 +656,24 @@ struct CalibOrientCorr {
 /// fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera
 /// slowly, several times.
 ///
-/// CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Source: Later
-/// firmware.
+/// CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Since firmware
+/// 2.60. Source: Later firmware.
 struct CalibCogging {
   static constexpr CommandToBoard command = CommandToBoard::calib_cogging;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 57;
   static constexpr std::size_t max_size = 57;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Operation.
   CoggingAction action{};
   /// The motors.
   CoggingAxes axes{};
-  /// How to calibrate each motor.
+  /// How to calibrate each motor. Used if action is not DELETE and axes has {AXIS}.
   Axes<CoggingMotor> motors{};
-  /// Number of repetitions. Range: 2 to 255.
+  /// Number of repetitions. Range: 2 to 255. Used if action is not DELETE.
   std::uint8_t iterations_num{};
   /// Reserved; kept as it is.
   Bytes<9> reserved{};
@@ -710,14 +710,14 @@ struct CalibAccExtRef {
 /// End of the recording.
 ///
 /// CMD_BODE_TEST_START_STOP (37), from the board; 22 bytes, and later firmware may append more.
-/// Source: Vendor's code of 2026.
+/// Since firmware 2.50, board 3.0. Source: Vendor's code of 2026.
 struct BodeTestStartStop {
   static constexpr CommandFromBoard command = CommandFromBoard::bode_test_start_stop;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 22;
   static constexpr std::size_t max_size = 22;
-  static constexpr Availability since{.features = 0x08};
+  static constexpr Availability since{.firmware = 2500, .board = 30, .features = 0x08};
 
   /// For error_code: success.
   static constexpr std::uint16_t bode_success{0};
@@ -744,15 +744,15 @@ struct BodeTestStartStop {
 /// CMD_MOTORS_OFF ends the motion. The messages do not say to which recording they belong, so there
 /// is one at a time.
 ///
-/// CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Source: Vendor's code of
-/// 2026.
+/// CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Since firmware 2.50, board
+/// 3.0. Source: Vendor's code of 2026.
 struct BodeTestStartStopRequest {
   static constexpr CommandToBoard command = CommandToBoard::bode_test_start_stop;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 30;
   static constexpr std::size_t max_size = 30;
-  static constexpr Availability since{.features = 0x08};
+  static constexpr Availability since{.firmware = 2500, .board = 30, .features = 0x08};
   using Response = BodeTestStartStop;
 
   /// The axis.
@@ -785,14 +785,15 @@ struct BodeTestStartStopRequest {
 /// Samples of a recording that runs. A value is MIN + raw * (MAX - MIN) / 65534, with the limits of
 /// its signal in the same message.
 ///
-/// CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Source: Vendor's code of 2026.
+/// CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Since firmware 2.50, board 3.0. Source:
+/// Vendor's code of 2026.
 struct BodeTestData {
   static constexpr CommandFromBoard command = CommandFromBoard::bode_test_data;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 17;
   static constexpr std::size_t max_size = 97;
-  static constexpr Availability since{.features = 0x08};
+  static constexpr Availability since{.firmware = 2500, .board = 30, .features = 0x08};
 
   /// Index of the first sample, modulo 256; the next message begins where this one ends, unless
   /// samples are lost.
@@ -819,14 +820,15 @@ struct BodeTestData {
 
 /// Undocumented body from the board.
 ///
-/// CMD_COGGING_CALIB_INFO (92), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_COGGING_CALIB_INFO (92), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CoggingCalibInfo {
   static constexpr CommandFromBoard command = CommandFromBoard::cogging_calib_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -840,15 +842,15 @@ struct CoggingCalibInfo {
 
 /// Undocumented body to the board.
 ///
-/// CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct CoggingCalibInfoRequest {
   static constexpr CommandToBoard command = CommandToBoard::cogging_calib_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -863,14 +865,15 @@ struct CoggingCalibInfoRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CAN_DRV_HARD_PARAMS (97), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CAN_DRV_HARD_PARAMS (97), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CanDrvHardParams {
   static constexpr CommandFromBoard command = CommandFromBoard::can_drv_hard_params;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -884,15 +887,15 @@ struct CanDrvHardParams {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+/// 2.60. Source: Later firmware.
 struct CanDrvHardParamsRequest {
   static constexpr CommandToBoard command = CommandToBoard::can_drv_hard_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -907,14 +910,15 @@ struct CanDrvHardParamsRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CAN_DRV_CALIBRATE (99), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CAN_DRV_CALIBRATE (99), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CanDrvCalibrate {
   static constexpr CommandFromBoard command = CommandFromBoard::can_drv_calibrate;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -928,15 +932,15 @@ struct CanDrvCalibrate {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct CanDrvCalibrateRequest {
   static constexpr CommandToBoard command = CommandToBoard::can_drv_calibrate;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -951,14 +955,15 @@ struct CanDrvCalibrateRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CALIB_ENCODER_LUT (117), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CALIB_ENCODER_LUT (117), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CalibEncoderLut {
   static constexpr CommandFromBoard command = CommandFromBoard::calib_encoder_lut;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -972,15 +977,15 @@ struct CalibEncoderLut {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct CalibEncoderLutRequest {
   static constexpr CommandToBoard command = CommandToBoard::calib_encoder_lut;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -995,14 +1000,15 @@ struct CalibEncoderLutRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CALIB_ENCODER_LUT_RES (118), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CALIB_ENCODER_LUT_RES (118), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+/// Later firmware.
 struct CalibEncoderLutRes {
   static constexpr CommandFromBoard command = CommandFromBoard::calib_encoder_lut_res;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -1016,15 +1022,15 @@ struct CalibEncoderLutRes {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+/// 2.60. Source: Later firmware.
 struct CalibEncoderLutResRequest {
   static constexpr CommandToBoard command = CommandToBoard::calib_encoder_lut_res;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -1039,14 +1045,15 @@ struct CalibEncoderLutResRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CALIB_CUR_SENS (120), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CALIB_CUR_SENS (120), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CalibCurSens {
   static constexpr CommandFromBoard command = CommandFromBoard::calib_cur_sens;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -1060,14 +1067,15 @@ struct CalibCurSens {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+/// CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct CalibCurSensRequest {
   static constexpr CommandToBoard command = CommandToBoard::calib_cur_sens;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -1082,14 +1090,15 @@ struct CalibCurSensRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_ENC_INT_CALIB (122), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+/// CMD_ENC_INT_CALIB (122), from the board; 0 to 255 bytes. Since firmware 2.60. Unconfirmed.
+/// Source: Later firmware.
 struct EncIntCalib {
   static constexpr CommandFromBoard command = CommandFromBoard::enc_int_calib;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -1103,15 +1112,15 @@ struct EncIntCalib {
 
 /// Undocumented body to the board.
 ///
-/// CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
-/// Later firmware.
+/// CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Unconfirmed. Source: Later firmware.
 struct EncIntCalibRequest {
   static constexpr CommandToBoard command = CommandToBoard::enc_int_calib;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -1126,15 +1135,15 @@ struct EncIntCalibRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_VIBRATION_TEST_START_STOP (125), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
-/// firmware.
+/// CMD_VIBRATION_TEST_START_STOP (125), from the board; 0 to 255 bytes. Since firmware 2.60.
+/// Unconfirmed. Source: Later firmware.
 struct VibrationTestStartStop {
   static constexpr CommandFromBoard command = CommandFromBoard::vibration_test_start_stop;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -1148,15 +1157,15 @@ struct VibrationTestStartStop {
 
 /// Undocumented body to the board.
 ///
-/// CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
-/// Source: Later firmware.
+/// CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown. Since
+/// firmware 2.60. Unconfirmed. Source: Later firmware.
 struct VibrationTestStartStopRequest {
   static constexpr CommandToBoard command = CommandToBoard::vibration_test_start_stop;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -1171,15 +1180,15 @@ struct VibrationTestStartStopRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_VIBRATION_TEST_DATA (126), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
-/// firmware.
+/// CMD_VIBRATION_TEST_DATA (126), from the board; 0 to 255 bytes. Since firmware 2.60. Unconfirmed.
+/// Source: Later firmware.
 struct VibrationTestData {
   static constexpr CommandFromBoard command = CommandFromBoard::vibration_test_data;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -1193,15 +1202,15 @@ struct VibrationTestData {
 
 /// Undocumented body to the board.
 ///
-/// CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
-/// Source: Later firmware.
+/// CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+/// 2.60. Unconfirmed. Source: Later firmware.
 struct VibrationTestDataRequest {
   static constexpr CommandToBoard command = CommandToBoard::vibration_test_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.

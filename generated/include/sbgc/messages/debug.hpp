@@ -167,14 +167,15 @@ struct DebugVars3RequestSelected {
 
 /// Copy of a message on another port of the board.
 ///
-/// CMD_SET_DEBUG_PORT (249), from the board; 4 to 255 bytes. Source: Later firmware.
+/// CMD_SET_DEBUG_PORT (249), from the board; 4 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct SetDebugPort {
   static constexpr CommandFromBoard command = CommandFromBoard::set_debug_port;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Time since the board started. Unit: ms.
   MillisecondClock time_ms{};
@@ -196,14 +197,15 @@ struct SetDebugPort {
 
 /// Start or stop the copies of the messages on the board's other ports.
 ///
-/// CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Source: Later firmware.
+/// CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Since firmware 2.60. Source:
+/// Later firmware.
 struct SetDebugPortRequest {
   static constexpr CommandToBoard command = CommandToBoard::set_debug_port;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 16;
   static constexpr std::size_t max_size = 16;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Operation.

@@ -77,15 +77,15 @@ struct SelectImu3 {
 
 /// Select an IMU, with parameters that no source describes.
 ///
-/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since board
-/// 3.0. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
+/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since firmware
+/// 2.60. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3Ext {
   static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 10;
-  static constexpr Availability since{.board = 30};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// The IMU.
@@ -358,15 +358,15 @@ struct ExtImuDebugInfoRequest {
 
 /// A message of the external IMU.
 ///
-/// CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Effect: sets, stores, moves. Source:
-/// Later firmware.
+/// CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Effect: sets, stores, moves. Since
+/// firmware 2.60. Source: Later firmware.
 struct ExtImuCmd {
   static constexpr CommandToBoard command = CommandToBoard::ext_imu_cmd;
   static constexpr Direction direction = Direction::both;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{.features = 0x10000};
+  static constexpr Availability since{.firmware = 2600, .features = 0x10000};
   using Response = void;
 
   /// Command of the external IMU.
@@ -437,14 +437,15 @@ struct ExtSensCmdRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_IMU_ADVANCED_CALIB (115), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_IMU_ADVANCED_CALIB (115), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct ImuAdvancedCalib {
   static constexpr CommandFromBoard command = CommandFromBoard::imu_advanced_calib;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -458,15 +459,15 @@ struct ImuAdvancedCalib {
 
 /// Undocumented body to the board.
 ///
-/// CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+/// 2.60. Source: Later firmware.
 struct ImuAdvancedCalibRequest {
   static constexpr CommandToBoard command = CommandToBoard::imu_advanced_calib;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.

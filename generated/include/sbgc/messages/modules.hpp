@@ -53,15 +53,15 @@ struct CanDevice {
 
 /// Modules connected to the board.
 ///
-/// CMD_MODULE_LIST (76), from the board; 1 to 222 bytes, and later firmware may append more.
-/// Source: Later firmware.
+/// CMD_MODULE_LIST (76), from the board; 1 to 222 bytes, and later firmware may append more. Since
+/// firmware 2.60. Source: Later firmware.
 struct ModuleList {
   static constexpr CommandFromBoard command = CommandFromBoard::module_list;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 222;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// The modules.
   BoundedArray<ModuleInfo, 19> modules{};
@@ -79,14 +79,15 @@ struct ModuleList {
 
 /// Request the list of the modules connected to the board.
 ///
-/// CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+/// CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Since firmware 2.60. Source: Later
+/// firmware.
 struct ModuleListRequest {
   static constexpr CommandToBoard command = CommandToBoard::module_list;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = ModuleList;
 
   bool operator==(const ModuleListRequest&) const = default;
@@ -94,14 +95,15 @@ struct ModuleListRequest {
 
 /// Devices on the CAN bus.
 ///
-/// CMD_CAN_DEVICE_SCAN (96), from the board; 0 to 252 bytes. Source: Later firmware.
+/// CMD_CAN_DEVICE_SCAN (96), from the board; 0 to 252 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CanDeviceScan {
   static constexpr CommandFromBoard command = CommandFromBoard::can_device_scan;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 252;
-  static constexpr Availability since{.features = 0x400};
+  static constexpr Availability since{.firmware = 2600, .features = 0x400};
 
   /// The devices. At most 18.
   BoundedArray<CanDevice, 18> devices{};
@@ -115,14 +117,15 @@ struct CanDeviceScan {
 
 /// Search for devices on the CAN bus. Without devices the answer is empty.
 ///
-/// CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+/// CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Since firmware 2.60. Source:
+/// Later firmware.
 struct CanDeviceScanRequest {
   static constexpr CommandToBoard command = CommandToBoard::can_device_scan;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{.features = 0x400};
+  static constexpr Availability since{.firmware = 2600, .features = 0x400};
   using Response = CanDeviceScan;
 
   bool operator==(const CanDeviceScanRequest&) const = default;
@@ -184,15 +187,15 @@ struct TransparentSapiRequest {
 /// what it drives has no power meanwhile. CMD_MODULE_FLASH_WRITE and CMD_MODULE_FLASH_FINISH
 /// follow. Errors of the three commands carry the module and the packet, two u16, in ERROR_DATA.
 ///
-/// CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: restarts, erases. Source: Vendor's
-/// code of 2026.
+/// CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: restarts, erases. Since firmware
+/// 2.74.5. Source: Vendor's code of 2026.
 struct ModuleFlashStart {
   static constexpr CommandToBoard command = CommandToBoard::module_flash_start;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 5;
   static constexpr std::size_t max_size = 5;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2745};
   using Response = void;
 
   /// The module.
@@ -207,15 +210,15 @@ struct ModuleFlashStart {
 /// Load a part of new firmware into a module. A host waits for the confirmation before the next
 /// part, and never repeats a part.
 ///
-/// CMD_MODULE_FLASH_WRITE (81), to the board; 14 to 138 bytes. Effect: stores. Source: Vendor's
-/// code of 2026.
+/// CMD_MODULE_FLASH_WRITE (81), to the board; 14 to 138 bytes. Effect: stores. Since firmware
+/// 2.74.5. Source: Vendor's code of 2026.
 struct ModuleFlashWrite {
   static constexpr CommandToBoard command = CommandToBoard::module_flash_write;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 14;
   static constexpr std::size_t max_size = 138;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2745};
   using Response = void;
 
   /// The module.
@@ -240,15 +243,15 @@ struct ModuleFlashWrite {
 
 /// End the loading of firmware into a module.
 ///
-/// CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Source: Vendor's code of
-/// 2026.
+/// CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Since firmware 2.74.5.
+/// Source: Vendor's code of 2026.
 struct ModuleFlashFinish {
   static constexpr CommandToBoard command = CommandToBoard::module_flash_finish;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 5;
   static constexpr std::size_t max_size = 5;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2745};
   using Response = void;
 
   /// The module.
@@ -263,15 +266,15 @@ struct ModuleFlashFinish {
 /// Search for uDrv modules and give them ids. The board detects the connection of the IMU and
 /// stores the ids that it assigns.
 ///
-/// CMD_UDRV_DEVICE_SCAN (144), to the board; 0 bytes. Effect: stores. Source: Vendor's code of
-/// 2026.
+/// CMD_UDRV_DEVICE_SCAN (144), to the board; 0 bytes. Effect: stores. Since firmware 2.74.5.
+/// Source: Vendor's code of 2026.
 struct UdrvDeviceScan {
   static constexpr CommandToBoard command = CommandToBoard::udrv_device_scan;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2745};
   using Response = CanDeviceScan;
 
   bool operator==(const UdrvDeviceScan&) const = default;
@@ -306,14 +309,15 @@ struct SetTranspProxy {
 
 /// Undocumented body from the board.
 ///
-/// CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+/// CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Since firmware 2.50, board 3.0.
+/// Unconfirmed. Source: Later firmware.
 struct UartBypass {
   static constexpr CommandFromBoard command = CommandFromBoard::uart_bypass;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2500, .board = 30};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -327,15 +331,15 @@ struct UartBypass {
 
 /// Undocumented body to the board.
 ///
-/// CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source: Later
-/// firmware.
+/// CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.50, board
+/// 3.0. Unconfirmed. Source: Later firmware.
 struct UartBypassRequest {
   static constexpr CommandToBoard command = CommandToBoard::uart_bypass;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2500, .board = 30};
   using Response = void;
 
   /// Undocumented content.
@@ -350,14 +354,15 @@ struct UartBypassRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_SET_DEVICE_ADDR (107), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_SET_DEVICE_ADDR (107), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct SetDeviceAddr {
   static constexpr CommandFromBoard command = CommandFromBoard::set_device_addr;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -371,15 +376,15 @@ struct SetDeviceAddr {
 
 /// Undocumented body to the board.
 ///
-/// CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct SetDeviceAddrRequest {
   static constexpr CommandToBoard command = CommandToBoard::set_device_addr;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -394,14 +399,15 @@ struct SetDeviceAddrRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_SERIAL_PROXY (113), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_SERIAL_PROXY (113), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct SerialProxy {
   static constexpr CommandFromBoard command = CommandFromBoard::serial_proxy;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -415,14 +421,15 @@ struct SerialProxy {
 
 /// Undocumented body to the board.
 ///
-/// CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+/// CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct SerialProxyRequest {
   static constexpr CommandToBoard command = CommandToBoard::serial_proxy;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.

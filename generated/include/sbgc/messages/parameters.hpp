@@ -22,6 +22,7 @@ namespace sbgc::msg {
 static_assert(codec_version == 3, "generated code and runtime do not match");
 
 struct ReadParams3;
+struct ReadParamsAnswer;
 struct ReadParamsExt;
 struct ReadParamsExt2;
 struct ReadProfileNames;
@@ -365,7 +366,7 @@ struct [[deprecated("use CMD_READ_PARAMS_3")]] ReadParams {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
-  using Response = ReadParams3;
+  using Response = ReadParamsAnswer;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile{255};
@@ -810,6 +811,22 @@ struct WriteParams3 : ReadParams3 {
   using Body = ReadParams3;
 
   bool operator==(const WriteParams3&) const = default;
+};
+
+/// Parameters of one profile and general parameters, with the older id.
+///
+/// CMD_READ_PARAMS (82), from the board; 134 bytes, and later firmware may append more. Deprecated:
+/// use CMD_READ_PARAMS_3. Source: Outgoing commands L652-L660.
+struct [[deprecated("use CMD_READ_PARAMS_3")]] ReadParamsAnswer : ReadParams3 {
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 134;
+  static constexpr std::size_t max_size = 134;
+  static constexpr Availability since{};
+  using Body = ReadParams3;
+
+  bool operator==(const ReadParamsAnswer&) const = default;
 };
 
 /// Store the parameters of one profile and the general parameters, with the older id.

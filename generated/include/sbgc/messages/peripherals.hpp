@@ -62,7 +62,8 @@ struct BeepSound {
 };
 
 /// Switch an output pin. Confirmed only if the pin was switched. A pin in use as an input is not
-/// switched. The confirmation of an input has its level.
+/// switched. The request for an input is always confirmed, with its level, or -1 if the pin is
+/// unavailable.
 ///
 /// CMD_TRIGGER_PIN (84), to the board; 2 bytes. Effect: sets. Source: Outgoing commands L717-L722;
 /// Variables L1153-L1155.
@@ -353,14 +354,15 @@ struct ApiVirtChHighRes {
 
 /// RC signals of selected inputs.
 ///
-/// CMD_READ_RC_INPUTS (100), from the board; 0 to 254 bytes. Source: Later firmware.
+/// CMD_READ_RC_INPUTS (100), from the board; 0 to 254 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct ReadRcInputs {
   static constexpr CommandFromBoard command = CommandFromBoard::read_rc_inputs;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 254;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// For rc_val: undefined.
   static constexpr std::int16_t undefined{-32768};
@@ -377,14 +379,15 @@ struct ReadRcInputs {
 
 /// Request the RC signals of selected inputs.
 ///
-/// CMD_READ_RC_INPUTS (100), to the board; 2 to 129 bytes. Effect: sets. Source: Later firmware.
+/// CMD_READ_RC_INPUTS (100), to the board; 2 to 129 bytes. Effect: sets. Since firmware 2.60.
+/// Source: Later firmware.
 struct ReadRcInputsRequest {
   static constexpr CommandToBoard command = CommandToBoard::read_rc_inputs;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 129;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = ReadRcInputs;
 
   /// Options.

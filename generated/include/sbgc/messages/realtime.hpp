@@ -882,14 +882,15 @@ struct CanDrvTelemetry {
 
 /// Undocumented body from the board.
 ///
-/// CMD_CAN_DRV_STATE (98), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_CAN_DRV_STATE (98), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+/// firmware.
 struct CanDrvState {
   static constexpr CommandFromBoard command = CommandFromBoard::can_drv_state;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -903,14 +904,15 @@ struct CanDrvState {
 
 /// Undocumented body to the board.
 ///
-/// CMD_CAN_DRV_STATE (98), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+/// CMD_CAN_DRV_STATE (98), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Source: Later firmware.
 struct CanDrvStateRequest {
   static constexpr CommandToBoard command = CommandToBoard::can_drv_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.
@@ -925,14 +927,15 @@ struct CanDrvStateRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_REALTIME_DATA_CAN_DRV (101), from the board; 0 to 255 bytes. Source: Later firmware.
+/// CMD_REALTIME_DATA_CAN_DRV (101), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+/// Later firmware.
 struct RealtimeDataCanDrv {
   static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_can_drv;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -946,15 +949,15 @@ struct RealtimeDataCanDrv {
 
 /// Undocumented body to the board.
 ///
-/// CMD_REALTIME_DATA_CAN_DRV (101), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-/// firmware.
+/// CMD_REALTIME_DATA_CAN_DRV (101), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+/// 2.60. Source: Later firmware.
 struct RealtimeDataCanDrvRequest {
   static constexpr CommandToBoard command = CommandToBoard::realtime_data_can_drv;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.

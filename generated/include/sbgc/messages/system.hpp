@@ -471,15 +471,15 @@ struct ReadStateVarsRequest {
 
 /// Signature of a message.
 ///
-/// CMD_SIGN_MESSAGE (50), from the board; 32 bytes, and later firmware may append more. Source:
-/// Later firmware.
+/// CMD_SIGN_MESSAGE (50), from the board; 32 bytes, and later firmware may append more. Since
+/// firmware 2.50, board 3.0. Source: Later firmware.
 struct SignMessage {
   static constexpr CommandFromBoard command = CommandFromBoard::sign_message;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 32;
   static constexpr std::size_t max_size = 32;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2500, .board = 30};
 
   /// The signature.
   Bytes<32> signature{};
@@ -492,14 +492,15 @@ struct SignMessage {
 
 /// Sign a message with the keys of the board.
 ///
-/// CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Source: Later firmware.
+/// CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Since firmware 2.50, board 3.0.
+/// Source: Later firmware.
 struct SignMessageRequest {
   static constexpr CommandToBoard command = CommandToBoard::sign_message;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 33;
   static constexpr std::size_t max_size = 33;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2500, .board = 30};
   using Response = SignMessage;
 
   /// Set of keys.
@@ -760,14 +761,15 @@ struct MavlinkDebugRequest {
 
 /// Undocumented body from the board.
 ///
-/// CMD_EXT_LICENSE_INFO (124), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+/// CMD_EXT_LICENSE_INFO (124), from the board; 0 to 255 bytes. Since firmware 2.60. Unconfirmed.
+/// Source: Later firmware.
 struct ExtLicenseInfo {
   static constexpr CommandFromBoard command = CommandFromBoard::ext_license_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -781,15 +783,15 @@ struct ExtLicenseInfo {
 
 /// Undocumented body to the board.
 ///
-/// CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
-/// Later firmware.
+/// CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+/// Unconfirmed. Source: Later firmware.
 struct ExtLicenseInfoRequest {
   static constexpr CommandToBoard command = CommandToBoard::ext_license_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2600};
   using Response = void;
 
   /// Undocumented content.

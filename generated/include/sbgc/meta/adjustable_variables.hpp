@@ -266,7 +266,6 @@ struct Meta<msg::AdjVarsState> {
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
-  static constexpr Range lut_src_value_range{-16384, 16384};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_rc_data",
        .spec_name = "TRIGGER_RC_DATA",
@@ -285,16 +284,10 @@ struct Meta<msg::AdjVarsState> {
       {.name = "analog_value",
        .spec_name = "ANALOG_VALUE",
        .summary = "Value of the variable, in its own units."},
-      {.name = "lut_src_value",
-       .spec_name = "LUT_SRC_VALUE",
-       .summary = "RC signal of LUT_SRC_ID; only in the response to the 7-byte request.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
-       .range = &lut_src_value_range,
-       .since = {.firmware = 2625}},
-      {.name = "lut_var_value",
-       .spec_name = "LUT_VAR_VALUE",
-       .summary = "Value of LUT_VAR_ID; only in the response to the 7-byte request.",
-       .since = {.firmware = 2625}},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -304,6 +297,61 @@ struct Meta<msg::AdjVarsState> {
     visitor(fields[1], value.trigger_action);
     visitor(fields[2], value.analog_rc_data);
     visitor(fields[3], value.analog_value);
+    visitor(fields[4], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::AdjVarsStateExt> {
+  static constexpr MessageInfo info{
+      .name = "AdjVarsStateExt",
+      .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Current state of a trigger slot, two RC signals and two variables.",
+      .id = 46,
+      .direction = Direction::from_board,
+      .min_size = 15,
+      .max_size = 15,
+      .since = {.firmware = 2625}};
+  static constexpr Range trigger_rc_data_range{-16384, 16384};
+  static constexpr Range trigger_action_range{0, 255};
+  static constexpr Range analog_src_value_range{-16384, 16384};
+  static constexpr Range lut_src_value_range{-16384, 16384};
+  static constexpr FieldInfo fields[] = {
+      {.name = "trigger_rc_data",
+       .spec_name = "TRIGGER_RC_DATA",
+       .summary = "RC signal of the trigger slot.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &trigger_rc_data_range},
+      {.name = "trigger_action",
+       .spec_name = "TRIGGER_ACTION",
+       .summary = "Action that the slot triggered.",
+       .range = &trigger_action_range},
+      {.name = "analog_src_value",
+       .spec_name = "ANALOG_SRC_VALUE",
+       .summary = "RC signal of ANALOG_SRC_ID.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &analog_src_value_range},
+      {.name = "analog_var_value",
+       .spec_name = "ANALOG_VAR_VALUE",
+       .summary = "Value of ANALOG_VAR_ID, in its own units."},
+      {.name = "lut_src_value",
+       .spec_name = "LUT_SRC_VALUE",
+       .summary = "RC signal of LUT_SRC_ID.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &lut_src_value_range},
+      {.name = "lut_var_value",
+       .spec_name = "LUT_VAR_VALUE",
+       .summary = "Value of LUT_VAR_ID, in its own units."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.trigger_rc_data);
+    visitor(fields[1], value.trigger_action);
+    visitor(fields[2], value.analog_src_value);
+    visitor(fields[3], value.analog_var_value);
     visitor(fields[4], value.lut_src_value);
     visitor(fields[5], value.lut_var_value);
     visitor(tail_field, value.tail);
@@ -343,7 +391,7 @@ struct Meta<msg::AdjVarsStateRequest> {
 
 template <>
 struct Meta<msg::AdjVarsStateRequestExt> {
-  static constexpr const char* answers[] = {"AdjVarsState"};
+  static constexpr const char* answers[] = {"AdjVarsStateExt"};
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequestExt",
       .command = "CMD_ADJ_VARS_STATE",

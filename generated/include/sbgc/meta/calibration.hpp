@@ -916,6 +916,7 @@ struct Meta<msg::CalibCogging> {
       .direction = Direction::to_board,
       .min_size = 57,
       .max_size = 57,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::moves | Effect::erases,
       .preparation = "Balance the camera, fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera slowly, several times."};
   static constexpr Range iterations_num_range{2, 255};
@@ -946,6 +947,21 @@ struct Meta<msg::CalibCogging> {
     visitor(fields[1], value.axes);
     visitor(fields[2], value.motors);
     visitor(fields[3], value.iterations_num);
+    visitor(fields[4], value.reserved);
+  }
+
+  /// The same, without what the board does not use; single elements go to `visitor.element()`.
+  template <class T, class Visitor>
+  static constexpr void visit_used(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.action);
+    visitor(fields[1], value.axes);
+    if ((value.action != msg::CoggingAction::erase) && (value.axes.has(msg::CoggingAxis::roll)))
+        visitor.element(fields[2], value.motors, 0);
+    if ((value.action != msg::CoggingAction::erase) && (value.axes.has(msg::CoggingAxis::pitch)))
+        visitor.element(fields[2], value.motors, 1);
+    if ((value.action != msg::CoggingAction::erase) && (value.axes.has(msg::CoggingAxis::yaw)))
+        visitor.element(fields[2], value.motors, 2);
+    if (value.action != msg::CoggingAction::erase) visitor(fields[3], value.iterations_num);
     visitor(fields[4], value.reserved);
   }
 };
@@ -993,7 +1009,7 @@ struct Meta<msg::BodeTestStartStop> {
       .direction = Direction::from_board,
       .min_size = 22,
       .max_size = 22,
-      .since = {.features = 0x08}};
+      .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr Special error_code_special[] = {
       {0, "success"},
   };
@@ -1036,7 +1052,7 @@ struct Meta<msg::BodeTestStartStopRequest> {
       .direction = Direction::to_board,
       .min_size = 30,
       .max_size = 30,
-      .since = {.features = 0x08},
+      .since = {.firmware = 2500, .board = 30, .features = 0x08},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range stimulus_gain_range{1, 65535};
@@ -1106,7 +1122,7 @@ struct Meta<msg::BodeTestData> {
       .direction = Direction::from_board,
       .min_size = 17,
       .max_size = 97,
-      .since = {.features = 0x08}};
+      .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr FieldInfo fields[] = {
       {.name = "sample_counter",
        .spec_name = "SAMPLE_COUNTER",
@@ -1150,7 +1166,8 @@ struct Meta<msg::CoggingCalibInfo> {
       .id = 92,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1174,6 +1191,7 @@ struct Meta<msg::CoggingCalibInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1197,7 +1215,8 @@ struct Meta<msg::CanDrvHardParams> {
       .id = 97,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1221,6 +1240,7 @@ struct Meta<msg::CanDrvHardParamsRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1244,7 +1264,8 @@ struct Meta<msg::CanDrvCalibrate> {
       .id = 99,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1268,6 +1289,7 @@ struct Meta<msg::CanDrvCalibrateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1291,7 +1313,8 @@ struct Meta<msg::CalibEncoderLut> {
       .id = 117,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1315,6 +1338,7 @@ struct Meta<msg::CalibEncoderLutRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1338,7 +1362,8 @@ struct Meta<msg::CalibEncoderLutRes> {
       .id = 118,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1362,6 +1387,7 @@ struct Meta<msg::CalibEncoderLutResRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1385,7 +1411,8 @@ struct Meta<msg::CalibCurSens> {
       .id = 120,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1409,6 +1436,7 @@ struct Meta<msg::CalibCurSensRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1433,6 +1461,7 @@ struct Meta<msg::EncIntCalib> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1457,6 +1486,7 @@ struct Meta<msg::EncIntCalibRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
@@ -1482,6 +1512,7 @@ struct Meta<msg::VibrationTestStartStop> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1506,6 +1537,7 @@ struct Meta<msg::VibrationTestStartStopRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
@@ -1531,6 +1563,7 @@ struct Meta<msg::VibrationTestData> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1555,6 +1588,7 @@ struct Meta<msg::VibrationTestDataRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {

@@ -179,7 +179,8 @@ struct Meta<msg::SetDebugPort> {
       .id = 249,
       .direction = Direction::from_board,
       .min_size = 4,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "time_ms",
        .spec_name = "TIME_MS",
@@ -216,6 +217,7 @@ struct Meta<msg::SetDebugPortRequest> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "action",

@@ -174,6 +174,7 @@ struct EnumMeta<msg::CommandFromBoard> {
       {"CMD_GET_ANGLES", 73, "Camera angles and targets."},
       {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Undocumented; by its name, calibrates the magnetic linkage of the motors."},
       {"CMD_MODULE_LIST", 76, "Modules connected to the board."},
+      {"CMD_READ_PARAMS", 82, "Older id of CMD_READ_PARAMS_3."},
       {"CMD_BOARD_INFO", 86, "Board version and features."},
       {"CMD_REALTIME_DATA_CUSTOM", 88, "Live data of the requested blocks."},
       {"CMD_COGGING_CALIB_INFO", 92, "Undocumented; by its name, the state of the calibration of the cogging."},

@@ -111,7 +111,7 @@ struct Meta<msg::SelectImu3Ext> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 10,
-      .since = {.board = 30},
+      .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
@@ -486,7 +486,7 @@ struct Meta<msg::ExtImuCmd> {
       .direction = Direction::both,
       .min_size = 1,
       .max_size = 255,
-      .since = {.features = 0x10000},
+      .since = {.firmware = 2600, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
@@ -576,7 +576,8 @@ struct Meta<msg::ImuAdvancedCalib> {
       .id = 115,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -600,6 +601,7 @@ struct Meta<msg::ImuAdvancedCalibRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

@@ -74,7 +74,8 @@ struct Meta<msg::ModuleList> {
       .id = 76,
       .direction = Direction::from_board,
       .min_size = 1,
-      .max_size = 222};
+      .max_size = 222,
+      .since = {.firmware = 2600}};
   static constexpr Range device_num_range{0, 17};
   static constexpr FieldInfo fields[] = {
       {.name = "device_num",
@@ -106,6 +107,7 @@ struct Meta<msg::ModuleListRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .since = {.firmware = 2600},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -125,7 +127,7 @@ struct Meta<msg::CanDeviceScan> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 252,
-      .since = {.features = 0x400}};
+      .since = {.firmware = 2600, .features = 0x400}};
   static constexpr FieldInfo fields[] = {
       {.name = "devices",
        .spec_name = "devices",
@@ -151,7 +153,7 @@ struct Meta<msg::CanDeviceScanRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {.features = 0x400},
+      .since = {.firmware = 2600, .features = 0x400},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -230,6 +232,7 @@ struct Meta<msg::ModuleFlashStart> {
       .direction = Direction::to_board,
       .min_size = 5,
       .max_size = 5,
+      .since = {.firmware = 2745},
       .effects = Effects(Effect::restarts) | Effect::erases};
   static constexpr Range firmware_size_range{1, 4294967295};
   static constexpr FieldInfo fields[] = {
@@ -261,6 +264,7 @@ struct Meta<msg::ModuleFlashWrite> {
       .direction = Direction::to_board,
       .min_size = 14,
       .max_size = 138,
+      .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "device_id",
@@ -305,6 +309,7 @@ struct Meta<msg::ModuleFlashFinish> {
       .direction = Direction::to_board,
       .min_size = 5,
       .max_size = 5,
+      .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "device_id",
@@ -334,6 +339,7 @@ struct Meta<msg::UdrvDeviceScan> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .since = {.firmware = 2745},
       .answers = answers,
       .effects = Effects(Effect::stores)};
 
@@ -390,6 +396,7 @@ struct Meta<msg::UartBypass> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2500, .board = 30},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -414,6 +421,7 @@ struct Meta<msg::UartBypassRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2500, .board = 30},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
@@ -438,7 +446,8 @@ struct Meta<msg::SetDeviceAddr> {
       .id = 107,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -462,6 +471,7 @@ struct Meta<msg::SetDeviceAddrRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -485,7 +495,8 @@ struct Meta<msg::SerialProxy> {
       .id = 113,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -509,6 +520,7 @@ struct Meta<msg::SerialProxyRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

@@ -644,7 +644,7 @@ struct Meta<msg::ReadParams3Request> {
 
 template <>
 struct Meta<msg::ReadParams> {
-  static constexpr const char* answers[] = {"ReadParams3"};
+  static constexpr const char* answers[] = {"ReadParamsAnswer"};
   static constexpr MessageInfo info{
       .name = "ReadParams",
       .command = "CMD_READ_PARAMS",
@@ -1445,6 +1445,18 @@ struct Meta<msg::WriteParams3> : Meta<msg::ReadParams3> {
       .since = {.board = 30},
       .stores = "ReadParams3",
       .effects = Effects(Effect::stores) | Effect::moves};
+};
+
+template <>
+struct Meta<msg::ReadParamsAnswer> : Meta<msg::ReadParams3> {
+  static constexpr MessageInfo info{
+      .name = "ReadParamsAnswer",
+      .command = "CMD_READ_PARAMS",
+      .summary = "Parameters of one profile and general parameters, with the older id.",
+      .id = 82,
+      .direction = Direction::from_board,
+      .min_size = 134,
+      .max_size = 134};
 };
 
 template <>

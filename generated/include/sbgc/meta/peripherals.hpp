@@ -451,7 +451,8 @@ struct Meta<msg::ReadRcInputs> {
       .id = 100,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 254};
+      .max_size = 254,
+      .since = {.firmware = 2600}};
   static constexpr Range rc_val_range{-16384, 16384};
   static constexpr Special rc_val_special[] = {
       {-32768, "undefined"},
@@ -484,6 +485,7 @@ struct Meta<msg::ReadRcInputsRequest> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 129,
+      .since = {.firmware = 2600},
       .answers = answers,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {

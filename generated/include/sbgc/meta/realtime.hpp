@@ -1269,7 +1269,8 @@ struct Meta<msg::CanDrvState> {
       .id = 98,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1293,6 +1294,7 @@ struct Meta<msg::CanDrvStateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1316,7 +1318,8 @@ struct Meta<msg::RealtimeDataCanDrv> {
       .id = 101,
       .direction = Direction::from_board,
       .min_size = 0,
-      .max_size = 255};
+      .max_size = 255,
+      .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -1340,6 +1343,7 @@ struct Meta<msg::RealtimeDataCanDrvRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

@@ -640,7 +640,8 @@ struct Meta<msg::SignMessage> {
       .id = 50,
       .direction = Direction::from_board,
       .min_size = 32,
-      .max_size = 32};
+      .max_size = 32,
+      .since = {.firmware = 2500, .board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "signature",
        .spec_name = "SIGNATURE",
@@ -666,6 +667,7 @@ struct Meta<msg::SignMessageRequest> {
       .direction = Direction::to_board,
       .min_size = 33,
       .max_size = 33,
+      .since = {.firmware = 2500, .board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -978,6 +980,7 @@ struct Meta<msg::ExtLicenseInfo> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -1002,6 +1005,7 @@ struct Meta<msg::ExtLicenseInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
+      .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {

@@ -39,7 +39,7 @@ constexpr ResponsePolicy response_policy(const WriteParams3&) noexcept {
 constexpr ResponsePolicy response_policy(const ReadParams& request) noexcept {
   return {.responses = {.command = 82,
               .form_count = 1,
-              .forms = {{{.id = 21,
+              .forms = {{{.id = 82,
                .min_size = 134,
                .max_size = max_body_size,
                .size = 134,

@@ -20,6 +20,7 @@ __all__ = [
     "AdjVarsInfoRequest",
     "AdjVarsInfoRequestAll",
     "AdjVarsState",
+    "AdjVarsStateExt",
     "AdjVarsStateRequest",
     "AdjVarsStateRequestExt",
     "AdjVarValue",
@@ -230,12 +231,11 @@ class ReadAdjVarsCfgRequest(Message):
 class AdjVarsState(Message):
     """Current state of one trigger slot and one analog slot.
 
-    The response to the 7-byte request of firmware 2.62b5 and later differs: RC signals range
-    from -16384 to 16384, ANALOG_RC_DATA is that of ANALOG_SRC_ID, and the bytes of ANALOG_VALUE
-    are a floating-point number, the value of ANALOG_VAR_ID.
+    The response to the 2-byte request. That to the 7-byte request has the same size: the
+    request decides.
 
-    CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more. Since
-    board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
+    CMD_ADJ_VARS_STATE (46), from the board, simple form; 15 bytes, and later firmware may
+    append more. Since board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
     """
 
     __slots__ = ()
@@ -252,14 +252,8 @@ class AdjVarsState(Message):
     """The number on the wire for analog_rc_data."""
     analog_value: Field[int, int] = Field(RAW)
     """Value of the variable, in its own units."""
-    lut_src_value: Field[float, float] = Field(REAL)
-    """RC signal of LUT_SRC_ID; only in the response to the 7-byte request. Range: -1 to 1. Since
-    firmware 2.62b5.
-    """
-    lut_src_value_raw: Field[int, int] = Field(RAW, of="lut_src_value")
-    """The number on the wire for lut_src_value."""
-    lut_var_value: Field[float, float] = Field(REAL)
-    """Value of LUT_VAR_ID; only in the response to the 7-byte request. Since firmware 2.62b5."""
+    reserved: Field[bytes, Bytes] = Field(BYTES)
+    """Reserved; kept as it is."""
 
     def __init__(
         self,
@@ -268,8 +262,7 @@ class AdjVarsState(Message):
         trigger_action: MenuCommand = UNSET,
         analog_rc_data: float = UNSET,
         analog_value: int = UNSET,
-        lut_src_value: float = UNSET,
-        lut_var_value: float = UNSET,
+        reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -277,6 +270,58 @@ class AdjVarsState(Message):
             trigger_action=trigger_action,
             analog_rc_data=analog_rc_data,
             analog_value=analog_value,
+            reserved=reserved,
+            tail=tail,
+        )
+
+
+class AdjVarsStateExt(Message):
+    """Current state of a trigger slot, two RC signals and two variables.
+
+    The response to the 7-byte request. That to the 2-byte request has the same size: the
+    request decides.
+
+    CMD_ADJ_VARS_STATE (46), from the board, extended form; 15 bytes, and later firmware may
+    append more. Since firmware 2.62b5. Source: Later firmware.
+    """
+
+    __slots__ = ()
+
+    trigger_rc_data: Field[float, float] = Field(REAL)
+    """RC signal of the trigger slot. Range: -1 to 1."""
+    trigger_rc_data_raw: Field[int, int] = Field(RAW, of="trigger_rc_data")
+    """The number on the wire for trigger_rc_data."""
+    trigger_action: Field[MenuCommand, MenuCommand] = Field(ValueOf(MenuCommand))
+    """Action that the slot triggered."""
+    analog_src_value: Field[float, float] = Field(REAL)
+    """RC signal of ANALOG_SRC_ID. Range: -1 to 1."""
+    analog_src_value_raw: Field[int, int] = Field(RAW, of="analog_src_value")
+    """The number on the wire for analog_src_value."""
+    analog_var_value: Field[float, float] = Field(REAL)
+    """Value of ANALOG_VAR_ID, in its own units."""
+    lut_src_value: Field[float, float] = Field(REAL)
+    """RC signal of LUT_SRC_ID. Range: -1 to 1."""
+    lut_src_value_raw: Field[int, int] = Field(RAW, of="lut_src_value")
+    """The number on the wire for lut_src_value."""
+    lut_var_value: Field[float, float] = Field(REAL)
+    """Value of LUT_VAR_ID, in its own units."""
+
+    def __init__(
+        self,
+        *,
+        trigger_rc_data: float = UNSET,
+        trigger_action: MenuCommand = UNSET,
+        analog_src_value: float = UNSET,
+        analog_var_value: float = UNSET,
+        lut_src_value: float = UNSET,
+        lut_var_value: float = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(
+            trigger_rc_data=trigger_rc_data,
+            trigger_action=trigger_action,
+            analog_src_value=analog_src_value,
+            analog_var_value=analog_var_value,
             lut_src_value=lut_src_value,
             lut_var_value=lut_var_value,
             tail=tail,

@@ -907,8 +907,8 @@ class CalibCogging(Message):
     Before: Balance the camera, fasten the frame, and make sure that the chosen axes turn
     freely: the motors turn the camera slowly, several times.
 
-    CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Source: Later
-    firmware.
+    CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Since
+    firmware 2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -918,9 +918,9 @@ class CalibCogging(Message):
     axes: Field[CoggingAxes, CoggingAxes] = Field(ValueOf(CoggingAxes))
     """The motors."""
     motors: Field[Axes[CoggingMotor], Axes[CoggingMotor]] = Field(AxesOf(GroupOf(CoggingMotor)))
-    """How to calibrate each motor."""
+    """How to calibrate each motor. Used if action is not DELETE and axes has {AXIS}."""
     iterations_num: Field[int, int] = Field(RAW)
-    """Number of repetitions. Range: 2 to 255."""
+    """Number of repetitions. Range: 2 to 255. Used if action is not DELETE."""
     reserved: Field[bytes, Bytes] = Field(BYTES)
     """Reserved; kept as it is."""
 
@@ -979,7 +979,7 @@ class BodeTestStartStop(Message):
     """End of the recording.
 
     CMD_BODE_TEST_START_STOP (37), from the board; 22 bytes, and later firmware may append more.
-    Source: Vendor's code of 2026.
+    Since firmware 2.50, board 3.0. Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -1021,8 +1021,8 @@ class BodeTestStartStopRequest(Message):
     firmware omits. No source says how to stop a recording: CMD_MOTORS_OFF ends the motion. The
     messages do not say to which recording they belong, so there is one at a time.
 
-    CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Rules: start_freq <=
-    end_freq. Source: Vendor's code of 2026.
+    CMD_BODE_TEST_START_STOP (37), to the board; 30 bytes. Effect: moves. Since firmware 2.50,
+    board 3.0. Rules: start_freq <= end_freq. Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -1084,7 +1084,8 @@ class BodeTestData(Message):
     A value is MIN + raw * (MAX - MIN) / 65534, with the limits of its signal in the same
     message.
 
-    CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Source: Vendor's code of 2026.
+    CMD_BODE_TEST_DATA (38), from the board; 17 to 97 bytes. Since firmware 2.50, board 3.0.
+    Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -1129,7 +1130,8 @@ class BodeTestData(Message):
 class CoggingCalibInfo(Message):
     """Undocumented body from the board.
 
-    CMD_COGGING_CALIB_INFO (92), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_COGGING_CALIB_INFO (92), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -1144,8 +1146,8 @@ class CoggingCalibInfo(Message):
 class CoggingCalibInfoRequest(Message):
     """Undocumented body to the board.
 
-    CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1160,7 +1162,8 @@ class CoggingCalibInfoRequest(Message):
 class CanDrvHardParams(Message):
     """Undocumented body from the board.
 
-    CMD_CAN_DRV_HARD_PARAMS (97), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CAN_DRV_HARD_PARAMS (97), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -1175,8 +1178,8 @@ class CanDrvHardParams(Message):
 class CanDrvHardParamsRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1191,7 +1194,8 @@ class CanDrvHardParamsRequest(Message):
 class CanDrvCalibrate(Message):
     """Undocumented body from the board.
 
-    CMD_CAN_DRV_CALIBRATE (99), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CAN_DRV_CALIBRATE (99), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -1206,8 +1210,8 @@ class CanDrvCalibrate(Message):
 class CanDrvCalibrateRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1222,7 +1226,8 @@ class CanDrvCalibrateRequest(Message):
 class CalibEncoderLut(Message):
     """Undocumented body from the board.
 
-    CMD_CALIB_ENCODER_LUT (117), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CALIB_ENCODER_LUT (117), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -1237,8 +1242,8 @@ class CalibEncoderLut(Message):
 class CalibEncoderLutRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1253,7 +1258,8 @@ class CalibEncoderLutRequest(Message):
 class CalibEncoderLutRes(Message):
     """Undocumented body from the board.
 
-    CMD_CALIB_ENCODER_LUT_RES (118), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CALIB_ENCODER_LUT_RES (118), from the board; 0 to 255 bytes. Since firmware 2.60.
+    Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1268,8 +1274,8 @@ class CalibEncoderLutRes(Message):
 class CalibEncoderLutResRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Source:
-    Later firmware.
+    CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Since
+    firmware 2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1284,7 +1290,8 @@ class CalibEncoderLutResRequest(Message):
 class CalibCurSens(Message):
     """Undocumented body from the board.
 
-    CMD_CALIB_CUR_SENS (120), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CALIB_CUR_SENS (120), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -1299,8 +1306,8 @@ class CalibCurSens(Message):
 class CalibCurSensRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1315,8 +1322,8 @@ class CalibCurSensRequest(Message):
 class EncIntCalib(Message):
     """Undocumented body from the board.
 
-    CMD_ENC_INT_CALIB (122), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
-    firmware.
+    CMD_ENC_INT_CALIB (122), from the board; 0 to 255 bytes. Since firmware 2.60. Unconfirmed.
+    Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1331,8 +1338,8 @@ class EncIntCalib(Message):
 class EncIntCalibRequest(Message):
     """Undocumented body to the board.
 
-    CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
-    Later firmware.
+    CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+    Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1347,8 +1354,8 @@ class EncIntCalibRequest(Message):
 class VibrationTestStartStop(Message):
     """Undocumented body from the board.
 
-    CMD_VIBRATION_TEST_START_STOP (125), from the board; 0 to 255 bytes. Unconfirmed. Source:
-    Later firmware.
+    CMD_VIBRATION_TEST_START_STOP (125), from the board; 0 to 255 bytes. Since firmware 2.60.
+    Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1363,8 +1370,8 @@ class VibrationTestStartStop(Message):
 class VibrationTestStartStopRequest(Message):
     """Undocumented body to the board.
 
-    CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown.
-    Unconfirmed. Source: Later firmware.
+    CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown. Since
+    firmware 2.60. Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1379,8 +1386,8 @@ class VibrationTestStartStopRequest(Message):
 class VibrationTestData(Message):
     """Undocumented body from the board.
 
-    CMD_VIBRATION_TEST_DATA (126), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
-    firmware.
+    CMD_VIBRATION_TEST_DATA (126), from the board; 0 to 255 bytes. Since firmware 2.60.
+    Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1395,8 +1402,8 @@ class VibrationTestData(Message):
 class VibrationTestDataRequest(Message):
     """Undocumented body to the board.
 
-    CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
-    Source: Later firmware.
+    CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()

@@ -141,7 +141,8 @@ class DebugVars3RequestSelected(Message):
 class SetDebugPort(Message):
     """Copy of a message on another port of the board.
 
-    CMD_SET_DEBUG_PORT (249), from the board; 4 to 255 bytes. Source: Later firmware.
+    CMD_SET_DEBUG_PORT (249), from the board; 4 to 255 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -178,7 +179,8 @@ class SetDebugPort(Message):
 class SetDebugPortRequest(Message):
     """Start or stop the copies of the messages on the board's other ports.
 
-    CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Source: Later firmware.
+    CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()

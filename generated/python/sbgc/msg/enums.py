@@ -478,6 +478,8 @@ class CommandFromBoard(OpenEnum):
     """Undocumented; by its name, calibrates the magnetic linkage of the motors."""
     CMD_MODULE_LIST = 76
     """Modules connected to the board."""
+    CMD_READ_PARAMS = 82
+    """Older id of CMD_READ_PARAMS_3."""
     CMD_BOARD_INFO = 86
     """Board version and features."""
     CMD_REALTIME_DATA_CUSTOM = 88

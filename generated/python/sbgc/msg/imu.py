@@ -131,8 +131,8 @@ class SelectImu3(Message):
 class SelectImu3Ext(Message):
     """Select an IMU, with parameters that no source describes.
 
-    CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since board
-    3.0. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
+    CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since
+    firmware 2.60. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
     """
 
     __slots__ = ()
@@ -438,7 +438,8 @@ class ExtImuDebugInfoRequest(Message):
 class ExtImuCmd(Message):
     """A message of the external IMU.
 
-    CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Source: Later firmware.
+    CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -506,7 +507,8 @@ class ExtSensCmdRequest(Message):
 class ImuAdvancedCalib(Message):
     """Undocumented body from the board.
 
-    CMD_IMU_ADVANCED_CALIB (115), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_IMU_ADVANCED_CALIB (115), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -521,8 +523,8 @@ class ImuAdvancedCalib(Message):
 class ImuAdvancedCalibRequest(Message):
     """Undocumented body to the board.
 
-    CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()

@@ -94,7 +94,7 @@ class ModuleList(Message):
     """Modules connected to the board.
 
     CMD_MODULE_LIST (76), from the board; 1 to 222 bytes, and later firmware may append more.
-    Source: Later firmware.
+    Since firmware 2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -109,7 +109,8 @@ class ModuleList(Message):
 class ModuleListRequest(Message):
     """Request the list of the modules connected to the board.
 
-    CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+    CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -122,7 +123,8 @@ class ModuleListRequest(Message):
 class CanDeviceScan(Message):
     """Devices on the CAN bus.
 
-    CMD_CAN_DEVICE_SCAN (96), from the board; 0 to 252 bytes. Source: Later firmware.
+    CMD_CAN_DEVICE_SCAN (96), from the board; 0 to 252 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -139,7 +141,8 @@ class CanDeviceScanRequest(Message):
 
     Without devices the answer is empty.
 
-    CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+    CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -194,8 +197,8 @@ class ModuleFlashStart(Message):
     CMD_MODULE_FLASH_WRITE and CMD_MODULE_FLASH_FINISH follow. Errors of the three commands
     carry the module and the packet, two u16, in ERROR_DATA.
 
-    CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: restarts, erases. Source:
-    Vendor's code of 2026.
+    CMD_MODULE_FLASH_START (78), to the board; 5 bytes. Effect: restarts, erases. Since firmware
+    2.74.5. Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -222,8 +225,8 @@ class ModuleFlashWrite(Message):
 
     A host waits for the confirmation before the next part, and never repeats a part.
 
-    CMD_MODULE_FLASH_WRITE (81), to the board; 14 to 138 bytes. Effect: stores. Source: Vendor's
-    code of 2026.
+    CMD_MODULE_FLASH_WRITE (81), to the board; 14 to 138 bytes. Effect: stores. Since firmware
+    2.74.5. Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -262,8 +265,8 @@ class ModuleFlashWrite(Message):
 class ModuleFlashFinish(Message):
     """End the loading of firmware into a module.
 
-    CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Source: Vendor's code
-    of 2026.
+    CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Since firmware 2.74.5.
+    Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -288,8 +291,8 @@ class UdrvDeviceScan(Message):
 
     The board detects the connection of the IMU and stores the ids that it assigns.
 
-    CMD_UDRV_DEVICE_SCAN (144), to the board; 0 bytes. Effect: stores. Source: Vendor's code of
-    2026.
+    CMD_UDRV_DEVICE_SCAN (144), to the board; 0 bytes. Effect: stores. Since firmware 2.74.5.
+    Source: Vendor's code of 2026.
     """
 
     __slots__ = ()
@@ -326,7 +329,8 @@ class SetTranspProxy(Message):
 class UartBypass(Message):
     """Undocumented body from the board.
 
-    CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+    CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Since firmware 2.50, board 3.0.
+    Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -341,8 +345,8 @@ class UartBypass(Message):
 class UartBypassRequest(Message):
     """Undocumented body to the board.
 
-    CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
-    Later firmware.
+    CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.50,
+    board 3.0. Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -357,7 +361,8 @@ class UartBypassRequest(Message):
 class SetDeviceAddr(Message):
     """Undocumented body from the board.
 
-    CMD_SET_DEVICE_ADDR (107), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_SET_DEVICE_ADDR (107), from the board; 0 to 255 bytes. Since firmware 2.60. Source:
+    Later firmware.
     """
 
     __slots__ = ()
@@ -372,8 +377,8 @@ class SetDeviceAddr(Message):
 class SetDeviceAddrRequest(Message):
     """Undocumented body to the board.
 
-    CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -388,7 +393,8 @@ class SetDeviceAddrRequest(Message):
 class SerialProxy(Message):
     """Undocumented body from the board.
 
-    CMD_SERIAL_PROXY (113), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_SERIAL_PROXY (113), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -403,8 +409,8 @@ class SerialProxy(Message):
 class SerialProxyRequest(Message):
     """Undocumented body to the board.
 
-    CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+    Source: Later firmware.
     """
 
     __slots__ = ()

@@ -23,6 +23,7 @@ __all__ = [
     "ReadParams",
     "ReadParams3",
     "ReadParams3Request",
+    "ReadParamsAnswer",
     "ReadParamsExt",
     "ReadParamsExt2",
     "ReadParamsExt2Request",
@@ -1213,6 +1214,17 @@ class WriteParams3(ReadParams3):
     CMD_WRITE_PARAMS_3 (22), to the board; 134 bytes, and later firmware may append more.
     Effect: stores, moves. Since board 3.0. Rules: rc.rc_min_angle <= rc.rc_max_angle. Source:
     Outgoing commands L662-L668; Variables L1010-L1079.
+    """
+
+    __slots__ = ()
+
+
+class ReadParamsAnswer(ReadParams3):
+    """Parameters of one profile and general parameters, with the older id.
+
+    CMD_READ_PARAMS (82), from the board; 134 bytes, and later firmware may append more.
+    Deprecated: use CMD_READ_PARAMS_3. Rules: rc.rc_min_angle <= rc.rc_max_angle. Source:
+    Outgoing commands L652-L660.
     """
 
     __slots__ = ()

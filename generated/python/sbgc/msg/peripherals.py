@@ -91,7 +91,7 @@ class TriggerPin(Message):
     """Switch an output pin.
 
     Confirmed only if the pin was switched. A pin in use as an input is not switched. The
-    confirmation of an input has its level.
+    request for an input is always confirmed, with its level, or -1 if the pin is unavailable.
 
     CMD_TRIGGER_PIN (84), to the board; 2 bytes. Effect: sets. Source: Outgoing commands
     L717-L722; Variables L1153-L1155.
@@ -389,7 +389,8 @@ class ApiVirtChHighRes(Message):
 class ReadRcInputs(Message):
     """RC signals of selected inputs.
 
-    CMD_READ_RC_INPUTS (100), from the board; 0 to 254 bytes. Source: Later firmware.
+    CMD_READ_RC_INPUTS (100), from the board; 0 to 254 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -410,8 +411,8 @@ class ReadRcInputs(Message):
 class ReadRcInputsRequest(Message):
     """Request the RC signals of selected inputs.
 
-    CMD_READ_RC_INPUTS (100), to the board; 2 to 129 bytes. Effect: sets. Source: Later
-    firmware.
+    CMD_READ_RC_INPUTS (100), to the board; 2 to 129 bytes. Effect: sets. Since firmware 2.60.
+    Source: Later firmware.
     """
 
     __slots__ = ()

@@ -1528,7 +1528,8 @@ class CanDrvTelemetry(Message):
 class CanDrvState(Message):
     """Undocumented body from the board.
 
-    CMD_CAN_DRV_STATE (98), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_CAN_DRV_STATE (98), from the board; 0 to 255 bytes. Since firmware 2.60. Source: Later
+    firmware.
     """
 
     __slots__ = ()
@@ -1543,8 +1544,8 @@ class CanDrvState(Message):
 class CanDrvStateRequest(Message):
     """Undocumented body to the board.
 
-    CMD_CAN_DRV_STATE (98), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
-    firmware.
+    CMD_CAN_DRV_STATE (98), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
+    Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1559,7 +1560,8 @@ class CanDrvStateRequest(Message):
 class RealtimeDataCanDrv(Message):
     """Undocumented body from the board.
 
-    CMD_REALTIME_DATA_CAN_DRV (101), from the board; 0 to 255 bytes. Source: Later firmware.
+    CMD_REALTIME_DATA_CAN_DRV (101), from the board; 0 to 255 bytes. Since firmware 2.60.
+    Source: Later firmware.
     """
 
     __slots__ = ()
@@ -1574,8 +1576,8 @@ class RealtimeDataCanDrv(Message):
 class RealtimeDataCanDrvRequest(Message):
     """Undocumented body to the board.
 
-    CMD_REALTIME_DATA_CAN_DRV (101), to the board; 0 to 255 bytes. Effect: unknown. Source:
-    Later firmware.
+    CMD_REALTIME_DATA_CAN_DRV (101), to the board; 0 to 255 bytes. Effect: unknown. Since
+    firmware 2.60. Source: Later firmware.
     """
 
     __slots__ = ()

@@ -627,8 +627,8 @@ class ReadStateVarsRequest(Message):
 class SignMessage(Message):
     """Signature of a message.
 
-    CMD_SIGN_MESSAGE (50), from the board; 32 bytes, and later firmware may append more. Source:
-    Later firmware.
+    CMD_SIGN_MESSAGE (50), from the board; 32 bytes, and later firmware may append more. Since
+    firmware 2.50, board 3.0. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -643,7 +643,8 @@ class SignMessage(Message):
 class SignMessageRequest(Message):
     """Sign a message with the keys of the board.
 
-    CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Source: Later firmware.
+    CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Since firmware 2.50, board
+    3.0. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -859,8 +860,8 @@ class MavlinkDebugRequest(Message):
 class ExtLicenseInfo(Message):
     """Undocumented body from the board.
 
-    CMD_EXT_LICENSE_INFO (124), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
-    firmware.
+    CMD_EXT_LICENSE_INFO (124), from the board; 0 to 255 bytes. Since firmware 2.60.
+    Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()
@@ -875,8 +876,8 @@ class ExtLicenseInfo(Message):
 class ExtLicenseInfoRequest(Message):
     """Undocumented body to the board.
 
-    CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
-    Source: Later firmware.
+    CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
+    2.60. Unconfirmed. Source: Later firmware.
     """
 
     __slots__ = ()

@@ -132,6 +132,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         counted_by_part=field.counter_part.name if field.counter_part else None,
         counted_in=_counted_in(field),
         when=_condition(leaf.when),
+        used_when=_condition(leaf.used_when),
         alternative=_alternative(field.alternative, leaf.path),
         since=version(field.since),
         later=later_json(field.later),
@@ -338,7 +339,9 @@ def message_json(message: Message, layout: Layout) -> dict[str, Any]:
         ],
     }
     sizes = [{"since": version(since), "size": size} for since, size in message.lengths]
+    asked = layout.asked_forms(message)
     return result | given(
+        asked_by=asked.asks_for(message) if asked else None,
         stops=[[_stop_value(value) for value in pattern] for pattern in message.stops] or None,
         preparation=message.preparation or None,
         needs=message.needs or None,

@@ -71,9 +71,14 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
     for index, message in enumerate(messages):
         for other in messages[:index]:
             same = (message.command, message.direction) == (other.command, other.direction)
+            asked = layout.asked_forms(message)
+            if asked and other in asked.forms and all(map(asked.asks_for, (message, other))):
+                continue
             if same and message.min_size <= other.max_size and other.min_size <= message.max_size:
                 text = f"{message.name} and {other.name} can have the same size"
                 hint = f"forms are distinguished by size; see {other.at}"
+                if message.direction == "from_board":
+                    hint += "; or each is the only answer of another request"
                 found.add(message.at, "SBGC014", text, hint)
 
 

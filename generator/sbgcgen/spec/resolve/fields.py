@@ -307,6 +307,7 @@ class FieldResolver:
             align=int(node.get("align", 1)),
             reserved=is_reserved,
             when=self.references.condition(node, earlier, contexts, self._outside),
+            used_when=self.references.use(node, earlier, extent["index"]),
             alternative=self.references.alternative(node, earlier if in_struct else []),
             since=self.types.availability(node),
             deprecated=self.types.deprecation(node),
@@ -328,6 +329,7 @@ class FieldResolver:
             **extent,
         )
         self._check_default(field, node, text)
+        self._check_use(field, node, in_struct)
         if field.constant:
             value = Fraction(field.default)
             field = replace(field, minimum=value, maximum=value)
@@ -454,6 +456,12 @@ class FieldResolver:
             hint = f"its range is {node.get('range')}"
             at = node.at("default")
             self.found.add(at, "SBGC017", f"the default of {text} is out of range", hint)
+
+    def _check_use(self, field: Field, node: Map, in_struct: bool) -> None:
+        if "used_when" in node and (in_struct or field.may_be_absent):
+            hint = "it is for a field of a message that is always present"
+            text = f"'{field.name}' cannot have 'used_when'"
+            self.found.add(node.at("used_when"), "SBGC026", text, hint)
 
     def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
         """How the counter of a list counts."""

@@ -26,6 +26,9 @@ def leaves(
                 optional = leaf.optional or field.appended or field.fits
                 when = leaf.when or (field.when and field.when.of(word))
                 leaf = replace(leaf, optional=optional, when=when)
+            if field.used_when:
+                element = leaf.path.removeprefix(f"{path}{field.name}.").partition(".")[0]
+                leaf = replace(leaf, used_when=field.used_when.of(element.upper()))
             yield leaf
 
 

@@ -115,6 +115,11 @@ class ReferenceResolver:
         when = node.get("when")
         return self._condition(when, earlier, contexts, outside) if isinstance(when, Map) else None
 
+    def use(self, node: Map, earlier: list[Field], words: tuple[str, ...]) -> Condition | None:
+        """The condition under `used_when`, which may differ between the words of the field's index."""
+        when = node.get("used_when")
+        return self._condition(when, earlier, (), Outside((), words)) if when else None
+
     def _condition(
         self, when: Map, earlier: list[Field], contexts: tuple[Context, ...], outside: Outside
     ) -> Condition | None:

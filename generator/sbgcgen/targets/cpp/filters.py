@@ -122,5 +122,6 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "constants": constants,
     "copy_field": copy_field,
     "largest_forms": largest_forms,
+    "paired": lambda value, other: (value, other),
     "index_of": lambda values, value: values.index(value),
 }

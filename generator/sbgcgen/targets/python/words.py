@@ -203,6 +203,7 @@ def field_doc(field: Field, whole: str = "body") -> str:
         other = field.alternative
         said.append(f"Sent as {other.quantity.name} if {other.flag.name} is set.")
     said.append(f"Present if {field.when.words}." if field.when else "")
+    said.append(f"Used if {field.used_when.words}." if field.used_when else "")
     said.append("The same in all copies." if field.role == "general" else "")
     if field.since:
         before = f"; before, the {whole} ends here" if field.appended else ""

@@ -170,8 +170,9 @@ def struct(one: Struct, names: Names) -> Table:
     }
 
 
-def message(one: Message) -> Table:
+def message(one: Message, layout: Layout) -> Table:
     """A message without its fields."""
+    asked = layout.asked_forms(one)
     repeats = next((f for f in one.fields if f.repeats_context), None)
     has_surplus = one.takes_surplus
     return {
@@ -183,6 +184,7 @@ def message(one: Message) -> Table:
         "min": one.min_size,
         "max": one.max_size,
         "open": one.is_open or has_surplus,
+        "asked": bool(asked and one is not asked.forms[0]),
         "keeps_tail": one.keeps_tail,
         "takes_surplus": has_surplus,
         "tail": one.tail_capacity,
@@ -227,6 +229,15 @@ def _answer(case: AnswerCase) -> Table:
 
 def learns(layout: Layout) -> Iterator[Table]:
     """What bodies need to know from earlier messages, and where they learn it."""
+    for asked in layout.asked:
+        for request, form in asked.requests:
+            yield {
+                "from": request.name,
+                "path": (),
+                "for": form.id,
+                "name": "asked",
+                "is": form.name,
+            }
     for one in layout.messages:
         for context in one.contexts:
             for source, path in context.sources:
@@ -287,6 +298,7 @@ def _field(one: Field, names: Names) -> Table:
         "fits": one.fits and not one.fits_rest,
         "fits_rest": one.fits_rest,
         "when": one.when and _condition(one.when),
+        "used_when": one.used_when and _condition(one.used_when),
         "alternative": one.alternative and _alternative(one.alternative),
         "ways": {
             way.axis.lower(): [way.positive or "", way.negative or ""]

@@ -86,7 +86,8 @@ std::span<const MessageType* const> message_types() noexcept;
 const MessageType* find_message(std::string_view name) noexcept;
 
 /// Returns the type of a body of `size` bytes, as select_received(); null if there is none.
-const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size) noexcept;
+const MessageType* find_message(Direction direction, std::uint8_t id, std::size_t size,
+                                const Contexts& contexts = {}) noexcept;
 
 /// A message of any type, and the surplus if it is a request (see <sbgc/surplus.hpp>). A moved-from
 /// message can only be assigned to or destroyed.

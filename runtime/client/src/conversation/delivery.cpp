@@ -11,7 +11,7 @@ namespace sbgc::detail {
 void Delivery::deliver(const Frame& frame) {
   MessageHandlers::call(messages_->with_key({frame.id, {}, true}),
                         [&](const auto& handler) { handler(&frame); });
-  const MessageType* const type = find_message(Direction::from_board, frame.id, frame.body.size());
+  const MessageType* const type = find_message(Direction::from_board, frame.id, frame.body.size(), contexts_);
   if (type == nullptr) {
     const auto subscribers =
         messages_->count([&](const MessageKey& key) { return key.id == frame.id && !key.is_raw; });

@@ -36,7 +36,7 @@ ClientError no_answer(const Call& call) {
 bool needs_context(const Frame& frame) {
   bool needs = false;
   select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
-    needs = requires { typename M::Context; };
+    needs = requires { typename M::Context; } || IsAsked<M>;
   });
   return needs;
 }

@@ -85,7 +85,7 @@ NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
 inline NeededSize needed_size(Direction direction, std::uint8_t id,
                               std::span<const std::uint8_t> body, const Contexts& contexts) {
   NeededSize needed;
-  select(direction, id, body.size(), [&]<class M>(Type<M>) {
+  const auto use = [&]<class M>(Type<M>) {
     if constexpr (HasContext<M>) {
       typename CodedAs<M>::Context context = contexts.of(M{});
       if constexpr (RepeatsContext<M>) {
@@ -100,7 +100,8 @@ inline NeededSize needed_size(Direction direction, std::uint8_t id,
     } else {
       needed = needed_size<CodedAs<M>>(body);
     }
-  });
+  };
+  select(direction, id, body.size(), use, contexts);
   return needed;
 }
 

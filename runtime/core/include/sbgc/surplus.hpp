@@ -91,10 +91,11 @@ template <Message M>
 
 /// As select(), but also selects the message of a request with surplus.
 template <class Use>
-constexpr Code select_received(Direction direction, std::uint8_t id, std::size_t size, Use&& use) {
+constexpr Code select_received(Direction direction, std::uint8_t id, std::size_t size, Use&& use,
+                               const Contexts& contexts = detail::nothing_known) {
   const bool is_request = direction == Direction::to_board;
   const std::size_t largest = is_request ? largest_request(id, newest) : max_body_size;
-  return select(direction, id, size < largest ? size : largest, std::forward<Use>(use));
+  return select(direction, id, size < largest ? size : largest, std::forward<Use>(use), contexts);
 }
 
 /// As visit(), but also decodes requests with surplus. The visitor gets Received<M> and must accept
@@ -104,9 +105,10 @@ constexpr Status visit_received(std::uint8_t id, std::span<const std::uint8_t> b
                                 Direction direction, Visitor&& visitor,
                                 const Contexts& contexts = {}) {
   Status status{};
-  const Code code = select_received(direction, id, body.size(), [&]<class M>(Type<M>) {
+  const auto use = [&]<class M>(Type<M>) {
     status = detail::decode_and_call<Received<M>>(body.data(), body.size(), visitor, contexts);
-  });
+  };
+  const Code code = select_received(direction, id, body.size(), use, contexts);
   return code == Code::ok ? status : Status{code};
 }
 

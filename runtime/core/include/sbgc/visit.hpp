@@ -58,7 +58,7 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
       status = detail::decode_and_call<M>(data, size, visitor, contexts);
     }
   };
-  const Code code = select(direction, id, body.size(), use);
+  const Code code = select(direction, id, body.size(), use, contexts);
   return code == Code::ok ? status : Status{code};
 }
 

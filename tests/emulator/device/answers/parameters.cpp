@@ -32,7 +32,7 @@ void Table::add_parameters() {
       Parameters::Readers::for_each([&]<class Request>(Type<Request>) {
         Request request{};
         if constexpr (Parameters::copies > 1) Parameters::copy(request) = copy;
-        result = host.get<M>(request);
+        result = host.get<typename Request::Response>(request);
       });
       return result;
     };
@@ -40,7 +40,7 @@ void Table::add_parameters() {
       Request request{};
       if constexpr (Parameters::copies > 1) Parameters::copy(request) = copy;
       add<Request>({.request = request, .after = [](Host&, const Packets& packets) {
-                      const auto parameters = only<M>(packets);
+                      const auto parameters = only<typename Request::Response>(packets);
                       if constexpr (Parameters::copies > 1) {
                         EXPECT_EQ(Parameters::copy(parameters), Parameters::copies - 1);
                       }

@@ -35,7 +35,12 @@ class Check {
 
   template <class T>
   SBGC_ALWAYS_INLINE constexpr void members(const T& value, Parent parent) {
-    walk_members(value, parent, *this);
+    MemberWalk<Check> walk{*this, parent};
+    if constexpr (requires { Meta<T>::visit_used(value, walk); }) {
+      Meta<T>::visit_used(value, walk);
+    } else {
+      Meta<T>::visit(value, walk);
+    }
     if constexpr (requires { Meta<T>::rules(value, Order{*this, parent}); }) {
       Meta<T>::rules(value, Order{*this, parent});
     }

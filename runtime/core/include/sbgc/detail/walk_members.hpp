@@ -1,6 +1,7 @@
 /// Iterates over the members of a message, and knows the adjustable variables.
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 
 #include <sbgc/detail/walk.hpp>
@@ -24,6 +25,13 @@ struct MemberWalk {
     } else {
       step_apart(field, member);
     }
+  }
+  /// One element of a member with an index.
+  template <class Axes>
+  SBGC_ALWAYS_INLINE constexpr void element(const FieldInfo& field, Axes& axes, std::size_t i) {
+    const Place whole(field, parent);
+    const char* const name = Meta<std::remove_const_t<Axes>>::fields[i].name;
+    walk(axes[i], Place(whole, name, i), visitor);
   }
 
  private:
