@@ -231,7 +231,7 @@ local protocol = (function()
   messages[1] = {name = "BoardInfo", filter = "board_info", command = "CMD_BOARD_INFO", id = 86, min = 18, max = 18, open = true, keeps_tail = true, tail = 237, role = {is = "introduction", firmware = "firmware_ver", board = "board_ver"}}
   messages[1].fields = {
     {name = "board_ver", type = "u8", packed = "BoardVersion", count = 1, fixed = 1},
-    {name = "firmware_ver", type = "u16", packed = "FirmwareVersion", count = 1, fixed = 2},
+    {name = "firmware_ver", type = "u16", packed = "FirmwareVersion", count = 1, fixed = 2, special = {[0] = "unknown; the sensors are often unplugged"}},
     {name = "debug_mode", type = "u8", enum = "BoardStateFlags", count = 1, fixed = 1},
     {name = "board_features", type = "u16", enum = "BoardFeatures", count = 1, fixed = 2},
     {name = "connection_flags", type = "u8", enum = "ConnectionFlags", count = 1, fixed = 1},
