@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
 #include "serving/arguments.hpp"
@@ -28,6 +29,18 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 
 std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
   return "a board " + to_string(board) + " with firmware " + to_string(firmware);
+}
+
+/// A gimbal is delivered with a calibrated accelerometer, unless the fault is that it is not.
+emulator::Memory new_memory(const emulator::BoardOptions& board) {
+  emulator::Memory memory;
+  if (board.faults.errors.has(msg::SystemError::calib_acc)) return memory;
+  for (emulator::ImuCalibration& imu : memory.imus) {
+    for (const ValueInfo& position : EnumMeta<msg::CalibratedLimit>::info.values) {
+      imu.acc_limits |= static_cast<std::uint8_t>(position.value);
+    }
+  }
+  return memory;
 }
 
 }  // namespace
@@ -75,8 +88,9 @@ void Service::add(unsigned number) {
     emulator.board.board = usual_board(emulator.board.firmware);
   }
   Served& served = boards_.emplace_back();
-  served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,
-                                             saved ? std::move(saved->memory) : emulator::Memory{});
+  served.board =
+      std::make_unique<LiveBoard>(context_.get_executor(), emulator,
+                                  saved ? std::move(saved->memory) : new_memory(emulator.board));
   if (file) {
     served.state = std::make_unique<StateKeeper>(
         context_.get_executor(), savers(), *served.board,

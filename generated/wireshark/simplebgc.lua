@@ -4,6 +4,13 @@
 -- The protocol is a table, which the rest of the file interprets; each part is a function of its own,
 -- because one has at most 200 local variables.
 
+-- Integers bit by bit: the library of Lua 5.2, or the operators of later versions, which 5.2 cannot read.
+local bitwise = bit32 or load([[return {
+  band = function(a, b) return a & b end, bxor = function(a, b) return a ~ b end,
+  bnot = function(a) return ~a & 0xFFFFFFFF end,
+  lshift = function(a, n) return a << n & 0xFFFFFFFF end, rshift = function(a, n) return a >> n end,
+}]])()
+
 local protocol = (function()
   local enums, packed, structs, messages = {}, {}, {}, {}
   enums.CommandToBoard = {values = {{20, "CMD_BOARD_INFO_3", "board_info_3"}, {21, "CMD_READ_PARAMS_3", "read_params_3"}, {22, "CMD_WRITE_PARAMS_3", "write_params_3"}, {23, "CMD_REALTIME_DATA_3", "realtime_data_3"}, {24, "CMD_SELECT_IMU_3", "select_imu_3"}, {25, "CMD_REALTIME_DATA_4", "realtime_data_4"}, {26, "CMD_ENCODERS_CALIB_OFFSET_4", "encoders_calib_offset_4"}, {27, "CMD_ENCODERS_CALIB_FLD_OFFSET_4", "encoders_calib_fld_offset_4"}, {28, "CMD_READ_PROFILE_NAMES", "read_profile_names"}, {29, "CMD_WRITE_PROFILE_NAMES", "write_profile_names"}, {30, "CMD_QUEUE_PARAMS_INFO_3", "queue_params_info_3"}, {31, "CMD_SET_ADJ_VARS_VAL", "set_adj_vars_val"}, {32, "CMD_SAVE_PARAMS_3", "save_params_3"}, {33, "CMD_READ_PARAMS_EXT", "read_params_ext"}, {34, "CMD_WRITE_PARAMS_EXT", "write_params_ext"}, {35, "CMD_AUTO_PID", "auto_pid"}, {36, "CMD_SERVO_OUT", "servo_out"}, {37, "CMD_BODE_TEST_START_STOP", "bode_test_start_stop"}, {39, "CMD_I2C_WRITE_REG_BUF", "i2c_write_reg_buf"}, {40, "CMD_I2C_READ_REG_BUF", "i2c_read_reg_buf"}, {41, "CMD_WRITE_EXTERNAL_DATA", "write_external_data"}, {42, "CMD_READ_EXTERNAL_DATA", "read_external_data"}, {43, "CMD_READ_ADJ_VARS_CFG", "read_adj_vars_cfg"}, {44, "CMD_WRITE_ADJ_VARS_CFG", "write_adj_vars_cfg"}, {45, "CMD_API_VIRT_CH_CONTROL", "api_virt_ch_control"}, {46, "CMD_ADJ_VARS_STATE", "adj_vars_state"}, {47, "CMD_EEPROM_WRITE", "eeprom_write"}, {48, "CMD_EEPROM_READ", "eeprom_read"}, {49, "CMD_CALIB_INFO", "calib_info"}, {50, "CMD_SIGN_MESSAGE", "sign_message"}, {51, "CMD_BOOT_MODE_3", "boot_mode_3"}, {52, "CMD_SYSTEM_STATE", "system_state"}, {53, "CMD_READ_FILE", "read_file"}, {54, "CMD_WRITE_FILE", "write_file"}, {55, "CMD_FS_CLEAR_ALL", "fs_clear_all"}, {56, "CMD_AHRS_HELPER", "ahrs_helper"}, {57, "CMD_RUN_SCRIPT", "run_script"}, {59, "CMD_CALIB_MAG", "calib_mag"}, {60, "CMD_UART_BYPASS", "uart_bypass"}, {61, "CMD_GET_ANGLES_EXT", "get_angles_ext"}, {62, "CMD_READ_PARAMS_EXT2", "read_params_ext2"}, {63, "CMD_WRITE_PARAMS_EXT2", "write_params_ext2"}, {64, "CMD_GET_ADJ_VARS_VAL", "get_adj_vars_val"}, {65, "CMD_CALIB_ACC", "calib_acc"}, {66, "CMD_CALIB_BAT", "calib_bat"}, {67, "CMD_CONTROL", "control"}, {68, "CMD_REALTIME_DATA", "realtime_data"}, {69, "CMD_EXECUTE_MENU", "execute_menu"}, {70, "CMD_USE_DEFAULTS", "use_defaults"}, {71, "CMD_CALIB_EXT_GAIN", "calib_ext_gain"}, {72, "CMD_HELPER_DATA", "helper_data"}, {73, "CMD_GET_ANGLES", "get_angles"}, {74, "CMD_CALIB_MOTOR_MAG_LINK", "calib_motor_mag_link"}, {75, "CMD_GYRO_CORRECTION", "gyro_correction"}, {76, "CMD_MODULE_LIST", "module_list"}, {77, "CMD_MOTORS_ON", "motors_on"}, {78, "CMD_MODULE_FLASH_START", "module_flash_start"}, {79, "CMD_CALIB_OFFSET", "calib_offset"}, {80, "CMD_CALIB_POLES", "calib_poles"}, {81, "CMD_MODULE_FLASH_WRITE", "module_flash_write"}, {82, "CMD_READ_PARAMS", "read_params"}, {83, "CMD_MODULE_FLASH_FINISH", "module_flash_finish"}, {84, "CMD_TRIGGER_PIN", "trigger_pin"}, {85, "CMD_DATA_STREAM_INTERVAL", "data_stream_interval"}, {86, "CMD_BOARD_INFO", "board_info"}, {87, "CMD_WRITE_PARAMS", "write_params"}, {88, "CMD_REALTIME_DATA_CUSTOM", "realtime_data_custom"}, {89, "CMD_BEEP_SOUND", "beep_sound"}, {90, "CMD_CONTROL_CONFIG", "control_config"}, {91, "CMD_CALIB_ORIENT_CORR", "calib_orient_corr"}, {92, "CMD_COGGING_CALIB_INFO", "cogging_calib_info"}, {93, "CMD_CALIB_COGGING", "calib_cogging"}, {94, "CMD_CALIB_ACC_EXT_REF", "calib_acc_ext_ref"}, {95, "CMD_PROFILE_SET", "profile_set"}, {96, "CMD_CAN_DEVICE_SCAN", "can_device_scan"}, {97, "CMD_CAN_DRV_HARD_PARAMS", "can_drv_hard_params"}, {98, "CMD_CAN_DRV_STATE", "can_drv_state"}, {99, "CMD_CAN_DRV_CALIBRATE", "can_drv_calibrate"}, {100, "CMD_READ_RC_INPUTS", "read_rc_inputs"}, {101, "CMD_REALTIME_DATA_CAN_DRV", "realtime_data_can_drv"}, {103, "CMD_CALIB_GYRO", "calib_gyro"}, {104, "CMD_READ_PARAMS_EXT3", "read_params_ext3"}, {105, "CMD_WRITE_PARAMS_EXT3", "write_params_ext3"}, {106, "CMD_EXT_IMU_DEBUG_INFO", "ext_imu_debug_info"}, {107, "CMD_SET_DEVICE_ADDR", "set_device_addr"}, {108, "CMD_AUTO_PID2", "auto_pid2"}, {109, "CMD_MOTORS_OFF", "motors_off"}, {110, "CMD_EXT_IMU_CMD", "ext_imu_cmd"}, {111, "CMD_READ_STATE_VARS", "read_state_vars"}, {112, "CMD_WRITE_STATE_VARS", "write_state_vars"}, {113, "CMD_SERIAL_PROXY", "serial_proxy"}, {114, "CMD_RESET", "reset"}, {115, "CMD_IMU_ADVANCED_CALIB", "imu_advanced_calib"}, {116, "CMD_API_VIRT_CH_HIGH_RES", "api_virt_ch_high_res"}, {117, "CMD_CALIB_ENCODER_LUT", "calib_encoder_lut"}, {118, "CMD_CALIB_ENCODER_LUT_RES", "calib_encoder_lut_res"}, {119, "CMD_WRITE_PARAMS_SET", "write_params_set"}, {120, "CMD_CALIB_CUR_SENS", "calib_cur_sens"}, {121, "CMD_CONTROL_EXT", "control_ext"}, {122, "CMD_ENC_INT_CALIB", "enc_int_calib"}, {123, "CMD_SYNC_MOTORS", "sync_motors"}, {124, "CMD_EXT_LICENSE_INFO", "ext_license_info"}, {125, "CMD_VIBRATION_TEST_START_STOP", "vibration_test_start_stop"}, {126, "CMD_VIBRATION_TEST_DATA", "vibration_test_data"}, {128, "CMD_EXT_MOTORS_ACTION", "ext_motors_action"}, {129, "CMD_EXT_MOTORS_CONTROL", "ext_motors_control"}, {130, "CMD_EXT_MOTORS_CONTROL_CONFIG", "ext_motors_control_config"}, {131, "CMD_EXT_MOTORS_STATE", "ext_motors_state"}, {132, "CMD_ADJ_VARS_INFO", "adj_vars_info"}, {133, "CMD_SERVO_OUT_EXT", "servo_out_ext"}, {134, "CMD_SET_ADJ_VARS_VAL_F", "set_adj_vars_val_f"}, {135, "CMD_GET_ADJ_VARS_VAL_F", "get_adj_vars_val_f"}, {136, "CMD_PASS_PROTECT_READ", "pass_protect_read"}, {137, "CMD_PASS_PROTECT_WRITE", "pass_protect_write"}, {139, "CMD_REALTIME_DATA_CUSTOM2", "realtime_data_custom2"}, {140, "CMD_CONTROL_QUAT", "control_quat"}, {141, "CMD_CONTROL_QUAT_STATUS", "control_quat_status"}, {142, "CMD_CONTROL_QUAT_CONFIG", "control_quat_config"}, {143, "CMD_SET_TRANSP_PROXY", "set_transp_proxy"}, {144, "CMD_UDRV_DEVICE_SCAN", "udrv_device_scan"}, {150, "CMD_EXT_SENS_CMD", "ext_sens_cmd"}, {151, "CMD_TRANSPARENT_SAPI", "transparent_sapi"}, {249, "CMD_SET_DEBUG_PORT", "set_debug_port"}, {250, "CMD_MAVLINK_INFO", "mavlink_info"}, {251, "CMD_MAVLINK_DEBUG", "mavlink_debug"}, {253, "CMD_DEBUG_VARS_INFO_3", "debug_vars_info_3"}, {254, "CMD_DEBUG_VARS_3", "debug_vars_3"}}}
@@ -224,7 +231,7 @@ local protocol = (function()
   messages[1] = {name = "BoardInfo", filter = "board_info", command = "CMD_BOARD_INFO", id = 86, min = 18, max = 18, open = true, keeps_tail = true, tail = 237, role = {is = "introduction", firmware = "firmware_ver", board = "board_ver"}}
   messages[1].fields = {
     {name = "board_ver", type = "u8", packed = "BoardVersion", count = 1, fixed = 1},
-    {name = "firmware_ver", type = "u16", packed = "FirmwareVersion", count = 1, fixed = 2},
+    {name = "firmware_ver", type = "u16", packed = "FirmwareVersion", count = 1, fixed = 2, special = {[0] = "unknown; the sensors are often unplugged"}},
     {name = "debug_mode", type = "u8", enum = "BoardStateFlags", count = 1, fixed = 1},
     {name = "board_features", type = "u16", enum = "BoardFeatures", count = 1, fixed = 2},
     {name = "connection_flags", type = "u8", enum = "ConnectionFlags", count = 1, fixed = 1},
@@ -2445,12 +2452,12 @@ local function bits_of(value)
 end
 
 function M.has(value, mask)
-  return bit32.band(bits_of(value), mask) == mask
+  return bitwise.band(bits_of(value), mask) == mask
 end
 
 -- The bits of an integer of up to 64 bits from a place on, up to the number `most`.
 local function bits_at(value, shift, most)
-  if type(value) == "number" then return bit32.band(bit32.rshift(bits_of(value), shift), most) end
+  if type(value) == "number" then return bitwise.band(bitwise.rshift(bits_of(value), shift), most) end
   return value:rshift(shift):band(UInt64(most)):tonumber()
 end
 
@@ -2459,7 +2466,7 @@ function M.part(part, value)
   local most = part.most
   local number = math.floor(bits_at(value, part.shift, most) / (part.divide or 1))
   if part.signed and number > (most - 1) / 2 then return number - most - 1 end
-  if part.sign and bits_at(value, part.sign, 1) == 1 then return -number end
+  if part.sign and bits_at(value, part.sign, 1) == 1 then return 0 - number end
   return part.modulo and number % part.modulo or number
 end
 
@@ -2468,6 +2475,11 @@ function M.real(quantity, raw)
   local value = raw
   if quantity.ratio then value = quantity.ratio ^ (raw / quantity.over) end
   return value * (quantity.scale or 1) + (quantity.add or 0)
+end
+
+-- A raw value in decimals. Lua 5.3 and later would print whole floats with ".0".
+function M.text(value)
+  return type(value) == "number" and string.format("%.14g", value) or tostring(value)
 end
 
 -- True if the values in the unit are the raw numbers.
@@ -2509,12 +2521,12 @@ local function reversed(value, width)
   return result
 end
 
--- The exclusive or of two bytes, a table, because calls of bit32 take ten times as long.
+-- The exclusive or of two bytes, a table, because its calls take ten times as long.
 local either = {}
 local function fill_either()
   if either[0] then return end
   for a = 0, 255 do
-    for b = 0, 255 do either[a * 256 + b] = bit32.bxor(a, b) end
+    for b = 0, 255 do either[a * 256 + b] = bitwise.bxor(a, b) end
   end
 end
 
@@ -2524,21 +2536,21 @@ local function crc(check)
   local size, steps, entering = check.bytes, {}, {}
   for place = 1, size do steps[place] = {} end
   for value = 0, 255 do
-    local register = value * 256 ^ (size - 1)
+    local register = bitwise.lshift(value, 8 * (size - 1))
     for _ = 1, 8 do
       local out = register >= 2 ^ (check.width - 1)
       register = register * 2 % 2 ^ check.width
-      if out then register = bit32.bxor(register, check.polynomial) end
+      if out then register = bitwise.bxor(register, check.polynomial) end
     end
     for place = size, 1, -1 do
-      steps[place][value] = register % 256
+      steps[place][value] = math.floor(register % 256)
       register = math.floor(register / 256)
     end
     entering[value] = check.reflect_in and reversed(value, 8) or value
   end
   local function finish(register)
     if check.reflect_out then register = reversed(register, check.width) end
-    return bit32.bxor(register, check.final or 0)
+    return bitwise.bxor(register, check.final or 0)
   end
   if size == 2 then -- without a loop over the bytes of the register
     local first, second = steps[1], steps[2]
@@ -2923,7 +2935,7 @@ local function is_present(node, reader, level)
   if field.fits_rest then
     local size = left(reader) - 1
     if size < 1 or size > field.size or byte(reader.bytes, reader.at + 1) ~= size then return false end
-    return not reader.bytes:find("[%z\1-\31]", reader.at + 2)
+    return not reader.bytes:find("[\0-\31]", reader.at + 2)
   end
   if field.fits then return reader.context[""] end
   if field.appended and left(reader) == 0 then return false end
@@ -2962,7 +2974,7 @@ local function read_leaf(leaf, reader, level, label)
   if field.blob then
     need(reader, field.size, field.name)
     local text = reader.bytes:sub(reader.at + 1, reader.at + field.size)
-    if field.blob == "text" then text = text:gsub("%z*$", "") end
+    if field.blob == "text" then text = text:gsub("\0*$", "") end
     add(reader, leaf, field.size, text, label)
     return text
   end
@@ -3001,11 +3013,11 @@ local function count_of(node, reader, level)
     if field.counter_part then count = numbers.part(field.counter_part, count) end
     if field.counting == "bytes" then
       if count % size ~= 0 then fail(reader, "count mismatch", field.name) end
-      count = count / size
+      count = math.floor(count / size)
     elseif field.counting == "bits" then
-      local bits = 0
-      for bit = 0, 31 do bits = bits + bit32.extract(count % 4294967296, bit) end
-      count = bits
+      local set, rest = 0, count % 4294967296
+      while rest > 0 do set, rest = set + rest % 2, math.floor(rest / 2) end
+      count = set
     elseif field.counting == "minus_1" then
       count = count + 1
     end
@@ -3016,8 +3028,9 @@ local function count_of(node, reader, level)
   for _, known in ipairs(field.element_sizes or {}) do
     if not size and left(reader) % known == 0 then size = known end
   end
-  local count = left(reader) / (size or field.element_sizes[1])
-  if count % 1 ~= 0 or count < (field.min_count or 0) then fail(reader, "too short", field.name) end
+  size = size or field.element_sizes[1]
+  local count = math.floor(left(reader) / size)
+  if left(reader) % size ~= 0 or count < (field.min_count or 0) then fail(reader, "too short", field.name) end
   if count > field.capacity then fail(reader, "too long", field.name) end
   return count
 end
@@ -3044,8 +3057,8 @@ local function read_list(node, reader, level)
   local size
   if field.element_sizes and count > 0 then
     local is_known = false
-    size = left(reader) / count
-    for _, known in ipairs(field.element_sizes) do is_known = is_known or known == size end
+    size = math.floor(left(reader) / count)
+    for _, known in ipairs(field.element_sizes) do is_known = is_known or known * count == left(reader) end
     if not is_known then fail(reader, "count mismatch", field.name) end
   end
   local i = 0
@@ -3140,7 +3153,7 @@ local function contexts_of(message, bytes, context)
   if #bytes >= repeats.at + repeats.size then
     own = numbers.read("u" .. 8 * repeats.size, bytes, repeats.at)
   end
-  local tries = {with(context, repeats.name, bit32.band(given, bit32.bnot(repeats.mask)))}
+  local tries = {with(context, repeats.name, bitwise.band(given, bitwise.bnot(repeats.mask)))}
   if numbers.has(own, repeats.mask) then tries[2] = with(context, repeats.name, own) end
   if numbers.has(given, repeats.mask) and tries[2] then tries = {tries[2], tries[1]} end
   return tries, tries[1]
@@ -3175,7 +3188,7 @@ local function flags_text(enum, value)
   for _, flag in ipairs(enum.values or {}) do
     if flag[1] ~= 0 and numbers.has(bits, flag[1]) then
       names[#names + 1] = flag[2]
-      bits = bit32.band(bits, bit32.bnot(flag[1]))
+      bits = bitwise.band(bits, bitwise.bnot(flag[1]))
     end
   end
   if bits ~= 0 then names[#names + 1] = string.format("0x%x", bits) end
@@ -3184,9 +3197,9 @@ end
 
 -- The bits of a flag set without a name.
 function M.unknown_flags(enum, value)
-  local known = 0
-  for _, flag in ipairs(enum.values or {}) do known = bit32.bor(known, flag[1]) end
-  return bit32.band(value % 4294967296, bit32.bnot(known))
+  local unknown = value % 4294967296
+  for _, flag in ipairs(enum.values or {}) do unknown = bitwise.band(unknown, bitwise.bnot(flag[1])) end
+  return unknown
 end
 
 local function enum_text(enum, value)
@@ -3373,7 +3386,7 @@ local function detail(one, line, bytes, value)
     end
   end
   local text = M.value_text(item, true)
-  if text == "" then return one.prefix .. (one.rank == 4 and "" or one.leaf.name .. " ") .. tostring(value) end
+  if text == "" then return one.prefix .. (one.rank == 4 and "" or one.leaf.name .. " ") .. numbers.text(value) end
   return one.prefix .. text
 end
 
@@ -3692,9 +3705,9 @@ local function check_range(item, tree)
   if type(value) ~= "number" or (field.special or {})[value] or item.unused then return end
   local low, high = meaning.min, meaning.max
   if low and value < low then
-    tree:add_proto_expert_info(experts.range, item.leaf.name .. ": " .. value .. " is below " .. low)
+    tree:add_proto_expert_info(experts.range, item.leaf.name .. ": " .. numbers.text(value) .. " is below " .. numbers.text(low))
   elseif high and value > high then
-    tree:add_proto_expert_info(experts.range, item.leaf.name .. ": " .. value .. " is above " .. high)
+    tree:add_proto_expert_info(experts.range, item.leaf.name .. ": " .. numbers.text(value) .. " is above " .. numbers.text(high))
   end
 end
 
@@ -3706,7 +3719,7 @@ local function check_name(enum, value, name, tree)
       tree:add_proto_expert_info(experts.value, string.format("%s: no name for 0x%x", name, unknown))
     end
   elseif not enum.names[value] then
-    tree:add_proto_expert_info(experts.value, name .. ": no name for " .. value)
+    tree:add_proto_expert_info(experts.value, name .. ": no name for " .. numbers.text(value))
   end
 end
 
@@ -3724,7 +3737,7 @@ local function show_parts(item, tree, range)
       local shown = tree:add(one.field, range, is_real and numbers.real(part, number) or number)
       if part.enum or part.unit then
         local text = words.part_text(part, number)
-        shown:set_text(part.name .. ": " .. (text ~= "" and text or number))
+        shown:set_text(part.name .. ": " .. (text ~= "" and text or numbers.text(number)))
       end
       show_flags(one.flags, shown, range)
       check_name(protocol.enums[part.enum], number, part.name, shown)
@@ -3752,7 +3765,7 @@ local function show_value(item, tree, place, is_visible)
   if leaf.field.blob then return show_text(item, tree, range) end
   if leaf.field.announced then
     local value = type(item.value) == "number" and item.value or tonumber(tostring(item.value))
-    return tree:add(leaf.shown, range, value):set_text(item.label .. ": " .. tostring(item.value))
+    return tree:add(leaf.shown, range, value):set_text(item.label .. ": " .. numbers.text(item.value))
   end
   local shown
   if leaf.raw then
@@ -3764,7 +3777,7 @@ local function show_value(item, tree, place, is_visible)
   if is_visible then
     local text = words.value_text(item)
     if leaf.raw or item.label ~= leaf.name then
-      shown:set_text(item.label .. ": " .. (text ~= "" and text or tostring(item.value)))
+      shown:set_text(item.label .. ": " .. (text ~= "" and text or numbers.text(item.value)))
     elseif text ~= "" and not (leaf.enum and not leaf.enum.is_flags) then
       shown:append_text(" (" .. text .. ")")
     end

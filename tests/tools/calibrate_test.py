@@ -136,12 +136,14 @@ def test_wrong_values_say_once_where_the_fields_are_explained(value: str) -> Non
     assert result.error.count("`sbgc describe CMD_CALIB_GYRO`") == 1
 
 
-def test_the_status_names_what_is_calibrated(gimbal: EmulatedGimbal) -> None:
-    before = run("calibrate", "--status", "-p", gimbal.address)
-    assert before.status == 0
-    assert "accelerometer: none, not +X, -X, +Y, -Y, +Z, -Z" in " ".join(before.text.split())
-    assert calibrate(gimbal, "acc", "--yes").status == 0
-    after = run("calibrate", "--status", "-p", gimbal.address)
+def test_the_status_names_what_is_calibrated() -> None:
+    with emulated_gimbal("--fault", "calib-acc") as gimbal:
+        turn_motors_off(gimbal)
+        before = run("calibrate", "--status", "-p", gimbal.address)
+        assert before.status == 0
+        assert "accelerometer: none, not +X, -X, +Y, -Y, +Z, -Z" in " ".join(before.text.split())
+        assert calibrate(gimbal, "acc", "--yes").status == 0
+        after = run("calibrate", "--status", "-p", gimbal.address)
     assert "accelerometer: +Z, not +X, -X, +Y, -Y, -Z" in " ".join(after.text.split())
 
 
@@ -254,7 +256,8 @@ def test_a_voltage_that_is_mistyped(gimbal: EmulatedGimbal, voltage: str) -> Non
 
 
 def test_the_six_positions_are_offered_one_after_another(tmp_path: Path) -> None:
-    with emulated_gimbal("--calibration-time", "5") as gimbal, terminal(tmp_path, 100, 30) as shell:
+    options = ("--calibration-time", "5", "--fault", "calib-acc")
+    with emulated_gimbal(*options) as gimbal, terminal(tmp_path, 100, 30) as shell:
         shell.run("calibrate", "acc", "-p", gimbal.address)
         for question in ("Continue", "The motors are on", "Turn another"):
             shell.wait(question)

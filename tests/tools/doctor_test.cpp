@@ -158,6 +158,7 @@ TEST(Doctor, NamesAResonanceWithin1Hz) {
     const std::vector<Finding> findings = findings_of(shaking);
     ASSERT_THAT(ids_of(findings), ElementsAre("vibration:2"));
     EXPECT_THAT(findings[0].sentence, HasSubstr(frequency_text(found)));
+    EXPECT_LE(rms_of(found.peak), 1.01 * vibration->yaw.rms) << "both are in that sentence";
   }
 }
 
@@ -205,6 +206,17 @@ TEST(Doctor, EachThresholdOfTheBattery) {
   EXPECT_THAT(judge(0, -12, -11), HasSubstr("measures no battery voltage"));
   board.has_battery_meter = false;
   EXPECT_EQ(judge(0, 12, 11), "");
+}
+
+TEST(Doctor, WhatTheBoardSaysOfItselfIsJudged) {
+  Measurements board = measured({}, 2);
+  board.firmware = "0.00";
+  board.firmware_problem = "unknown; the sensors are often unplugged";
+  board.calibration = msg::CalibInfo{};
+  const std::vector<Finding> findings = findings_of(board);
+  ASSERT_THAT(ids_of(findings), ElementsAre("firmware", "calibration"));
+  EXPECT_THAT(findings[0].sentence, HasSubstr("firmware 0.00: unknown; the sensors are often"));
+  EXPECT_THAT(findings[1].sentence, HasSubstr("in 0 of 6 positions"));
 }
 
 /// A board in virtual time, that answers within some time.

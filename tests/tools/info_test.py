@@ -7,14 +7,16 @@ import os
 import re
 import resource
 import signal
+import socketserver
 import subprocess
+import threading
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import MODEL, PROGRAM, Result, decode, run
+from sbgc_command import MODEL, PROGRAM, Result, decode, frame, run
 
 PortsFile = Callable[..., None]
 
@@ -53,6 +55,27 @@ def test_text_and_json() -> None:
     for name in (*info["missing_features"], *info["unsupported_commands"]):
         assert name in words or name + "," in words
     assert all(len(line) <= 80 for line in text.splitlines())
+
+
+def test_a_board_without_firmware() -> None:
+    """It says who it is, as one that was posted did, and answers nothing else."""
+
+    class Board(socketserver.BaseRequestHandler):
+        def handle(self) -> None:
+            while data := self.request.recv(4096):
+                for _ in range(data.count(frame(86))):
+                    self.request.sendall(bytes.fromhex("3e5612681e" + 17 * "00" + "1e"))
+
+    with socketserver.ThreadingTCPServer(("127.0.0.1", 0), Board) as server:
+        server.daemon_threads = True
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        address = f"tcp:127.0.0.1:{server.server_address[1]}"
+        info = run("info", "-p", address)
+        doctor = run("doctor", "--for", "1s", "-p", address)
+        server.shutdown()
+    problem = "0.00: unknown; the sensors are often unplugged"
+    assert info.status == 0 and problem in " ".join(info.text.split())
+    assert doctor.status == 1 and problem in " ".join((doctor.text + doctor.error).split())
 
 
 def test_the_only_gimbal_is_used(list_ports: PortsFile) -> None:

@@ -17,7 +17,7 @@ from typing import Any, Optional
 ROOT = Path(__file__).resolve().parents[2]
 DISSECTOR = ROOT / "generated" / "wireshark" / "simplebgc.lua"
 LUA_PROBLEM = re.compile(r"Lua Error|Lua: |stack traceback")
-BOARD_PORT, HOST_PORT = 33000, 40000
+BOARD_PORT, HOST_PORT = 33000, 52000  # nobody else's in Wireshark 4.4
 
 
 def tshark(file: Path, *options: str, dissector: Path = DISSECTOR) -> str:

@@ -48,14 +48,25 @@ def test_a_capture_opens_with_its_times_and_directions(tmp_path: Path) -> None:
     assert [one.text("sbgc.direction") for one in shown(tmp_path / "host")] == ["1"] * 3
 
 
-@pytest.mark.parametrize("option", ["--real", "--raw", "--hex", "--message=86", "--show-passwords"])
+@pytest.mark.parametrize("option", ["--real", "--message=86", "--show-passwords"])
 def test_options_of_frames_are_refused(option: str) -> None:
     assert run("decode", "--format", "pcapng", option, "-", stdin=CAPTURE).status == 2
 
 
-def test_raw_bytes_have_no_times() -> None:
-    result = run("decode", "--format", "pcapng", stdin=ANGLES)
-    assert result.status == 1 and "has times" in result.error and not result.out
+@pytest.mark.parametrize("is_text", [False, True])
+def test_bytes_without_times_need_a_sender(is_text: bool, tmp_path: Path) -> None:
+    data = b"noise" + frame(86) + frame(86) + b">\x43"
+    given = data.hex(" ").encode() if is_text else data
+    refused = run("decode", "--format", "pcapng", stdin=given)
+    assert refused.status == 2 and "needs --from board or --from host" in refused.error
+    assert not refused.out
+    (tmp_path / "packets").write_bytes(
+        run("decode", "--format", "pcapng", "--from", "host", stdin=given).out
+    )
+    rows = tshark(tmp_path / "packets", "-2", "-Tfields", "-esbgc.message", "-eframe.len")
+    assert rows.split("\n") == ["\t5", "BoardInfoRequest\t5", "BoardInfoRequest\t5", "\t2", ""]
+    nothing = run("decode", "--format", "pcapng", "--from", "board", stdin=b"\x01\x02")
+    assert nothing.status == 1 and nothing.out and "no frame in 2 bytes" in nothing.error
 
 
 def test_recording_to_a_file_and_to_tshark(tmp_path: Path) -> None:

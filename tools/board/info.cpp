@@ -141,6 +141,7 @@ Json to_json(const Info& info) {
           {"version", 1},
           {"board", info.board.board_version()},
           {"firmware", info.board.firmware_version()},
+          {"firmware_problem", info.board.firmware_problem()},
           {"serial_number", info.board.serial_number()},
           {"line", line},
           {"state", names_of(info.states, true)},
@@ -188,7 +189,8 @@ void print_text(const Info& info, bool all) {
   const std::string serial = info.board.serial_number();
   out.print("board",
             info.board.board_version() + (serial.empty() ? "" : ", serial number " + serial));
-  out.print("firmware", info.board.firmware_version());
+  const std::string problem = info.board.firmware_problem();
+  out.print("firmware", info.board.firmware_version() + (problem.empty() ? "" : ": " + problem));
   out.print("line", info.line);
   out.print("", fmt::format("framing {}, open for {:.1f} s, {} bytes skipped",
                             to_string(info.statistics.session.framing), info.open_s,

@@ -1,7 +1,7 @@
 // sbgc doctor: measures a gimbal for some seconds and says what is wrong.
 
-#include <bit>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,11 +43,6 @@ struct Examination {
   std::optional<Axes<AxisVibration>> vibration{};
   std::vector<Finding> findings{};
 };
-
-/// The calibrated positions of the accelerometer, of six.
-int positions_of(const msg::CalibInfo& calibration) {
-  return std::popcount(static_cast<unsigned>(calibration.acc_limits_info.raw()) & 0x3FU);
-}
 
 const char* to_text(Sampling sampling) { return sampling == Sampling::stream ? "stream" : "polls"; }
 
@@ -97,7 +92,8 @@ Json axis_json(const Examination& examination, std::size_t axis) {
     result["frequencies"].push_back({{"hz", one.is_real ? Json(one.peak.frequency) : Json(nullptr)},
                                      {"seen_at_hz", one.peak.frequency},
                                      {"or_hz", one.others},
-                                     {"deg_per_s", one.peak.amplitude}});
+                                     {"deg_per_s", one.peak.amplitude},
+                                     {"rms", rms_of(one.peak)}});
   }
   return result;
 }
@@ -233,7 +229,7 @@ void print_axes(const Examination& examination) {
   row("  with, deg/s", of_vibration([](const AxisVibration& one) {
         return one.frequencies.empty()
                    ? std::string("-")
-                   : fmt::format("{:.2f}", one.frequencies.front().peak.amplitude);
+                   : fmt::format("{:.2f}", rms_of(one.frequencies.front().peak));
       }));
   if (has_alias) {
     fmt::print("{}\n", wrapped("? A higher frequency can look the same at this sample rate.",
@@ -293,6 +289,21 @@ void print_thresholds() {
   }
 }
 
+/// Like measure(). A board without a real firmware version often answers nothing else, and then the
+/// reason for that matters more than the message that got no answer. Throws CommandError.
+Measurements measure_board(Client& client, std::chrono::milliseconds time,
+                           const std::function<void(double)>& progress) {
+  try {
+    return measure(client, time, progress);
+  } catch (const CommandError& error) {
+    const BoardIdentity board = client.identity();
+    if (board.firmware_problem().empty()) throw;
+    throw CommandError(fmt::format("{}; the board reports firmware {}: {}", error.what(),
+                                   board.firmware_version(), board.firmware_problem()),
+                       error.status());
+  }
+}
+
 int examine(const DoctorOptions& options, const CommandContext& context) {
   if (options.thresholds) {
     print_thresholds();
@@ -307,14 +318,15 @@ int examine(const DoctorOptions& options, const CommandContext& context) {
   Client client = connect(context.gimbal);
   const Interruption interruption;
   const ProgressBar bar;
-  Examination examination{
-      client.identity().board_version(),
-      client.identity().firmware_version(),
-      client.description(),
-      measure(client, time,
-              [&](double seconds) { bar.show(fmt::format("measuring for {:.0f} s", seconds)); }),
-      {},
-      {}};
+  Examination examination{client.identity().board_version(),
+                          client.identity().firmware_version(),
+                          client.description(),
+                          measure_board(client, time,
+                                        [&](double seconds) {
+                                          bar.show(fmt::format("measuring for {:.0f} s", seconds));
+                                        }),
+                          {},
+                          {}};
   bar.clear();
   if (was_interrupted()) throw CommandError("interrupted", interrupted);
   examination.vibration = examination.measured.vibration();
@@ -341,7 +353,8 @@ void add_doctor(CLI::App& app, CommandContext& context) {
       "It moves nothing and changes nothing: leave the camera as it is used, with its motors on, "
       "and "
       "do not touch it. "
-      "Vibration is that of the gyroscope, from 1 Hz to 45 % of the rate at which it was sampled: "
+      "Vibration is the root mean square of the gyroscope, from 1 Hz to 45 % of the rate at which "
+      "it was sampled: "
       "with a data stream, or, where the firmware has none or another host uses it, with requests. "
       "A higher frequency looks like a lower one, its alias; so the time has two halves, with two "
       "rates, and what remains uncertain is said. "

@@ -21,7 +21,7 @@ constexpr std::array table{
     Threshold{Limit::balance, "balance-error", 10, "%", "mean motor power that imbalance takes"},
     Threshold{Limit::vibration, "vibration", 0.5, "deg/s",
               "root mean square of the gyroscope from 1 Hz to 45 % of the sample rate"},
-    Threshold{Limit::resonance, "resonance", 0.05, "deg/s", "amplitude of one frequency"},
+    Threshold{Limit::resonance, "resonance", 0.035, "deg/s", "root mean square of one frequency"},
     Threshold{Limit::contrast, "resonance-contrast", least_contrast, "",
               "power of that frequency relative to the median of all"},
     Threshold{Limit::cycle, "cycle-time", 1200, "us", "mean duration of a control cycle"},
@@ -77,7 +77,9 @@ class Judge {
   explicit Judge(const Measurements& measured) : measured_(measured) {}
 
   std::vector<Finding> judge() {
+    judge_firmware();
     judge_errors();
+    judge_calibration();
     judge_battery();
     judge_line();
     judge_controller();
@@ -89,6 +91,26 @@ class Judge {
  private:
   double per_second(std::uint64_t count) const {
     return measured_.seconds > 0 ? static_cast<double>(count) / measured_.seconds : 0;
+  }
+
+  void judge_firmware() {
+    if (measured_.firmware_problem.empty()) return;
+    findings_.push_back({.id = "firmware",
+                         .sentence = fmt::format("The board reports firmware {}: {}.",
+                                                 measured_.firmware, measured_.firmware_problem),
+                         .advice = "Check the cables of all IMUs, then turn the power off and on.",
+                         .command = "sbgc info"});
+  }
+
+  void judge_calibration() {
+    const int positions = measured_.calibration ? positions_of(*measured_.calibration) : 6;
+    if (positions == 6 || measured_.errors.has(msg::SystemError::calib_acc)) return;
+    findings_.push_back({.id = "calibration",
+                         .sentence = fmt::format("The accelerometer is calibrated in {} of 6 "
+                                                 "positions: the horizon can lean.",
+                                                 positions),
+                         .advice = "Calibrate it in all six positions.",
+                         .command = "sbgc calibrate acc"});
   }
 
   void judge_errors() {
@@ -231,11 +253,11 @@ class Judge {
       const AxisVibration& one = (*vibration)[axis];
       std::string frequencies;
       for (const Frequency& found : strongest(one.frequencies)) {
-        const bool is_resonance = found.peak.amplitude >= threshold(Limit::resonance) &&
+        const bool is_resonance = rms_of(found.peak) >= threshold(Limit::resonance) &&
                                   found.peak.contrast >= threshold(Limit::contrast);
         if (!is_resonance) continue;
         frequencies += fmt::format("{}{} with {:.2f} deg/s", frequencies.empty() ? "" : ", ",
-                                   frequency_text(found), found.peak.amplitude);
+                                   frequency_text(found), rms_of(found.peak));
       }
       const bool is_strong = one.rms > threshold(Limit::vibration);
       if (frequencies.empty() && !is_strong) continue;
@@ -244,7 +266,7 @@ class Judge {
       findings_.push_back(
           {.id = "vibration",
            .axis = axis,
-           .sentence = fmt::format("{}; {:.2f} deg/s in all.", sentence, one.rms),
+           .sentence = fmt::format("{}; {:.2f} deg/s in all (RMS).", sentence, one.rms),
            .advice =
                "Fasten what is loose. If it ends when you turn the motors off, tune the axis, or "
                "lower its gains.",

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <sbgc/messages/calibration.hpp>
@@ -59,6 +62,14 @@ struct AxisVibration {
   std::vector<Frequency> frequencies{};  ///< the strongest first
 };
 
+/// The root mean square of a frequency, to compare with that of all.
+inline double rms_of(const Peak& peak) { return peak.amplitude / std::numbers::sqrt2; }
+
+/// The calibrated positions of the accelerometer, of six.
+inline int positions_of(const msg::CalibInfo& calibration) {
+  return std::popcount(static_cast<unsigned>(calibration.acc_limits_info.raw()) & 0x3FU);
+}
+
 struct Measurements {
   double seconds = 0;  ///< from the first to the last message of live data
 
@@ -77,6 +88,7 @@ struct Measurements {
   msg::CalibMode task{};
 
   // From other messages
+  std::string firmware{}, firmware_problem{};  ///< of the identity
   bool has_battery_meter = false;
   // Nothing if the board did not answer
   std::optional<msg::ReadParams3> parameters{};

@@ -90,6 +90,8 @@ class Measuring {
   /// Reads what does not change. An answer that is missing is not needed.
   void read_state() {
     value_of(Result<msg::RealtimeData3>(client_.call(msg::RealtimeData3Request{})));
+    result_.firmware = client_.identity().firmware_version();
+    result_.firmware_problem = client_.identity().firmware_problem();
     result_.has_battery_meter = client_.identity().has(msg::BoardFeature::bat_monitoring);
     msg::ReadParams3Request parameters;
     parameters.profile_id = msg::ReadParams3Request::active_profile;

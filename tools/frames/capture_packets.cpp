@@ -7,8 +7,19 @@
 
 #include "command/command_error.hpp"
 #include "command/input.hpp"
+#include "command/remark.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
+
+namespace {
+
+void put_bytes(StandardOutput& out, std::vector<std::uint8_t>& bytes) {
+  out.put(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  bytes.clear();
+}
+
+}  // namespace
 
 void CapturePackets::feed(std::span<const std::uint8_t> bytes) {
   parser_.feed(bytes);
@@ -62,9 +73,50 @@ void CapturePackets::take(const io::CaptureRecord& record) {
   put();
 }
 
-void CapturePackets::put() {
-  out_.put(std::string_view(reinterpret_cast<const char*>(buffer_.data()), buffer_.size()));
-  buffer_.clear();
+void CapturePackets::put() { put_bytes(out_, buffer_); }
+
+BytePackets::BytePackets(StandardOutput& out, Direction direction)
+    : out_(out),
+      kind_(direction == Direction::from_board ? io::CaptureKind::from_board
+                                               : io::CaptureKind::to_board) {
+  std::vector<std::uint8_t> buffer;
+  io::pcapng::append_section(buffer);
+  put_bytes(out_, buffer);
+}
+
+void BytePackets::feed(std::span<const std::uint8_t> bytes) {
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  parser_.feed(bytes, [this](const Frame& frame) { put(frame); });
+  put_until(begin_ + waiting_.size() - parser_.waiting_bytes());
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(end_ - begin_));
+  begin_ = end_;
+}
+
+void BytePackets::stop() {
+  parser_.flush([this](const Frame& frame) { put(frame); });
+  put_until(begin_ + waiting_.size());
+  out_.flush();
+}
+
+int BytePackets::finish() {
+  stop();
+  if (parser_.counters().frames != 0 || end_ == 0) return success;
+  remark("sbgc: found no frame in {}\n", counted(end_, "byte"));
+  return failure;
+}
+
+void BytePackets::put(const Frame& frame) {
+  put_until(frame.offset);
+  put_until(frame.offset + frame_size(frame.framing, frame.body.size()));
+}
+
+void BytePackets::put_until(std::uint64_t end) {
+  if (end <= end_) return;
+  const auto bytes = std::span(waiting_).subspan(end_ - begin_, end - end_);
+  std::vector<std::uint8_t> packet;
+  io::pcapng::append_packet(packet, {}, kind_, bytes);
+  put_bytes(out_, packet);
+  end_ = end;
 }
 
 }  // namespace sbgc::tools

@@ -12,6 +12,7 @@
 
 #include <sbgc/io/capture.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/parser.hpp>
 
 #include "command/standard_output.hpp"
 
@@ -43,6 +44,29 @@ class CapturePackets {
   std::vector<std::string> comments_;  // of the next packet
   std::vector<std::uint8_t> buffer_;
   std::string problems_;
+};
+
+/// Writes bytes of one sender as a pcapng file: each frame, and what is between frames, is a
+/// packet. Nothing tells their times: all are 0, in 1970.
+class BytePackets {
+ public:
+  BytePackets(StandardOutput& out, Direction direction);
+
+  void feed(std::span<const std::uint8_t> bytes);
+  void stop();
+  /// Like stop(). Returns the exit status.
+  int finish();
+
+ private:
+  void put(const Frame& frame);
+  void put_until(std::uint64_t end);
+
+  StandardOutput& out_;
+  io::CaptureKind kind_;
+  ParserOfAll parser_;
+  std::vector<std::uint8_t> waiting_;  // bytes from `begin_` on
+  std::uint64_t begin_ = 0;
+  std::uint64_t end_ = 0;  // of the packets
 };
 
 }  // namespace sbgc::tools

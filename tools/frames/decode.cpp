@@ -127,6 +127,13 @@ DecodePlan plan_of(const DecodeOptions& options) {
   return plan;
 }
 
+/// Throws CommandError for times, which bytes alone do not have.
+void reject_times(const DecodePlan& plan) {
+  if (plan.has_times) {
+    throw CommandError("only a capture has times: omit --to and the time of --from", wrong_usage);
+  }
+}
+
 std::string to_text(const RejectedCandidate& candidate) {
   return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
 }
@@ -182,9 +189,7 @@ class RawDecoder {
         shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
         output_(plan.output, out),
         explainer_(direction_) {
-    if (plan.has_times) {
-      throw CommandError("only a capture has times: omit --to and the time of --from", wrong_usage);
-    }
+    reject_times(plan);
   }
 
   void feed(std::span<const std::uint8_t> bytes) {
@@ -388,7 +393,8 @@ std::vector<std::uint8_t> read_begin(Input& input) {
 }
 
 /// Prints the frames before an error in text, then reports the error.
-[[noreturn]] void fail_at(const TextError& error, const PastedText& text, RawDecoder& decoder,
+template <class Decoder>
+[[noreturn]] void fail_at(const TextError& error, const PastedText& text, Decoder& decoder,
                           bool is_text) {
   decoder.stop();
   throw InputError(to_text(text.reading(), error) +
@@ -417,10 +423,10 @@ int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder&& de
   return decoder.finish();
 }
 
-int decode_text(Input& input, std::span<const std::uint8_t> begin, const DecodePlan& plan,
-                Reading reading, StandardOutput& out) {
-  PastedText text(reading);
-  RawDecoder decoder(plan, &text, out);
+/// Decodes the bytes that `text` stands for.
+template <class Decoder>
+int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& text,
+                Decoder&& decoder, StandardOutput& out) {
   std::vector<std::uint8_t> bytes;
   bool is_text = true;
   const auto deliver = [&](const std::optional<TextError>& error) {
@@ -446,8 +452,6 @@ void reject_options_of_frames(const DecodeOptions& options) {
       {options.real, "--real"},
       {options.shows_passwords, "--show-passwords"},
       {!options.firmware.empty(), "--firmware"},
-      {options.hex, "--hex"},
-      {options.raw, "--raw"},
   };
   for (const auto& [is_given, name] : given) {
     if (!is_given) continue;
@@ -466,9 +470,18 @@ int write_packets(const DecodeOptions& options) {
   Input input(options.file);
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
-  if (!io::is_capture(begin)) {
-    throw InputError(
-        "--format pcapng needs a capture of `sbgc record`, which has times and senders");
+  const bool is_text = options.hex || (!options.raw && is_text_of_bytes(begin));
+  if (is_text || options.raw || !io::is_capture(begin)) {
+    if (!plan.direction) {
+      throw CommandError(
+          "only a capture has senders: --format pcapng needs --from board or --from host",
+          wrong_usage);
+    }
+    reject_times(plan);
+    BytePackets packets(out, *plan.direction);
+    if (!is_text) return decode_bytes(input, begin, packets, out);
+    PastedText text(reading_of(begin, options.hex));
+    return decode_text(input, begin, text, packets, out);
   }
   const auto wants = [&plan](Direction direction, std::chrono::microseconds time) {
     return (!plan.direction || *plan.direction == direction) && plan.times.has(time);
@@ -483,7 +496,8 @@ int decode_file(const DecodeOptions& options) {
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
   if (options.hex || (!options.raw && is_text_of_bytes(begin))) {
-    return decode_text(input, begin, plan, reading_of(begin, options.hex), out);
+    PastedText text(reading_of(begin, options.hex));
+    return decode_text(input, begin, text, RawDecoder(plan, &text, out), out);
   }
   if (!options.raw && io::is_capture(begin)) {
     return decode_bytes(input, begin, CaptureDecoder(plan, out), out);
@@ -531,8 +545,10 @@ void add_decode(CLI::App& app, CommandContext& context) {
                    "repeated")
       ->type_name("CONDITION")
       ->allow_extra_args(false);
-  add_format(*command, options.format, {"text", "jsonl", "csv", "pcapng"},
-             "Output format; csv for one kind of message, pcapng for Wireshark");
+  add_format(
+      *command, options.format, {"text", "jsonl", "csv", "pcapng"},
+      "Output format; csv for one kind of message, pcapng for Wireshark. Bytes, which do not "
+      "have senders, need --from for it");
   command->add_flag("--real", options.real,
                     "Add the values in their units, and their names, to JSON lines");
   command->add_flag("--show-passwords", options.shows_passwords,

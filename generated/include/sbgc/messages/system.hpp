@@ -36,6 +36,9 @@ struct BoardInfo {
   static constexpr std::size_t max_size = 18;
   static constexpr Availability since{};
 
+  /// For firmware_ver: unknown; the sensors are often unplugged.
+  static constexpr std::uint16_t unknown_firmware{0};
+
   /// Hardware version.
   BoardVersion board_ver{};
   /// Firmware version.

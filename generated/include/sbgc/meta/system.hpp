@@ -20,13 +20,17 @@ struct Meta<msg::BoardInfo> {
       .direction = Direction::from_board,
       .min_size = 18,
       .max_size = 18};
+  static constexpr Special firmware_ver_special[] = {
+      {0, "unknown; the sensors are often unplugged"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "board_ver",
        .spec_name = "BOARD_VER",
        .summary = "Hardware version."},
       {.name = "firmware_ver",
        .spec_name = "FIRMWARE_VER",
-       .summary = "Firmware version."},
+       .summary = "Firmware version.",
+       .special = firmware_ver_special},
       {.name = "debug_mode",
        .spec_name = "DEBUG_MODE",
        .summary = "State of the board; before later firmware, only whether debug output is enabled."},

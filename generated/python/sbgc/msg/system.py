@@ -60,10 +60,12 @@ class BoardInfo(Message):
 
     __slots__ = ()
 
+    UNKNOWN_FIRMWARE: ClassVar[int] = 0
+    """For firmware_ver, as raw value: unknown; the sensors are often unplugged."""
     board_ver: Field[BoardVersion, int] = Field(ValueOf(BoardVersion))
     """Hardware version."""
     firmware_ver: Field[FirmwareVersion, int] = Field(ValueOf(FirmwareVersion))
-    """Firmware version."""
+    """Firmware version. Value 0: unknown; the sensors are often unplugged."""
     debug_mode: Field[BoardStateFlags, BoardStateFlags] = Field(ValueOf(BoardStateFlags))
     """State of the board; before later firmware, only whether debug output is enabled."""
     board_features: Field[BoardFeatures, BoardFeatures] = Field(ValueOf(BoardFeatures))

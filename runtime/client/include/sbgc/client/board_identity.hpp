@@ -25,6 +25,9 @@ struct BoardIdentity {
   std::string firmware_version() const;
   /// For example "3.0".
   std::string board_version() const;
+  /// What it means if the version is no real one: "unknown; the sensors are often unplugged" for
+  /// 0.00; otherwise "".
+  std::string firmware_problem() const;
   /// The serial number in hex digits; "" if the board does not report one.
   std::string serial_number() const;
 };
