@@ -61,7 +61,7 @@ const decoderView = (() => {
     if (item.objections !== 0) {
       tags.append(element("span", { class: "tag warn" }, counted(item.objections, "objection")));
     }
-    tags.append(element("span", { class: `tag ${way}` }, senders[item.direction]));
+    tags.append(element("span", { class: `tag ${way}` }, senders[item.direction] + (item.isGuess ? " (a guess)" : "")));
     tags.append(element("span", { class: "bytes-count" }, counted(item.size, "byte")));
     button.append(offset, what, tags);
     return button;
@@ -144,6 +144,7 @@ const decoderView = (() => {
     } else {
       result.push(rowsTable(answer));
     }
+    if (answer.note && !frame.error) result.push(element("p", { class: "small" }, `${answer.note}.`));
     if (page) {
       const link = element("a", { href: root + page }, frame.message);
       result.push(element("p", { class: "small" }, "More about ", link));
