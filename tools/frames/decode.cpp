@@ -155,8 +155,8 @@ std::string to_text(const RejectedCandidate& candidate) {
 
 /// Reports frames none of which can be decoded. JSON lines say so themselves.
 [[nodiscard]] int unreadable(std::uint64_t frames) {
-  remark("sbgc: {} with sound checksums, but {} body fits its command\n", counted(frames, "frame"),
-         frames == 1 ? "the" : "no");
+  remark("sbgc: {} with sound checksums, but {} its command\n", counted(frames, "frame"),
+         frames == 1 ? "the body does not fit" : "no body fits");
   return failure;
 }
 

@@ -20,8 +20,9 @@ namespace sbgc::tools {
 
 namespace {
 
-/// What body_fit() returns for a body that later firmware has grown.
-constexpr int grown = 2;
+/// True if the specification has a body of this size, by the result of body_fit(); not if only
+/// later firmware can have grown it.
+bool is_documented(int fit) { return fit == 1 || fit > 2; }
 
 /// The direction that a body fits best.
 struct Guess {
@@ -38,9 +39,12 @@ Guess guess(const Frame& frame) {
   if (host_only || board_only) {
     return {board_only ? Direction::from_board : Direction::to_board, host_only != board_only};
   }
-  if (host != board && std::max(host, board) > grown) {
+  if (is_documented(host) != is_documented(board)) {
+    return {is_documented(host) ? Direction::to_board : Direction::from_board, true};
+  }
+  if (is_documented(host) && host != board) {
     // An answer of any size can have that of a request.
-    return {host > board ? Direction::to_board : Direction::from_board, board != 1};
+    return {host > board ? Direction::to_board : Direction::from_board, host < board || board != 1};
   }
   // What later firmware appends is shorter than what makes a body resemble the other direction.
   const std::size_t from_host = misfit(Direction::to_board, frame.id, size);
@@ -137,8 +141,9 @@ NearestForm nearest_form(const Frame& frame, Direction direction) {
         layout.parts, [missing](const PaddedLayout::Part& part) { return part.size == missing; });
     layout.pad(layout.alignment);
     const bool is_padded = M::min_size == M::max_size && surplus != 0 && layout.size == size;
-    const bool is_nearer = missing + surplus < least && result.layout.parts.empty();
-    if (!is_padded && !is_nearer) return;
+    const bool is_nearer = missing + surplus < least;
+    const bool has_padded = !result.layout.parts.empty();
+    if (is_padded == has_padded ? !is_nearer : has_padded) return;
     least = missing + surplus;
     result = {&Meta<M>::info, is_padded ? std::move(layout) : PaddedLayout(), has_field};
   });
@@ -249,9 +254,9 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   result.is_guess = !is_certain;
   if (result.status) return result;
   const bool is_likely_from_host = likely == Direction::to_board;
+  const int other_fit = body_fit(Direction::from_board, frame.id, frame.body.size());
   const bool may_be_other =
-      is_likely_from_host ? body_fit(Direction::from_board, frame.id, frame.body.size()) != grown
-                          : is_likely_request(frame);
+      is_likely_from_host ? is_documented(other_fit) : is_likely_request(frame);
   if (may_be_other) {
     result = decode_from(frame, is_likely_from_host ? Direction::from_board : Direction::to_board);
     result.is_guess = true;
