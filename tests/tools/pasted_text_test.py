@@ -72,7 +72,9 @@ def socat(data: bytes, has_characters: bool = False) -> str:
     text = ""
     for i, part in enumerate(lines_of(data, 21)):
         arrow = "<>"[i % 2]
-        text += f"{arrow} 2026/11/26 12:34:56.{i:09d}  length={len(part)} from=0 to={len(part) - 1}\n"
+        text += (
+            f"{arrow} 2026/11/26 12:34:56.{i:09d}  length={len(part)} from=0 to={len(part) - 1}\n"
+        )
         for row in lines_of(part, 16):
             shown = f"   {characters(row)}" if has_characters else ""
             text += f" {row.hex(' '):<47}{shown}\n"
@@ -221,7 +223,9 @@ def test_labels(front: str, direction: str | None) -> None:
 
 def octal(data: bytes) -> str:
     """As strace writes it: the shortest octal escapes."""
-    text = re.sub(r"[\x00-\x1f\x7f-\xff\"\\]", lambda c: f"\\{ord(c[0]):o}\0", data.decode("latin-1"))
+    text = re.sub(
+        r"[\x00-\x1f\x7f-\xff\"\\]", lambda c: f"\\{ord(c[0]):o}\0", data.decode("latin-1")
+    )
     return re.sub(r"\\(\d+)\0(\d?)", lambda m: f"\\{m[1]:0>{3 if m[2] else 1}}{m[2]}", text)
 
 
@@ -303,7 +307,9 @@ def test_bytes_as_arguments(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 
 
 @pytest.mark.skipif(ON_WINDOWS, reason="pty")
-@pytest.mark.parametrize("command, awaited", [("decode", "bytes, such as"), ("encode", "JSON lines")])
+@pytest.mark.parametrize(
+    "command, awaited", [("decode", "bytes, such as"), ("encode", "JSON lines")]
+)
 def test_a_terminal_is_told_what_is_awaited(command: str, awaited: str) -> None:
     import pty  # pylint: disable=import-outside-toplevel
 
