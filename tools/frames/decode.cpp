@@ -141,9 +141,10 @@ std::string to_text(const RejectedCandidate& candidate) {
                            bool is_meant, bool shows_gaps,
                            std::span<const RejectedCandidate> rejected) {
   if (guess.empty() && !is_meant) {
-    guess = reading.empty()
-                ? "if they come from a serial line, its baud rate or parity may be wrong"
-                : "a frame begins with 3e, or 24, id, size, and the sum of both";
+    guess =
+        reading.empty()
+            ? "if they come from a serial line, its baud rate or parity may be wrong"
+            : "a frame is a start byte, its id, its size, the sum of both, the body and a checksum";
   }
   remark("sbgc: found no frame in {}{}{}{}\n", counted(size, "byte"), reading,
          guess.empty() ? "" : "; ", guess);

@@ -140,7 +140,7 @@ std::optional<LineProblem> read_candump(std::string_view line, Bytes& out,
   std::size_t digits = run(line, at, hex_digits);
   if (const bool is_of_log = digits != 0 && has(line, at + digits, "#"); is_of_log) {
     at += digits + 1;
-    if (has(line, at, "#")) at += 2;  // CAN FD: a digit of flags
+    if (has(line, at, "#")) at = std::min(at + 2, line.size());  // CAN FD: a digit of flags
     return read_hex(line.substr(at, run(line, at, hex_digits)), at, out);
   }
   // With -x: TX or RX, and two flags.
