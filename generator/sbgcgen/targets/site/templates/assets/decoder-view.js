@@ -166,7 +166,7 @@ const decoderView = (() => {
         entry.append(element("div", { class: "damaged" }, note, table));
       }
       list.append(entry);
-      parts.push({ at: offset, size: 1, part: null, tint: "framing", name: "start byte" });
+      parts.push({ at: offset, size: 1, part: null, tint: "framing", name: "begin" });
       const at = offset + wrong;
       if (wrongSize !== 0) parts.push({ at, size: wrongSize, part: null, tint: "wrong", name: "wrong" });
     }
