@@ -3202,6 +3202,17 @@ function M.unknown_flags(enum, value)
   return unknown
 end
 
+-- "; the nearest: CMD_REALTIME_DATA_3 (23), CMD_REALTIME_DATA_4 (25)"
+function M.nearest_text(enum, value)
+  local found, least = {}, nil
+  for _, one in ipairs(enum.values or {}) do
+    local distance = math.abs(one[1] - value)
+    if not least or distance < least then found, least = {}, distance end
+    if distance == least then found[#found + 1] = string.format("%s (%d)", one[2], one[1]) end
+  end
+  return #found > 0 and "; the nearest: " .. table.concat(found, ", ") or ""
+end
+
 local function enum_text(enum, value)
   if enum.is_flags then return flags_text(enum, value) end
   return enum.names[value] or ""
@@ -3719,7 +3730,7 @@ local function check_name(enum, value, name, tree)
       tree:add_proto_expert_info(experts.value, string.format("%s: no name for 0x%x", name, unknown))
     end
   elseif not enum.names[value] then
-    tree:add_proto_expert_info(experts.value, name .. ": no name for " .. numbers.text(value))
+    tree:add_proto_expert_info(experts.value, name .. ": no name for " .. numbers.text(value) .. words.nearest_text(enum, value))
   end
 end
 

@@ -96,6 +96,13 @@ test("the sentences about wrong values are those of the command", () => {
   assert.match(build("Nonsense", "", []).problems[0][1], /no such message/);
 });
 
+test("a value without a name is a warning", () => {
+  const stream = build("DataStreamInterval", "", ["cmd_id=24"]);
+  assert.match(stream.warnings[0][1], /24 has no name; the nearest are CMD_REALTIME_DATA_3/);
+  assert.notEqual(stream.frame, "");
+  assert.deepEqual(build("DataStreamInterval", "", ["cmd_id=25"]).warnings, []);
+});
+
 test("values come before those whose unit they select", () => {
   const lines = ["axes.yaw.speed=1", "control_mode=MODE_SPEED,CONTROL_FLAG_HIGH_RES_SPEED"];
   const { frame, lines: made, fields } = build("Control", "", lines);

@@ -284,6 +284,18 @@ test("the engine lists frames and gaps without holes and tells everything about 
   ]);
 });
 
+test("frames without their start bytes are shown as what is in no frame", async () => {
+  const engine = new Engine();
+  await engine.load();
+  const [item] = await engine.decode(1, "58 08 60 c1 0e fd ff 0c 00 49 00");
+  assert.equal(item.kind, "gap");
+  const [[at, reason, , message, rows]] = (await engine.details(1, 0, item)).misses;
+  assert.equal(at, 0);
+  assert.match(reason, /^CMD_REALTIME_DATA_CUSTOM without its start byte and the checksum behind its body/);
+  assert.equal(message, "RealtimeDataCustom");
+  assert.deepEqual(rows[0].slice(0, 2), ["timestamp_ms", "3777"]);
+});
+
 test("who sent the bytes decides what they nearly are", async () => {
   const engine = new Engine();
   await engine.load();

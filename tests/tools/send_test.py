@@ -51,6 +51,23 @@ def test_every_request_can_be_made(name: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "values, words",
+    [
+        (["cmd_id=24"], "24 has no name; the nearest are CMD_REALTIME_DATA_3 (23) and "),
+        ([], "0 has no name; the nearest is CMD_"),
+        (["cmd_id=25"], None),
+    ],
+)
+def test_a_value_without_a_name_is_sent_with_a_warning(
+    values: list[str], words: str | None, board: str
+) -> None:
+    for options in (["--dry-run"], ["--port", board, "-y"]):
+        result = run("send", "CMD_DATA_STREAM_INTERVAL", *values, *options)
+        assert ("warning: cmd_id: " in result.error) == (words is not None), result.error
+        assert words is None or f"cmd_id: {words}" in result.error
+
+
+@pytest.mark.parametrize(
     "name", ["GetAnglesRequest", "getanglesrequest", "CMD_GET_ANGLES", "get_angles"]
 )
 def test_names_of_a_message(name: str) -> None:

@@ -98,6 +98,8 @@ def test_what_is_wrong_is_expert_information(tmp_path: Path) -> None:
     assert experts[1:3] == [{"unknown"}, {"unknown"}]
     assert experts[3] == {"value"} and experts[4] == {"range"} and experts[5] == {"malformed"}
     assert experts[6:] == [set(), {"skipped"}, set()]
+    texts = [str(one.get("showname")) for one in found[3].fields]
+    assert any("no name for 14; the nearest: MODE_" in text for text in texts)
 
 
 def test_the_column_tells_what_happens(tmp_path: Path) -> None:

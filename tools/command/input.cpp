@@ -2,9 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "command/remark.hpp"
 #include "command/system.hpp"
 
 namespace sbgc::tools {
@@ -24,9 +26,19 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
 
 }  // namespace
 
-Input::Input(const std::string& name) : name_(name), file_(open(name)), block_(65536) {}
+Input::Input(const std::string& name, const char* awaited)
+    : name_(name), file_(open(name)), block_(65536) {
+  if (name != "-" || !is_terminal(stdin)) return;
+  remark("sbgc: waits for {}; end them with {}\n", awaited, end_of_input);
+}
+
+Input::Input(std::string_view bytes)
+    : name_("the arguments"), file_(nullptr, keep_open), block_(bytes.begin(), bytes.end()) {}
 
 std::span<const std::uint8_t> Input::read() {
+  if (file_ == nullptr) {
+    return std::exchange(is_read_, true) ? std::span<const std::uint8_t>() : block_;
+  }
   // fread would wait until the block is full.
   const std::ptrdiff_t size = read_available(file_.get(), block_);
   if (size < 0) {

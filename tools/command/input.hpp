@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sbgc::tools {
@@ -20,8 +21,11 @@ class InputError : public std::runtime_error {
 /// A file or the standard input ("-"), read in blocks as they arrive.
 class Input {
  public:
-  /// Throws InputError if `name` cannot be opened.
-  explicit Input(const std::string& name);
+  /// Throws InputError if `name` cannot be opened. Says that it waits for what is `awaited`, such
+  /// as "JSON lines", if people have to type it.
+  Input(const std::string& name, const char* awaited);
+  /// Bytes that are already here.
+  explicit Input(std::string_view bytes);
 
   /// Returns the next bytes; empty at the end. The view is valid until the next call. Throws
   /// InputError.
@@ -37,6 +41,7 @@ class Input {
   std::string name_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::vector<std::uint8_t> block_;
+  bool is_read_ = false;  // without a file
 };
 
 }  // namespace sbgc::tools

@@ -18,6 +18,9 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into);
 /// True if `file` is a terminal.
 bool is_terminal(std::FILE* file);
 
+/// The key that ends what people type.
+extern const char* const end_of_input;
+
 /// The width of the terminal of standard output or standard error; 0 if it is none.
 std::size_t width_of_terminal(std::FILE* file);
 

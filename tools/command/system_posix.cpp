@@ -26,6 +26,8 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into) {
   return size;
 }
 
+const char* const end_of_input = "Ctrl+D";
+
 bool is_terminal(std::FILE* file) { return ::isatty(::fileno(file)) == 1; }
 
 std::size_t width_of_terminal(std::FILE* file) {

@@ -16,6 +16,8 @@ std::ptrdiff_t read_available(std::FILE* file, std::span<std::uint8_t> into) {
   return _read(_fileno(file), into.data(), static_cast<unsigned>(into.size()));
 }
 
+const char* const end_of_input = "Ctrl+Z and Enter";
+
 bool is_terminal(std::FILE* file) { return _isatty(_fileno(file)) != 0; }
 
 std::size_t width_of_terminal(std::FILE* file) {

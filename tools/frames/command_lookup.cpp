@@ -1,5 +1,6 @@
 #include "frames/command_lookup.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -60,6 +61,17 @@ int body_fit(Direction direction, std::uint8_t id, std::size_t size) {
 
 bool has_command(Direction direction, std::uint8_t id) {
   return select(direction, id, 0, [](auto) {}) != Code::unknown_command;
+}
+
+std::size_t misfit(Direction direction, std::uint8_t id, std::size_t size) {
+  std::size_t least = max_body_size + 1;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if (Meta<M>::info.id != id || !Meta<M>::info.travels(direction)) return;
+    const std::size_t missing = M::min_size - std::min(M::min_size, size);
+    const std::size_t surplus = size - std::min(M::max_size, size);
+    least = std::min(least, missing + surplus);
+  });
+  return least;
 }
 
 std::string body_sizes(Direction direction, std::uint8_t id) {

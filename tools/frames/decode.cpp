@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/words.hpp>
@@ -26,6 +28,7 @@
 #include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "frames/bare_frames.hpp"
 #include "frames/capture_frames.hpp"
 #include "frames/capture_packets.hpp"
 #include "frames/decoded_frame.hpp"
@@ -41,8 +44,8 @@ namespace sbgc::tools {
 namespace {
 
 struct DecodeOptions {
-  std::string file = "-";
-  std::vector<std::string> from{};  // a side, a time, or both
+  std::vector<std::string> input{};  ///< a file, or bytes as text; none: the standard input
+  std::vector<std::string> from{};   // a side, a time, or both
   std::optional<std::chrono::microseconds> to{};
   std::string format = "text";
   std::string firmware{};
@@ -139,19 +142,29 @@ std::string to_text(const RejectedCandidate& candidate) {
 }
 
 /// Reports input without a frame, with a guess what it is. `reading`: how it was read, if it is
-/// text. `is_meant`: it probably has frames,
-/// whose damage is explained unless `shows_gaps` has done it.
+/// text, whose bytes no baud rate has changed. `is_meant`: it probably has frames, whose damage is
+/// explained unless `shows_gaps` has done it.
 [[nodiscard]] int no_frame(std::uint64_t size, const std::string& reading, std::string guess,
                            bool is_meant, bool shows_gaps,
                            std::span<const RejectedCandidate> rejected) {
   if (guess.empty() && !is_meant) {
-    guess = "if they come from a serial line, its baud rate or parity may be wrong";
+    guess =
+        reading.empty()
+            ? "if they come from a serial line, its baud rate or parity may be wrong"
+            : "a frame is a start byte, its id, its size, the sum of both, the body and a checksum";
   }
   remark("sbgc: found no frame in {}{}{}{}\n", counted(size, "byte"), reading,
          guess.empty() ? "" : "; ", guess);
   for (const RejectedCandidate& candidate : rejected) {
     if (is_meant && !shows_gaps && candidate.has_header) remark("{}", to_text(candidate));
   }
+  return failure;
+}
+
+/// Reports frames none of which can be decoded. JSON lines say so themselves.
+[[nodiscard]] int unreadable(std::uint64_t frames) {
+  remark("sbgc: {} with sound checksums, but {} its command\n", counted(frames, "frame"),
+         frames == 1 ? "the body does not fit" : "no body fits");
   return failure;
 }
 
@@ -187,6 +200,7 @@ class RawDecoder {
         direction_(plan.direction),
         // Gaps belong to no frame that a filter could choose.
         shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
+        is_for_people_(plan.output.format != OutputFormat::jsonl),
         output_(plan.output, out),
         explainer_(direction_) {
     reject_times(plan);
@@ -209,6 +223,7 @@ class RawDecoder {
     std::vector<RejectedCandidate> rejected;
     if (explains_gaps()) rejected = explainer_.end_gap(size_, size_);
     if (shows_gaps_) print_gap(size_, rejected);
+    print_bare_frames();
     output_.put_remark(to_text(parser_.counters()));
     output_.end();
     out_.flush();
@@ -218,26 +233,47 @@ class RawDecoder {
   /// Like stop(), but also reports input without a frame. Returns the exit status.
   int finish() {
     const std::vector<RejectedCandidate> rejected = stop();
-    if (parser_.counters().frames != 0 || size_ == 0) return success;
+    const std::uint64_t frames = parser_.counters().frames;
+    if (frames != 0 && is_for_people_ && output_.is_unreadable()) return unreadable(frames);
+    if (frames != 0 || size_ == 0) return success;
     const bool is_meant = looks_intended(parser_.counters()) || looks_changed(rejected);
     const std::string reading =
         text_ == nullptr ? "" : fmt::format(", read as {}", to_text(text_->reading()));
-    return no_frame(size_, reading, guess_input(begin_, text_ != nullptr), is_meant, shows_gaps_,
-                    rejected);
+    std::string guess = guess_input(begin_, text_ != nullptr);
+    if (bare_ != 0) {
+      guess = fmt::format("they are {} without start bytes{}", counted(bare_, "frame"),
+                          output_.is_text() ? "" : ", which --format text shows");
+    }
+    return no_frame(size_, reading, guess, is_meant, shows_gaps_, rejected);
   }
 
  private:
   /// Without gaps in the output, they matter only until the first frame.
   bool explains_gaps() const { return shows_gaps_ || parser_.counters().frames == 0; }
 
+  /// Shows what programs leave of frames: no start byte, perhaps no checksum behind the body.
+  void print_bare_frames() {
+    if (parser_.counters().frames != 0 || size_ != begin_.size()) return;
+    const std::vector<BareFrame> found = bare_frames(begin_);
+    bare_ = found.size();
+    if (!output_.is_text()) return;
+    for (const BareFrame& bare : found) {
+      print_frame(bare.frame, fmt::format("@{}, {}:", bare.frame.offset, what_is_missing(bare)));
+    }
+  }
+
   void print(const Frame& frame) {
     const std::uint64_t end = end_of(frame);
     if (shows_gaps_) print_gap(frame.offset, explainer_.end_gap(frame.offset, end));
     std::string_view heading;
     if (output_.is_text()) heading = place(frame.offset);
+    print_frame(frame, heading);
+    end_ = end;
+  }
+
+  void print_frame(const Frame& frame, std::string_view heading) {
     const bool is_told = direction_.has_value() || text_ == nullptr;
     output_.print(frame, is_told ? direction_ : text_->sender(frame.offset), heading);
-    end_ = end;
   }
 
   /// Prints "no frame: 5 bytes" and the reasons, if there are bytes since the last frame.
@@ -260,6 +296,7 @@ class RawDecoder {
   PastedText* text_;
   std::optional<Direction> direction_;
   bool shows_gaps_;
+  bool is_for_people_;
   FrameOutput output_;
   ParserOfAll parser_;
   GapExplainer explainer_;
@@ -267,6 +304,7 @@ class RawDecoder {
   std::vector<std::uint8_t> begin_;
   std::uint64_t size_ = 0;
   std::uint64_t end_ = 0;  // end of the printed bytes
+  std::size_t bare_ = 0;   // frames without start bytes
 };
 
 /// Formats a time after 1970 for any year: those of a time_t can end in 2038, and those of
@@ -292,6 +330,7 @@ class CaptureDecoder final : private CaptureListener {
         only_(plan.direction),
         times_(plan.times),
         shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
+        is_for_people_(plan.output.format != OutputFormat::jsonl),
         output_(plan.output, out),
         frames_(*this) {}
 
@@ -308,6 +347,7 @@ class CaptureDecoder final : private CaptureListener {
     output_.end();
     out_.flush();
     if (!problems_.empty()) throw InputError(problems_);
+    if (found_ != 0 && is_for_people_ && output_.is_unreadable()) return unreadable(found_);
     if (found_ != 0 || skipped_ == 0) return success;
     const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
                           looks_intended(frames_.counters(Direction::from_board)) ||
@@ -370,6 +410,7 @@ class CaptureDecoder final : private CaptureListener {
   std::optional<Direction> only_;
   TimeRange times_;
   bool shows_gaps_;
+  bool is_for_people_;
   FrameOutput output_;
   CaptureFrames frames_;
   int session_ = -1;
@@ -381,6 +422,10 @@ class CaptureDecoder final : private CaptureListener {
   std::string problems_;
 };
 
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 /// Reads enough bytes to decide whether the input is a capture file.
 std::vector<std::uint8_t> read_begin(Input& input) {
   std::vector<std::uint8_t> begin;
@@ -390,6 +435,24 @@ std::vector<std::uint8_t> read_begin(Input& input) {
     begin.insert(begin.end(), block.begin(), block.end());
   } while (io::may_become_capture(begin));
   return begin;
+}
+
+constexpr const char* awaited = "bytes, such as a log or hex text";
+
+/// Opens the file, or takes the arguments as the bytes themselves. Throws InputError or
+/// CommandError.
+Input input_of(const DecodeOptions& options) {
+  if (options.input.empty()) return {"-", awaited};
+  const std::string& first = options.input.front();
+  std::error_code ignored;
+  const bool is_one = options.input.size() == 1;
+  if (is_one && (first == "-" || std::filesystem::exists(first, ignored))) return {first, awaited};
+  const std::string text = fmt::format("{}", fmt::join(options.input, " "));
+  const ReadingChoice choice = choose_reading(bytes_of(text));
+  if (options.hex || (choice.is_likely && !options.raw)) return Input(text);
+  if (is_one) return {first, awaited};
+  throw CommandError("the arguments are neither one file nor bytes that begin a frame",
+                     wrong_usage);
 }
 
 /// Prints the frames before an error in text, then reports the error.
@@ -467,7 +530,7 @@ int write_packets(const DecodeOptions& options) {
   DecodeOptions of_plan = options;
   of_plan.format = "text";
   const DecodePlan plan = plan_of(of_plan);
-  Input input(options.file);
+  Input input = input_of(options);
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
   const bool is_text = options.hex || (!options.raw && is_text_of_bytes(begin));
@@ -492,7 +555,7 @@ int write_packets(const DecodeOptions& options) {
 int decode_file(const DecodeOptions& options) {
   if (options.format == "pcapng") return write_packets(options);
   const DecodePlan plan = plan_of(options);
-  Input input(options.file);
+  Input input = input_of(options);
   StandardOutput out;
   const std::vector<std::uint8_t> begin = read_begin(input);
   if (options.hex || (!options.raw && is_text_of_bytes(begin))) {
@@ -510,13 +573,16 @@ int decode_file(const DecodeOptions& options) {
 void add_decode(CLI::App& app, CommandContext& context) {
   const Subcommand<DecodeOptions> command(app, context, "decode", "Show the frames of a capture");
   auto& options = command.options();
-  command->add_option("file", options.file, "Capture to read; - means standard input")
-      ->type_name("FILE")
-      ->capture_default_str();
+  command
+      ->add_option("file", options.input,
+                   "Capture to read; - or nothing means standard input. Or the bytes themselves, "
+                   "as text")
+      ->type_name("FILE");
   command
       ->add_option("--from", options.from,
                    "Sender of the bytes: board, host, or auto, which decides by the size of each "
-                   "frame, and prefers the board. A capture file records the sender; then this "
+                   "frame, and calls it a guess if that is not clear. A capture file records the "
+                   "sender; then this "
                    "selects the frames to show. Or a time, in seconds since the start of the "
                    "capture, from which to show frames; both may be given")
       ->type_name("auto|board|host|TIME")
@@ -580,12 +646,15 @@ void add_decode(CLI::App& app, CommandContext& context) {
       "of raw bytes.\n"
       "\n"
       "Examples:\n"
+      "  sbgc decode 3e49004900\n"
       "  sbgc decode --where \"cmd=CMD_CONTROL\" capture\n"
       "  sbgc decode --where \"system_error & ERR_LOW_BAT1\" --from 0 --to 60 capture\n"
       "  sbgc decode --where \"angle.pitch > 10deg\" --format csv capture\n"
       "\n"
       "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
-      "could not be read or contained none; 2 for wrong usage.");
+      "could not be read, contained none, or, except in JSON lines, none that can be decoded; 2 "
+      "for "
+      "wrong usage.");
   command.runs(decode_file);
 }
 

@@ -27,6 +27,7 @@ struct OtherReading {
 struct DecodedFrame {
   Frame frame{};
   Direction direction{};
+  bool is_guess{};                       ///< the direction is a guess: the size does not prove it
   const char* command = "";              ///< "" if the id is unknown
   const MessageInfo* message = nullptr;  ///< null if no message fits
   Status status{};
@@ -42,6 +43,7 @@ struct DecodedFrame {
   std::vector<OtherReading> others{};
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
+  std::string note{};       ///< what else there is to know, or ""
   Secrets secrets{};        ///< whether the texts below show them
 
   /// True if the body cannot be decoded, but seems to hold a secret that is not to be shown.
@@ -96,6 +98,8 @@ class FrameDecoder {
   void describe_error(DecodedFrame& result);
   /// Sets the rows of a body that is too short.
   void decode_arrived(DecodedFrame& result);
+  /// Explains a size that no form has by what probably happened to the body.
+  void explain_size(DecodedFrame& result);
 
   Wanted wanted_;
   std::optional<Availability> versions_;

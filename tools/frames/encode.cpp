@@ -38,7 +38,7 @@ void write(const std::vector<std::uint8_t>& frame, bool hex) {
 
 int encode_file(const EncodeOptions& options) {
   if (!options.hex) require_no_terminal("--hex");
-  Input input(options.file);
+  Input input(options.file, "JSON lines");
   int status = success;
   std::string line;
   constexpr std::size_t longest = JsonLimits{}.size;

@@ -48,6 +48,7 @@ bool FrameOutput::print(const Frame& frame, std::optional<Direction> direction,
                         std::string_view heading, const CapturePlace* place) {
   const DecodedFrame decoded = decoder_.decode(frame, direction);
   has_frames_ = true;
+  if (decoded.status) ++readable_;
   if (!options_.filter.is_empty() && !options_.filter.wants(decoded)) return false;
   has_printed_ = true;
   switch (options_.format) {

@@ -38,9 +38,11 @@ class FrameOutput {
              const CapturePlace* place = nullptr);
   /// Learns from a frame that is not to be printed what the decoding of later ones needs.
   void learn(const Frame& frame, Direction direction) {
-    decoder_.decode(frame, direction);
+    if (decoder_.decode(frame, direction).status) ++readable_;
     has_frames_ = true;
   }
+  /// True if there were frames, but none of them can be decoded.
+  bool is_unreadable() const { return has_frames_ && readable_ == 0; }
   /// Tells in the text format if none of the frames was selected.
   void end();
   /// Forgets the context of earlier frames.
@@ -62,6 +64,7 @@ class FrameOutput {
   Colors colors_{stdout};
   bool has_frames_ = false;
   bool has_printed_ = false;
+  std::uint64_t readable_ = 0;  // the number of frames that can be decoded
   FrameDecoder new_decoder_;
   FrameDecoder decoder_ = new_decoder_;
   std::unique_ptr<SampleWriter> table_{};  // of the first message in CSV

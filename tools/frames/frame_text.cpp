@@ -22,7 +22,8 @@ void put_heading(TextOutput& out, const DecodedFrame& decoded, const Colors& col
   out.put(colors.end());
   out.put(" (");
   out.put(decoded.frame.id);
-  out.put(is_from_board ? ")  board to host, " : ")  host to board, ");
+  out.put(is_from_board ? ")  board to host" : ")  host to board");
+  out.put(decoded.is_guess ? " (a guess), " : ", ");
   out.put(size);
   out.put(size == 1 ? " byte" : " bytes");
   if (decoded.message != nullptr) {
@@ -163,6 +164,13 @@ void put_values(TextOutput& out, const Rows& rows, const Colors& colors) {
 void put_text(TextOutput& out, const DecodedFrame& decoded, const Colors& colors) {
   put_heading(out, decoded, colors);
   if (!decoded.status) put_error(out, decoded, colors);
+  if (!decoded.note.empty()) {
+    out.put("    ");
+    out.put(colors.begin(Color::yellow));
+    out.put(decoded.note);
+    out.put(colors.end());
+    out.put('\n');
+  }
   put_values(out, decoded.rows, colors);
   for (const OtherReading& other : decoded.others) {
     out.put("    The request decides what this is: after ");

@@ -11,14 +11,25 @@
 #include <sbgc/framing.hpp>
 #include <sbgc/parser.hpp>
 
+#include "frames/bare_frames.hpp"
+
 namespace sbgc::tools {
 
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::array<const char*, 5> notation_names{"hex text", "decimal numbers", "a hex dump",
-                                                    "strings", "characters and bytes in braces"};
+constexpr std::array<const char*, 10> notation_names{
+    "hex text",
+    "decimal numbers",
+    "a hex dump",
+    "strings",
+    "characters and bytes in braces",
+    "lines of the Debug tab of the vendor's program",
+    "the output of strace",
+    "the output of socat",
+    "the output of candump",
+    "a table of bytes"};
 
 std::string_view text_of(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -28,10 +39,11 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
 struct Score {
   std::uint64_t in_frames = 0;
   bool is_all_frames = false;
+  bool is_bare = false;  ///< frames without start bytes, and nothing else
   bool begins_frame = false;
 
   auto operator<=>(const Score&) const = default;
-  bool is_none() const { return in_frames == 0 && !begins_frame; }
+  bool is_none() const { return in_frames == 0 && !is_bare && !begins_frame; }
 };
 
 Score score_of(std::span<const std::uint8_t> bytes) {
@@ -41,6 +53,7 @@ Score score_of(std::span<const std::uint8_t> bytes) {
     in_frames += frame_size(frame.framing, frame.body.size());
   });
   return {in_frames, in_frames != 0 && in_frames + parser.waiting_bytes() == bytes.size(),
+          in_frames == 0 && !bare_frames(bytes).empty(),
           !bytes.empty() && AllFrameFormats::is_start(bytes.front())};
 }
 
@@ -56,11 +69,11 @@ struct Attempt {
     error = reader.feed(text, bytes);
     if (!error) error = reader.finish(bytes);
     score = score_of(bytes);
-    // Otherwise it is the same as another reading; and any text is characters.
+    // Otherwise it is the same as another reading; and any text is characters, or a log without
+    // bytes.
     const bool says_it = !reading.skips_fronts || reader.has_fronts();
-    const bool is_characters =
-        reading.notation == Notation::literals || reading.notation == Notation::braced;
-    if (says_it && !(is_characters && score.is_none())) return;
+    const bool is_any_text = reading.notation >= Notation::literals;
+    if (says_it && !(is_any_text && score.is_none())) return;
     error = TextError{};
     score = {};
   }
@@ -113,28 +126,39 @@ std::optional<TextError> PastedText::read_line(std::string_view line, Bytes& out
   }
   const LineFront front = reading_.skips_fronts ? front_of(line) : LineFront{};
   has_fronts_ = has_fronts_ || front.size > line.find_first_not_of(" \t");
-  if (front.sender && front.sender != sender_) {
-    sender_ = front.sender;
-    senders_.emplace_back(size_, *sender_);
-  }
+  note_sender(front.sender);
   if (reading_.skips_fronts && is_of_numbers && is_prose(line.substr(front.size))) {
     has_fronts_ = true;
     return {};
   }
   const std::size_t before = out.size();
-  const auto problem = read_bytes(line.substr(front.size), out);
+  std::optional<Direction> sender;
+  const auto problem = read_bytes(line.substr(front.size), out, sender);
+  note_sender(sender);
   size_ += out.size() - before;
   if (!problem) return {};
   return TextError{lines_, front.size + problem->column + 1, problem->reason};
 }
 
-std::optional<LineProblem> PastedText::read_bytes(std::string_view line, Bytes& out) {
+void PastedText::note_sender(std::optional<Direction> sender) {
+  if (!sender || sender == sender_) return;
+  sender_ = sender;
+  senders_.emplace_back(size_, *sender);
+}
+
+std::optional<LineProblem> PastedText::read_bytes(std::string_view line, Bytes& out,
+                                                  std::optional<Direction>& sender) {
   switch (reading_.notation) {
     case Notation::hex: break;
     case Notation::decimal: return read_decimal(line, out);
     case Notation::dump: return dump_.read(line, out);
     case Notation::literals: return read_literals(line, out);
     case Notation::braced: return read_braced(line, out);
+    case Notation::debug_tab: return read_debug_tab(line, out);
+    case Notation::strace: return read_strace(line, out, sender);
+    case Notation::socat: return socat_.read(line, out);
+    case Notation::candump: return read_candump(line, out, sender);
+    case Notation::table: return table_.read(line, out, sender);
   }
   HexDecoder hex;
   auto error = hex.feed({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}, out);

@@ -1,5 +1,5 @@
 /// Bytes as people post them: hex text, lists of numbers, dumps, strings of programs, logs with
-/// times and senders.
+/// times and senders, logs of programs.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,25 @@
 #include <vector>
 
 #include "frames/hex_text.hpp"
+#include "frames/program_logs.hpp"
 #include "frames/text_lines.hpp"
 
 namespace sbgc::tools {
 
 /// How bytes are written.
-enum class Notation : std::uint8_t { hex, decimal, dump, literals, braced };
+enum class Notation : std::uint8_t {
+  hex,
+  decimal,
+  dump,
+  literals,
+  braced,
+  // Logs of programs.
+  debug_tab,
+  strace,
+  socat,
+  candump,
+  table,
+};
 
 /// How a text is read.
 struct Reading {
@@ -52,11 +65,16 @@ class PastedText {
 
  private:
   std::optional<TextError> read_line(std::string_view line, std::vector<std::uint8_t>& out);
-  std::optional<LineProblem> read_bytes(std::string_view line, std::vector<std::uint8_t>& out);
+  /// From the bytes of the line on.
+  void note_sender(std::optional<Direction> sender);
+  std::optional<LineProblem> read_bytes(std::string_view line, std::vector<std::uint8_t>& out,
+                                        std::optional<Direction>& sender);
 
   Reading reading_;
   HexDecoder hex_{};
   DumpLines dump_{};
+  SocatLines socat_{};
+  ByteTable table_{};
   std::string line_{};  // as far as it is known
   std::size_t lines_ = 0;
   std::uint64_t size_ = 0;  // bytes of complete lines

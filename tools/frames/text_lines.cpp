@@ -10,37 +10,13 @@
 
 #include <sbgc/detail/words.hpp>
 
+#include "frames/text_scan.hpp"
+
 namespace sbgc::tools {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
-constexpr std::string_view decimal_digits = "0123456789";
-constexpr std::string_view hex_digits = "0123456789abcdefABCDEF";
-constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
 constexpr std::string_view other_letters = "ghijklmnopqrstuvwxyzGHIJKLMNOPQRSTUVWXYZ";
-
-bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
-
-/// Returns the number of characters of `text` from `at` on that are in `set`.
-std::size_t run(std::string_view text, std::size_t at, std::string_view set) {
-  const std::size_t end = std::min(text.find_first_not_of(set, at), text.size());
-  return end - std::min(at, end);
-}
-
-bool has(std::string_view text, std::size_t at, std::string_view set) {
-  return at < text.size() && is_one_of(text[at], set);
-}
-
-std::uint64_t number_of(std::string_view digits, int base) {
-  std::uint64_t value = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-  return value;
-}
-
-std::uint8_t byte_of(std::string_view digits, int base = 16) {
-  return static_cast<std::uint8_t>(number_of(digits, base));
-}
 
 /// Words of logs that say who sent the bytes.
 constexpr std::array<std::pair<std::string_view, Direction>, 17> sender_words{
@@ -173,24 +149,9 @@ class FrontReader {
     const bool is_end = end + 1 == line_.size() || has(line_, end + 1, blanks);
     if (!is_begin || !has(line_, end, ":") || !is_end) return false;
     if (label.find_first_of(other_letters) == std::string_view::npos) return false;
-    take_sender_in(label);
+    if (const auto said = sender_in(label)) sender_ = said;
     at_ = end + 1;
     return true;
-  }
-
-  /// Takes the sender that the words of a label say, unless they contradict each other.
-  void take_sender_in(std::string_view label) {
-    std::optional<Direction> said;
-    for (std::size_t at = 0; at < label.size(); ++at) {
-      const std::string_view word = label.substr(at, run(label, at, letters));
-      for (const auto& [one, sender] : sender_words) {
-        if (!detail::is_same_word(word, one)) continue;
-        if (said && *said != sender) return;
-        said = sender;
-      }
-      at += word.size();
-    }
-    if (said) sender_ = said;
   }
 
   /// "uint8_t frame[] = ", "bytes(", "Uint8Array(5) ", "<Buffer ".
@@ -216,7 +177,8 @@ class FrontReader {
   std::optional<Direction> sender_{};
 };
 
-/// Reads one character or escape inside quotes. Returns false for an unknown escape.
+}  // namespace
+
 bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_t>& out) {
   if (line[at] != '\\') {
     out.push_back(static_cast<std::uint8_t>(line[at++]));
@@ -240,7 +202,19 @@ bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_
   return true;
 }
 
-}  // namespace
+std::optional<Direction> sender_in(std::string_view label) {
+  std::optional<Direction> said;
+  for (std::size_t at = 0; at < label.size(); ++at) {
+    const std::string_view word = label.substr(at, run(label, at, letters));
+    for (const auto& [one, sender] : sender_words) {
+      if (!detail::is_same_word(word, one)) continue;
+      if (said && *said != sender) return {};
+      said = sender;
+    }
+    at += word.size();
+  }
+  return said;
+}
 
 LineFront front_of(std::string_view line) { return FrontReader(line).read(); }
 

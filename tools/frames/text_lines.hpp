@@ -20,6 +20,9 @@ struct LineFront {
 
 LineFront front_of(std::string_view line);
 
+/// Returns the sender that the words of a label say, unless they contradict each other.
+std::optional<Direction> sender_in(std::string_view label);
+
 /// True for words between lines of bytes, such as "and got this".
 bool is_prose(std::string_view line);
 

@@ -1,5 +1,7 @@
 #include "frames/value_rows.hpp"
 
+#include "values/unnamed.hpp"
+
 namespace sbgc::tools {
 
 void PathText::replace(const FieldPath& path) {
@@ -41,6 +43,7 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   row.meaning = out.size();
   put_meaning(out, leaf);
   row.end = out.size();
+  if (leaf.names != nullptr || leaf.packed != nullptr) row.objection = unnamed_text(leaf);
 }
 
 void ValueRows::object(const Violation& violation) {

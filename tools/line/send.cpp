@@ -33,6 +33,7 @@
 #include "values/firmware_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
+#include "values/unnamed.hpp"
 
 namespace sbgc::tools {
 
@@ -171,6 +172,13 @@ Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
   }
 }
 
+/// Warns of enum values without a name, which the board may not know either.
+void warn_of_unnamed(const AnyMessage& message) {
+  for_each_unnamed(message, [](const std::string& path, const std::string& sentence) {
+    remark("sbgc: warning: {}: {}\n", path, sentence);
+  });
+}
+
 /// Prints frames as `sbgc decode` does.
 class FramePrinting {
  public:
@@ -222,6 +230,7 @@ int dry_run(const SendOptions& options, const Wanted& wanted) {
   Availability versions;
   if (!options.firmware.empty()) versions.firmware = parse_firmware(options.firmware)->raw();
   const Outgoing out = message_for(versions, wanted, options);
+  warn_of_unnamed(out.message);
   const std::vector<std::uint8_t> bytes = encoded(out.message, basic_framing);
   const Frame frame = frame_of(bytes, out.message.type().info->id);
   const std::string hex = out.message.holds_secret() ? hidden_text : detail::to_hex(bytes);
@@ -310,6 +319,7 @@ int send(const SendOptions& options, const CommandContext& context) {
   const Availability versions = client.identity().versions();
   out = message_for(versions, wanted, options);
   require_possible(client, out.message, !options.no_validate);
+  warn_of_unnamed(out.message);
   if (needs_arming(info, effects)) {
     arm(options.arming,
         fmt::format("Sends {}{}{}. {}", info.command, out.values.empty() ? "" : " with ",

@@ -59,7 +59,7 @@ constexpr const char* clock_path = "timestamp_ms";
 std::vector<Series> table_in(const std::string& file) {
   constexpr std::size_t largest_table = 64U << 20U;
   constexpr std::size_t longest_line = 1U << 20U;
-  Input input(file);
+  Input input(file, "the lines of a table");
   TableReader reader;
   std::string line;
   std::size_t size = 0;

@@ -5,10 +5,10 @@
 // its value as `sbgc send` takes it. A path alone adds that field or element. The output is JSON:
 //
 //   {"fields": [...], "frame": "3e…", "problems": [[path, sentence], ...],
-//    "lines": [[path, text, is secret], ...]}
+//    "warnings": [[path, sentence], ...], "lines": [[path, text, is secret], ...]}
 //
 // `fields` is described in message_form.hpp. `lines` make the message from a new one. With
-// problems, there is no frame, and `frame` is "".
+// problems, there is no frame, and `frame` is "". Warnings are of values without a name.
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,7 @@
 
 #include "frames/json_string.hpp"
 #include "values/complete_message.hpp"
+#include "values/unnamed.hpp"
 #include "web/exchange.hpp"
 #include "web/message_form.hpp"
 
@@ -101,7 +102,8 @@ void build(std::string_view input, std::string& output) {
   const std::string_view start = take_line(input);
   const MessageType* const type = find_message(name);
   if (type == nullptr) {
-    out.put(R"({"fields":[],"frame":"","lines":[],"problems":[["","there is no such message"]]})");
+    out.put(
+        R"({"fields":[],"frame":"","lines":[],"warnings":[],"problems":[["","there is no such message"]]})");
     return out.finish();
   }
   AnyMessage message = new_message(*type);
@@ -115,19 +117,28 @@ void build(std::string_view input, std::string& output) {
   form.put_fields(out);
   out.put(",\"frame\":");
   put_json_string(out, frame);
-  out.put(",\"problems\":[");
+  std::vector<Problem> warnings;
+  for_each_unnamed(message, [&](const std::string& path, const std::string& sentence) {
+    warnings.emplace_back(path, sentence);
+  });
   bool is_first = true;
   const auto separate = [&] {
     out.put(is_first ? "[" : ",[");
     is_first = false;
   };
-  for (const auto& [path, sentence] : problems) {
-    separate();
-    put_json_string(out, path);
-    out.put(',');
-    put_json_string(out, sentence);
-    out.put(']');
-  }
+  const auto put_list = [&](const char* begin, const std::vector<Problem>& list) {
+    out.put(begin);
+    is_first = true;
+    for (const auto& [path, sentence] : list) {
+      separate();
+      put_json_string(out, path);
+      out.put(',');
+      put_json_string(out, sentence);
+      out.put(']');
+    }
+  };
+  put_list(",\"problems\":[", problems);
+  put_list("],\"warnings\":[", warnings);
   out.put("],\"lines\":[");
   is_first = true;
   for (const FormLine& line : form.lines()) {

@@ -5,13 +5,15 @@
 //
 //   {"frame": object printed by `sbgc decode --format jsonl`, "size": size of the frame in bytes,
 //    "body": offset of the body in the frame,
-//    "rows": [[path, raw, meaning, objection, offset, size], ...], "reason": of an error}
+//    "rows": [[path, raw, meaning, objection, offset, size], ...], "is_guess": of the direction,
+//    "note": "...", "reason": of an error}
 //   {"text_error": {"reading": "hex text", "line": 1, "column": 2, "reason": "..."}}
 //   {"end": {"reading": "hex text", "bytes": 7, "frames": 1, "skipped_bytes": 0, "header_errors":
 //   0, ...}}
 //
 // Offsets of rows count from the start of the frame, offsets of frames from the start of the input.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,6 +24,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text_output.hpp>
 
+#include "frames/bare_frames.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/json_string.hpp"
 #include "frames/pasted_text.hpp"
@@ -65,6 +68,20 @@ void put_damaged(TextOutput& out, std::span<const std::uint8_t> input,
     decoded = decoder.decode({from[frame_id_offset], body, 0, framing_of(from.data())}, direction);
   }
   const bool is_known = decoded.message != nullptr && decoded.status;
+  put_json_string(out, is_known ? decoded.message->name : "");
+  out.put(',');
+  put_rows(out, is_known ? decoded.rows : Rows());
+}
+
+/// Writes what sbgc_rejected_candidates() says of a frame without its start byte.
+void put_bare(TextOutput& out, const BareFrame& bare, std::optional<Direction> direction) {
+  FrameDecoder decoder({.rows = true});
+  const DecodedFrame decoded = decoder.decode(bare.frame, direction);
+  const bool is_known = decoded.message != nullptr && decoded.status;
+  out.put(bare.frame.offset);
+  out.put(',');
+  put_json_string(out, std::string(decoded.command) + ' ' + what_is_missing(bare));
+  out.put(",[0,0],");
   put_json_string(out, is_known ? decoded.message->name : "");
   out.put(',');
   put_rows(out, is_known ? decoded.rows : Rows());
@@ -155,6 +172,8 @@ class Decoding {
     line.put(frame_header_size + frame.body.size());
     line.put(",\"rows\":");
     put_rows(line, decoded.rows);
+    line.put(decoded.is_guess ? ",\"is_guess\":true,\"note\":" : ",\"is_guess\":false,\"note\":");
+    put_json_string(line, decoded.note);
     if (!decoded.status) {
       line.put(",\"reason\":");
       put_json_string(line, decoded.explanation);
@@ -222,13 +241,22 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 
 /// Treats the input as bytes outside of frames and the bytes after them. Outputs a JSON list of
 /// [offset, reason, [wrong, wrong size], message, rows] for at most `limit` start bytes among the
-/// first `gap` bytes. The rows are those of a damaged frame as it came; its message is "" if there
-/// are none.
+/// first `gap` bytes, or for the frames without start bytes that these are. The rows are those of a
+/// damaged frame as it came; its message is "" if there are none.
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(exchange().input);
   exchange().output.clear();
   sbgc::StringOutput list(exchange().output);
   char separator = '[';
+  const auto bare = sbgc::tools::bare_frames(input.first(std::min(gap, input.size())));
+  for (const auto& one : std::span(bare).first(std::min(limit, bare.size()))) {
+    list.put(separator);
+    separator = ',';
+    list.put('[');
+    sbgc::tools::put_bare(list, one, decoding().direction());
+    list.put(']');
+  }
+  if (!bare.empty()) limit = 0;
   for (const auto& candidate :
        sbgc::tools::rejected_candidates(input, gap, limit, decoding().direction())) {
     list.put(separator);

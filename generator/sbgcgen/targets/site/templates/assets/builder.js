@@ -297,7 +297,7 @@
       // The values of others demand it.
       if (entry.optional && entry.read() === "" && field.value !== "") entry.write(field.value);
     }
-    showProblems(built.problems);
+    showProblems([...built.problems, ...built.warnings]);
     showFrame(built.frame, built.lines);
     const size = built.frame.length / 2;
     status.textContent = size ? `A frame of ${size} bytes:` : "No frame: the values above are not all possible.";

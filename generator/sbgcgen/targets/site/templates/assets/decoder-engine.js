@@ -56,6 +56,7 @@ function decoderEngine(scope) {
       id: frame.id,
       message: frame.message,
       direction: frame.direction,
+      isGuess: line.is_guess,
       error: frame.error?.code ?? null,
       objections: rows.filter((row) => row[3] !== "").length,
     };

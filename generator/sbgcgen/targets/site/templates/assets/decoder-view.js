@@ -61,7 +61,7 @@ const decoderView = (() => {
     if (item.objections !== 0) {
       tags.append(element("span", { class: "tag warn" }, counted(item.objections, "objection")));
     }
-    tags.append(element("span", { class: `tag ${way}` }, senders[item.direction]));
+    tags.append(element("span", { class: `tag ${way}` }, senders[item.direction] + (item.isGuess ? " (a guess)" : "")));
     tags.append(element("span", { class: "bytes-count" }, counted(item.size, "byte")));
     button.append(offset, what, tags);
     return button;
@@ -144,6 +144,7 @@ const decoderView = (() => {
     } else {
       result.push(rowsTable(answer));
     }
+    if (answer.note && !frame.error) result.push(element("p", { class: "small" }, `${answer.note}.`));
     if (page) {
       const link = element("a", { href: root + page }, frame.message);
       result.push(element("p", { class: "small" }, "More about ", link));
@@ -165,7 +166,7 @@ const decoderView = (() => {
         entry.append(element("div", { class: "damaged" }, note, table));
       }
       list.append(entry);
-      parts.push({ at: offset, size: 1, part: null, tint: "framing", name: "start byte" });
+      parts.push({ at: offset, size: 1, part: null, tint: "framing", name: "begin" });
       const at = offset + wrong;
       if (wrongSize !== 0) parts.push({ at, size: wrongSize, part: null, tint: "wrong", name: "wrong" });
     }
