@@ -99,6 +99,26 @@ TEST_F(Subscribed, TellsFormsOfACommandApart) {
   EXPECT_EQ(simple, 0);
 }
 
+TEST_F(Subscribed, TheRequestTellsAnswersOfOneSizeApart) {
+  board.answer<msg::AdjVarsStateRequestExt>(msg::AdjVarsStateExt{.analog_var_value = 1.5F});
+  board.answer<msg::AdjVarsStateRequest>(msg::AdjVarsState{.analog_value = 7});
+  Client client = connect();
+  Collector<float> floats;
+  Collector<std::int32_t> integers;
+  const auto one = client.subscribe<msg::AdjVarsStateExt>(
+      [&](const msg::AdjVarsStateExt& state) { floats.add(state.analog_var_value); });
+  const auto two = client.subscribe<msg::AdjVarsState>(
+      [&](const msg::AdjVarsState& state) { integers.add(state.analog_value); });
+  const auto extended = client.adj_vars_state_ext({}, once);
+  ASSERT_TRUE(extended) << extended.error().message;
+  EXPECT_EQ(extended->analog_var_value, 1.5F);
+  const auto simple = client.adj_vars_state({}, once);
+  ASSERT_TRUE(simple) << simple.error().message;
+  EXPECT_EQ(simple->analog_value, 7);
+  EXPECT_THAT(floats.wait_for(1), ::testing::ElementsAre(1.5F));
+  EXPECT_THAT(integers.wait_for(1), ::testing::ElementsAre(7));
+}
+
 TEST_F(Subscribed, EndsWithItsOwner) {
   Client client = connect();
   std::atomic<int> calls{};

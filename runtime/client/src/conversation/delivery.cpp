@@ -8,10 +8,12 @@
 
 namespace sbgc::detail {
 
-void Delivery::deliver(const Frame& frame) {
+void Delivery::deliver(const Frame& frame, const Contexts* known) {
+  const Contexts& contexts = known != nullptr ? *known : contexts_;
   MessageHandlers::call(messages_->with_key({frame.id, {}, true}),
                         [&](const auto& handler) { handler(&frame); });
-  const MessageType* const type = find_message(Direction::from_board, frame.id, frame.body.size(), contexts_);
+  const MessageType* const type =
+      find_message(Direction::from_board, frame.id, frame.body.size(), contexts);
   if (type == nullptr) {
     const auto subscribers =
         messages_->count([&](const MessageKey& key) { return key.id == frame.id && !key.is_raw; });
@@ -20,7 +22,7 @@ void Delivery::deliver(const Frame& frame) {
   const auto handlers = messages_->with_key({frame.id, type->form});
   if (handlers.empty() && type->operations->teach == nullptr) return;
   AnyMessage message = type->make();
-  const Status status = message.decode(frame.body, contexts_);
+  const Status status = message.decode(frame.body, contexts);
   if (!status) return report_unreadable(frame, status, handlers.size());
   message.teach(contexts_);
   MessageHandlers::call(handlers, [&](const auto& handler) { handler(message.address()); });

@@ -30,8 +30,9 @@ class Delivery {
     return frames_->add({}, std::move(handler));
   }
 
-  /// Decodes a message once, if a subscriber or a context needs it.
-  void deliver(const Frame& frame);
+  /// Decodes a message once, if a subscriber or a context needs it; `known` are the facts for an
+  /// answer, if they are not those of the conversation.
+  void deliver(const Frame& frame, const Contexts* known = nullptr);
   void notify(const Notice& notice);
   /// Passes on a frame as it is.
   void show(const BoardFrame& frame);

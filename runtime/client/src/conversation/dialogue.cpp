@@ -146,7 +146,12 @@ void Dialogue::handle(const Event& event) {
     case EventKind::completed: {
       // Confirmations and resets are delivered with their own events.
       const bool is_told = roles::is_confirmation(frame) || roles::is_reset(frame);
-      if (is_for_all && !is_told) delivery_.deliver(frame);
+      if (is_for_all && !is_told) {
+        const auto place = in_session_.find(event.handle.number);
+        const bool has_call = place != in_session_.end();
+        const auto known = has_call ? known_to(*place->second, frame) : nullptr;
+        delivery_.deliver(frame, known.get());
+      }
       return handle_completion(event);
     }
     case EventKind::confirmation: {
@@ -192,14 +197,16 @@ void Dialogue::handle_completion(const Event& event) {
   if (calls_->take(call->id)) calls_.complete(*call, result_of(*call, event));
 }
 
+std::shared_ptr<const Contexts> Dialogue::known_to(const Call& call, const Frame& frame) const {
+  if (!needs_context(frame)) return nullptr;
+  auto contexts = std::make_shared<Contexts>(delivery_.contexts());
+  if (call.request.teach) call.request.teach(*contexts);
+  return contexts;
+}
+
 Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
-  Reply reply{kind, frame.id, {frame.body.begin(), frame.body.end()}, nullptr, frame.framing};
-  if (needs_context(frame)) {
-    const auto contexts = std::make_shared<Contexts>(delivery_.contexts());
-    if (call.request.teach) call.request.teach(*contexts);
-    reply.contexts = contexts;
-  }
-  return reply;
+  return {kind, frame.id, {frame.body.begin(), frame.body.end()}, known_to(call, frame),
+          frame.framing};
 }
 
 Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {

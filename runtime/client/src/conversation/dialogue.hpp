@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,6 +54,8 @@ class Dialogue {
   void show(const Event& event);
   void handle_completion(const Event& event);
   Result<Reply> result_of(const Call& call, const Event& event) const;
+  /// The facts that decoding a response of a call needs; null if it needs none.
+  std::shared_ptr<const Contexts> known_to(const Call& call, const Frame& frame) const;
   Reply reply_to(const Call& call, ReplyKind kind, const Frame& frame) const;
   ClientError refusal(const Call& call, const SendResult& refused) const;
 
