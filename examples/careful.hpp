@@ -40,7 +40,7 @@ inline bool may_tilt(bool is_accepted, sbgc::Client& client, sbgc::msg::Angle14 
   if (!state) return std::fprintf(stderr, "%s\n", state.error().message.c_str()), false;
   const auto way = [](double degrees) { return degrees < 0 ? "up" : "down"; };
   const double end = to.degrees();
-  const double now = state->axes.pitch.imu_angle.degrees();
+  const double now = std::round(state->axes.pitch.imu_angle.degrees()) + 0.0;  // no -0
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(),
                 "%sThe camera turns to %.0f deg %s (now %.0f %s: %s by %.0f).", also, std::abs(end),
