@@ -79,9 +79,9 @@ class Value {
     if (used_ < parts_.size()) refuse();
   }
   [[noreturn]] void refuse(const std::string& detail = {}) const {
-    throw std::invalid_argument(
-        *wanted_ == '\0' ? fmt::format("the fault '{}' has no value", fault_)
-                         : fmt::format("the fault is {}{}{}", fault_, wanted_, detail));
+    throw std::invalid_argument(*wanted_ == '\0'
+                                    ? fmt::format("the fault '{}' has no value", fault_)
+                                    : fmt::format("the fault is {}{}{}", fault_, wanted_, detail));
   }
   bool is_given() const { return !parts_.empty(); }
 
