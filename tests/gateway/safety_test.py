@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import socket
 import threading
@@ -15,7 +16,7 @@ import pytest
 from broker_test import check
 from brokers import Commander, Mosquitto, Subscriber
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from gateway import Gateway, eventually, running_gateway
+from gateway import Gateway, eventually, hanging_disk, running_gateway
 from sbgc_command import run
 
 FLEET = """[fleet]
@@ -349,3 +350,32 @@ def test_what_has_come_with_a_stop_does_not_begin_after_it(stage: Stage) -> None
         assert stage.seen.result(stop)["status"] == "done"
         assert stage.seen.result(move)["error"]["code"] == "superseded"
         assert stage.stands()
+
+
+@pytest.mark.skipif("SBGC_FAULTS" not in os.environ, reason="there is no library of faults")
+@pytest.mark.parametrize("version", ["3.1.1", "5"])
+def test_a_stop_does_not_wait_for_the_disk(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, version: str
+) -> None:
+    monkeypatch.setattr("gateway.Gateway.hangs_at_disk", True)
+    # Nothing else may stop the camera.
+    fleet = stage.fleet(f'mqtt = "{version}"\n').replace("stop-after = 1", "stop-after = 60")
+    with running_gateway(stage.folder, fleet):
+        start_turning(stage)
+        # Mosquitto sends 20 with MQTT 3.1.1.
+        count = 15 if version == "3.1.1" else 1200
+        waits = [stage.say.payload(FAR) for _ in range(count)]
+        with hanging_disk(stage.folder):
+            stage.say.command("front", "get", {"names": ["pitch.p"]})
+            stage.say.publish_many("sbgc/studio/front/cmd/move", waits).wait(60)
+            stop = stage.say.command("front", "stop")
+            eventually(stage.stands)
+            time.sleep(1)
+            assert stage.stands() and not stage.seen.results()[2:]
+        assert stage.seen.result(stop)["status"] == "done"
+        codes = {stage.seen.result(one["key"])["error"]["code"] for one in waits[:900]}
+        assert codes == {"superseded"}
+        if version == "5":
+            assert stage.seen.result(waits[-1]["key"])["error"]["code"] == "overload"
+        assert stage.stands()
+        assert stage.result("move", {"angles": {"pitch": 3}, "speed": 30})["status"] == "done"
