@@ -38,10 +38,12 @@ Admission::Admission(const BrokerSettings& settings, const Topics& topics, const
       mqtt_(mqtt),
       fences_{Fence(topics_.of(gateway_level, "cmd/fence")),
               Fence(topics_.of(gateway_level, "raw"))},
+      echo_(fences_[0].topic()),
       refusals_(refusals_per_second, most_refusals_at_once) {}
 
 void Admission::take(std::vector<MqttMessage> messages) {
   const auto now = GimbalTasks::Clock::now();
+  watch_delays(now);
   for (MqttMessage& message : messages) {
     if (see_fence(message)) continue;
     std::optional<CommandTopic> topic = topics_.command(message.topic);
@@ -50,7 +52,23 @@ void Admission::take(std::vector<MqttMessage> messages) {
   }
 }
 
+/// While the gateway, the broker or the path between them is suspended, commands wait unseen. What
+/// the broker has kept comes in its order, so before a message of ours; what senders could not
+/// deliver comes soon afterwards.
+void Admission::watch_delays(GimbalTasks::Clock::time_point now) {
+  const bool was_late = outbox_.was_late(now);
+  if (was_late || now > last_turn_ + GimbalTasks::longest_silence) {
+    speeds_from_ = now + GimbalTasks::longest_silence;
+    echo_.close("");
+  } else if (echo_.token().empty() && fences_[0].is_open()) {
+    const std::string token = fmt::format("{}-{}", fences_[0].token(), ++echoes_);
+    if (mqtt_.publish({.topic = echo_.topic(), .payload = token})) echo_.close(token);
+  }
+  last_turn_ = now;
+}
+
 bool Admission::see_fence(const MqttMessage& message) {
+  if (message.topic == echo_.topic()) echo_.saw(message.payload);
   for (Fence& fence : fences_) {
     if (message.topic == fence.topic()) return fence.saw(message.payload), true;
   }
@@ -77,6 +95,7 @@ void Admission::queue(CommandTopic topic, MqttMessage message,
                     .time = std::chrono::system_clock::now(),
                     .connected_at = connected_at_,
                     .was_queued = !fences_[topic.task == "raw" ? 1 : 0].is_open(),
+                    .may_be_old = arrived < speeds_from_ || !echo_.is_open(),
                     .stops = station == stations_.end() ? 0 : station->second.tasks->stops()};
   received.topic = std::move(topic);
   received.message = std::move(message);
@@ -146,10 +165,9 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
 }
 
 std::optional<Admission::Admitted> Admission::settle_one(const Received& received) {
-  const auto& [gimbal, task] = received.topic;
   CommandPayload payload = addressed_payload(received.message, received.time);
   try {
-    if (task == stop_task) {
+    if (received.topic.task == stop_task) {
       read_stop_payload(received.message.payload, topics_, payload);
     } else {
       read_payload(received.message.payload, topics_, payload);
@@ -216,6 +234,7 @@ std::optional<Admission::Admitted> Admission::admit(const Received& received,
   check_times(received, payload);
   Order order = read_order(topic.task, payload.parameters, station.gimbal->settings().raw_effects);
   if (order.must_not_wait) check_freshness(received, payload);
+  if (std::holds_alternative<SpeedOrder>(order.what)) check_speed(received, payload);
   const auto id = journal_.admit(command, std::chrono::system_clock::now());
   if (!id) throw Refusal("overload", "too much waits for the broker");
   if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
@@ -259,6 +278,14 @@ void Admission::check_freshness(const Received& received, const CommandPayload& 
   }
 }
 
+/// A speed is meant for now; other motion has its deadline. Throws Refusal.
+void Admission::check_speed(const Received& received, const CommandPayload& payload) const {
+  const auto age = received.time - *payload.sent;
+  if (received.may_be_old || age > GimbalTasks::longest_silence + settings_.clock_skew) {
+    throw Refusal("expired", "it may have waited, and a speed that waits is not wanted");
+  }
+}
+
 bool Admission::may_answer() {
   const std::scoped_lock lock(mutex_);
   return refusals_.take(GimbalTasks::Clock::now());
@@ -282,6 +309,9 @@ void Admission::connected() {
   connected_at_ = std::chrono::system_clock::now();
   const auto now = unix_milliseconds(connected_at_);
   for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
+  echo_.close(fences_[0].token());
+  last_turn_ = GimbalTasks::Clock::now();
+  speeds_from_ = last_turn_ + GimbalTasks::longest_silence;
   mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")}, 1);
 }
 
@@ -293,6 +323,7 @@ void Admission::subscribed() {
 
 void Admission::lost() {
   for (Fence& fence : fences_) fence.close("");
+  echo_.close("");
   fenced_.reset();
 }
 

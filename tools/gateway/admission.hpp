@@ -46,7 +46,9 @@ class Fence {
     token_ = std::move(token);
     is_open_ = false;
   }
-  void saw(const std::string& payload) { is_open_ = is_open_ || payload == token_; }
+  void saw(const std::string& payload) {
+    is_open_ = is_open_ || (payload == token_ && !token_.empty());
+  }
   const std::string& token() const noexcept { return token_; }
 
  private:
@@ -91,6 +93,7 @@ class Admission {
     std::chrono::system_clock::time_point time{};  // the same
     std::chrono::system_clock::time_point connected_at{};
     bool was_queued{};      // it may have been published before the connection was made
+    bool may_be_old{};      // as a speed: something was suspended
     bool is_excess{};       // too much waits for the disk
     std::uint64_t stops{};  // see GimbalTasks::Job
   };
@@ -100,6 +103,7 @@ class Admission {
     GimbalTasks::Job job{};
   };
 
+  void watch_delays(GimbalTasks::Clock::time_point now);
   bool see_fence(const MqttMessage& message);
   bool stop_at_once(const CommandTopic& topic, const MqttMessage& message);
   GimbalTasks::Done answer_of_stop(const CommandTopic& topic, const MqttMessage& message);
@@ -112,6 +116,7 @@ class Admission {
                                 const Station& station);
   void check_times(const Received& received, const CommandPayload& payload) const;
   void check_freshness(const Received& received, const CommandPayload& payload) const;
+  void check_speed(const Received& received, const CommandPayload& payload) const;
   bool may_answer();
   void refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
               const std::string& message);
@@ -129,6 +134,10 @@ class Admission {
   std::array<Fence, 2> fences_;  // of cmd and raw
   std::optional<MqttConnection::Clock::time_point> fenced_{};
   std::chrono::system_clock::time_point connected_at_{};
+  GimbalTasks::Clock::time_point last_turn_{};
+  GimbalTasks::Clock::time_point speeds_from_{};  // earlier ones may be old
+  Fence echo_;                                    // and those before our own message
+  std::uint64_t echoes_ = 0;
 
   // Shared:
   mutable std::mutex mutex_{};

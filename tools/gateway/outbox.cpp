@@ -16,6 +16,8 @@ constexpr std::size_t most_unacknowledged = 64;
 constexpr std::size_t most_unsent = 256;
 /// After which a message that the broker has refused, as for a quota, is published again.
 constexpr std::chrono::seconds pause_after_refusal{10};
+/// Half of what may pass unseen while the broker is suspended.
+constexpr std::chrono::milliseconds longest_beat_interval{250};
 /// Events that wait for the thread of the journal.
 constexpr std::size_t most_notices = 1'000;
 
@@ -144,7 +146,10 @@ void Outbox::connected() {
 }
 
 void Outbox::acknowledged(int id, const std::string& refused) {
-  if (heartbeat_ == id) heartbeat_.reset();
+  if (heartbeat_ == id) {
+    was_late_ = was_late(MqttConnection::Clock::now());
+    heartbeat_.reset();
+  }
   const bool is_news = refused != std::exchange(last_refusal_, refused);
   if (is_news && !refused.empty()) remark("sbgc: the broker refuses messages: {}\n", refused);
   const auto found = on_the_way_.find(id);
@@ -161,6 +166,11 @@ void Outbox::acknowledged(int id, const std::string& refused) {
   }
   on_the_way_.erase(found);
   disk_.wake();
+}
+
+bool Outbox::was_late(MqttConnection::Clock::time_point now) {
+  const bool is_late = heartbeat_ && now > last_beat_ + GimbalTasks::longest_silence;
+  return std::exchange(was_late_, false) || is_late;
 }
 
 void Outbox::record() {
@@ -309,7 +319,8 @@ bool Outbox::publish_telemetry() {
 /// A message that the broker must acknowledge shows that it is there; it also carries figures.
 void Outbox::beat() {
   const auto now = MqttConnection::Clock::now();
-  if (heartbeat_ || now < last_beat_ + settings_.stop_after / 4) return;
+  const auto interval = std::min(settings_.stop_after / 4, longest_beat_interval);
+  if (heartbeat_ || now < last_beat_ + interval) return;
   last_beat_ = now;
   heartbeat_ = mqtt_.publish(
       {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});

@@ -84,6 +84,8 @@ class Outbox {
 
   void connected();
   void acknowledged(int id, const std::string& refused);
+  /// True if a heartbeat is without its acknowledgment for too long, or was since the last call.
+  bool was_late(MqttConnection::Clock::time_point now);
   /// Returns true if some is left that can be published.
   bool publish();
 
@@ -149,6 +151,7 @@ class Outbox {
   std::string last_refusal_{};
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
+  bool was_late_ = false;
 
   std::int64_t last_loaded_ = 0;  // of the thread of the journal
 };
