@@ -10,6 +10,8 @@
 //   writes
 //                  half of its bytes, as on a full disk
 //   time US PAUSE  dies this long after the first call; each call takes PAUSE microseconds longer
+//
+// While the file that SBGC_FAULT_WHILE names is there, fsync() and fdatasync() do not return.
 
 #include <atomic>
 #include <cerrno>
@@ -138,6 +140,12 @@ long perform_whole(Real real, bool can_fail = true) {
   return perform([&](int share) { return share == 0 ? 0L : static_cast<long>(real()); }, can_fail);
 }
 
+/// As a disk that hangs, until the file is gone.
+void hang() {
+  const char* const file = std::getenv("SBGC_FAULT_WHILE");
+  while (file != nullptr && ::access(file, F_OK) == 0) ::usleep(1000);
+}
+
 int open_file(const char* path, int flags, mode_t mode) {
   const auto real = [&] { return ::syscall(SYS_openat, AT_FDCWD, path, flags, mode); };
   const bool changes = (flags & O_ACCMODE) != O_RDONLY;
@@ -189,7 +197,13 @@ ssize_t sendmsg(int fd, const msghdr* message, int flags) {
   return counts(fd) ? perform(real) : real(1);
 }
 
+int fdatasync(int fd) {
+  hang();
+  return static_cast<int>(::syscall(SYS_fdatasync, fd));
+}
+
 int fsync(int fd) {
+  hang();
   const auto real = [&] { return ::syscall(SYS_fsync, fd); };
   return static_cast<int>(counts(fd) ? perform_whole(real) : real());
 }

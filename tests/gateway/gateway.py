@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import time
@@ -32,6 +33,7 @@ class Gateway:
     has LISTEN in their place."""
 
     keeps_signals = False  # that Python ignores, such as SIGXFSZ
+    hangs_at_disk = False  # while the file `hang` is in its folder
 
     def __init__(self, folder: Path, text: str) -> None:
         self.file = folder / "fleet.toml"
@@ -40,11 +42,16 @@ class Gateway:
         self.restart()
 
     def restart(self) -> None:
+        environment = dict(os.environ)
+        if self.hangs_at_disk:
+            environment["SBGC_FAULT_WHILE"] = str(self.file.parent / "hang")
+            environment["LD_PRELOAD"] = os.environ["SBGC_FAULTS"]
         self.process = subprocess.Popen(
             [PROGRAM, "gateway", "--config", str(self.file)],
             stdout=subprocess.DEVNULL,
             stderr=self.log.open("ab"),
             restore_signals=not self.keeps_signals,
+            env=environment,
         )
 
     @property
@@ -77,6 +84,16 @@ class Gateway:
         if self.process.poll() is None:
             self.process.kill()
             self.process.wait()
+
+
+@contextmanager
+def hanging_disk(folder: Path) -> Iterator[None]:
+    """For gateways of this folder with `hangs_at_disk`, within a `with`."""
+    (folder / "hang").touch()
+    try:
+        yield
+    finally:
+        (folder / "hang").unlink(missing_ok=True)
 
 
 @contextmanager

@@ -111,7 +111,7 @@ class GimbalTasksTest : public ::testing::Test {
   }
   /// Returns the number of the command.
   std::int64_t run(Order order, std::optional<milliseconds> until_deadline = {},
-                   milliseconds waited = milliseconds(0)) {
+                   milliseconds waited = milliseconds(0), std::optional<std::uint64_t> stops = {}) {
     const std::int64_t command = ++commands;
     std::optional<GimbalTasks::Time> deadline;
     if (until_deadline) deadline = std::chrono::system_clock::now() + *until_deadline;
@@ -119,6 +119,7 @@ class GimbalTasksTest : public ::testing::Test {
                 .order = std::move(order),
                 .deadline = deadline,
                 .arrived = GimbalTasks::Clock::now() - waited,
+                .stops = stops.value_or(tasks->stops()),
                 .done = [this, command](const TaskOutcome& outcome) {
                   ends.add({command, outcome.code.empty() ? outcome.status : outcome.code});
                 }});
@@ -217,16 +218,29 @@ TEST_F(GimbalTasksTest, StopsThatComeTogetherAreOne) {
 
 TEST_F(GimbalTasksTest, AMotionThatIsNotConfirmedDoesNotComeAfterAStop) {
   connect();
-  board.on_lost([](const Packet& request) {
-    return test::is<msg::Control>(request) &&
-           test::message<msg::Control>(request).axes.pitch.speed.raw() != 0;
+  Collector<int> lost;
+  board.on_lost([&](const Packet& request) {
+    const bool is_turn = test::is<msg::Control>(request) &&
+                         test::message<msg::Control>(request).axes.pitch.speed.raw() != 0;
+    if (is_turn) lost.add(1);
+    return is_turn;
   });
   run(turning_for(Order::forever));
+  lost.wait_for(1);
   EXPECT_EQ(result({.what = StopOrder()}), "done");
   EXPECT_EQ(end_of(1), "cancelled");
   board.on_lost({});
   EXPECT_EQ(result(reading()), "done");
   EXPECT_EQ(speed(), 0);
+}
+
+TEST_F(GimbalTasksTest, AMotionThatHasComeBeforeAStopIsSuperseded) {
+  connect();
+  EXPECT_EQ(result({.what = StopOrder()}), "done");
+  EXPECT_EQ(end_of(run(near_move(), {}, milliseconds(0), 0)), "superseded");
+  EXPECT_TRUE(is_at_rest_after(2));
+  EXPECT_EQ(end_of(run(reading(), {}, milliseconds(0), 0)), "done");
+  EXPECT_EQ(result(near_move()), "done");
 }
 
 TEST_F(GimbalTasksTest, MotorsAreTurnedOffBeforeWhatWaits) {

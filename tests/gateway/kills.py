@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from brokers import Commander, Mosquitto, Subscriber, now
-from gateway import Gateway, eventually
+from gateway import Gateway, eventually, hanging_disk
 from sbgc_command import PROGRAM
 
 BODY_WITHOUT_NOTES = 12
@@ -86,6 +86,10 @@ raw-effects = ["sets"]
             )
         publishing = self.say.publish_many("sbgc/studio/front/raw", payloads)
         time.sleep(self.random.uniform(0, 0.4))
+        if self.gateway.hangs_at_disk:
+            with hanging_disk(self.gateway.file.parent):
+                time.sleep(self.random.uniform(0, 1))
+                self.gateway.kill()
         self.gateway.kill()
         publishing.wait(timeout=60)
         self.gateway.restart()

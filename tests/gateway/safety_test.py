@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import json
+import os
+import random
 import signal
 import socket
+import subprocess
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from broker_test import check
-from brokers import Commander, Mosquitto, Subscriber
+from brokers import Commander, Mosquitto, Subscriber, now
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from gateway import Gateway, eventually, running_gateway
+from gateway import Gateway, eventually, hanging_disk, running_gateway
 from sbgc_command import run
 
 FLEET = """[fleet]
@@ -50,6 +55,7 @@ class Line:
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.address = f"tcp:127.0.0.1:{self.listener.getsockname()[1]}"
         self.is_up = True
+        self.holds = False  # what it has got
         self.ends: list[socket.socket] = []
         threading.Thread(target=self._accept, daemon=True).start()
 
@@ -68,10 +74,11 @@ class Line:
             for source, sink in ((near, far), (far, near)):
                 threading.Thread(target=self._carry, args=(source, sink), daemon=True).start()
 
-    @staticmethod
-    def _carry(source: socket.socket, sink: socket.socket) -> None:
+    def _carry(self, source: socket.socket, sink: socket.socket) -> None:
         try:
             while data := source.recv(4096):
+                while self.holds:
+                    time.sleep(0.01)
                 sink.sendall(data)
         except OSError:
             pass
@@ -322,6 +329,7 @@ def test_a_restart_that_waited_at_the_broker_is_refused(stage: Stage) -> None:
 def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()):
         stage.motors_on()
+        time.sleep(0.5)  # after the connection, speeds are refused
         for _ in range(3):
             assert stage.result("speed", {"speeds": {"pitch": 3}})["status"] == "done"
             assert stage.result("raw", TURN)["status"] == "done"
@@ -349,3 +357,104 @@ def test_what_has_come_with_a_stop_does_not_begin_after_it(stage: Stage) -> None
         assert stage.seen.result(stop)["status"] == "done"
         assert stage.seen.result(move)["error"]["code"] == "superseded"
         assert stage.stands()
+
+
+@pytest.mark.skipif("SBGC_FAULTS" not in os.environ, reason="there is no library of faults")
+@pytest.mark.parametrize("version", ["3.1.1", "5"])
+def test_a_stop_does_not_wait_for_the_disk(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, version: str
+) -> None:
+    monkeypatch.setattr("gateway.Gateway.hangs_at_disk", True)
+    # Nothing else may stop the camera.
+    fleet = stage.fleet(f'mqtt = "{version}"\n').replace("stop-after = 1", "stop-after = 60")
+    with running_gateway(stage.folder, fleet):
+        start_turning(stage)
+        # Mosquitto sends 20 with MQTT 3.1.1.
+        count = 15 if version == "3.1.1" else 1200
+        waits = [stage.say.payload(FAR) for _ in range(count)]
+        with hanging_disk(stage.folder):
+            stage.say.command("front", "get", {"names": ["pitch.p"]})
+            stage.say.publish_many("sbgc/studio/front/cmd/move", waits).wait(60)
+            stop = stage.say.command("front", "stop")
+            eventually(stage.stands)
+            time.sleep(1)
+            assert stage.stands() and not stage.seen.results()[2:]
+        assert stage.seen.result(stop)["status"] == "done"
+        codes = {stage.seen.result(one["key"])["error"]["code"] for one in waits[:900]}
+        assert codes == {"superseded"}
+        if version == "5":
+            assert stage.seen.result(waits[-1]["key"])["error"]["code"] == "overload"
+        assert stage.stands()
+        assert stage.result("move", {"angles": {"pitch": 3}, "speed": 30})["status"] == "done"
+
+
+@contextmanager
+def held(line: Line) -> Iterator[None]:
+    line.holds = True
+    yield
+    line.holds = False
+
+
+@contextmanager
+def stopped(process: subprocess.Popen[bytes]) -> Iterator[None]:
+    process.send_signal(signal.SIGSTOP)
+    yield
+    process.send_signal(signal.SIGCONT)
+
+
+@pytest.mark.parametrize("version", ["3.1.1", pytest.param("5", marks=pytest.mark.long)])
+@pytest.mark.parametrize("part", ["gateway", "broker", "path"])
+def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
+    chance = random.Random(f"{part} {version}")
+    path = Line(f"tcp:127.0.0.1:{stage.broker.port}")
+    fleet = stage.fleet(f'mqtt = "{version}"\nstop-after = 60\n').replace("stop-after = 1\n", "")
+    fleet = fleet.replace(f":{stage.broker.port}", path.address.removeprefix("tcp:127.0.0.1"))
+    topic = "sbgc/studio/front/cmd/speed"
+    published: dict[str, int] = {}
+    with running_gateway(stage.folder, fleet) as gateway, subprocess.Popen(
+        [*stage.say.base, "-t", topic, "-l"], stdin=subprocess.PIPE, text=True
+    ) as sender:
+
+        def publish(seconds: float) -> None:
+            assert sender.stdin is not None
+            end = time.monotonic() + seconds
+            while time.monotonic() < end:
+                # The clocks of senders differ, also within what one says.
+                payload = stage.say.payload({"speeds": {"pitch": 1}})
+                payload["sent"] += chance.choice([-900, 0, 900])
+                published[payload["key"]] = now()
+                sender.stdin.write(json.dumps(payload) + "\n")
+                sender.stdin.flush()
+                time.sleep(0.04)
+
+        stage.motors_on()
+        publish(1)
+        assert stage.broker.process is not None
+        suspension = {
+            "gateway": lambda: stopped(gateway.process),
+            "broker": lambda: stopped(stage.broker.process),
+            "path": lambda: held(path),
+        }[part]
+        with suspension():
+            publish(chance.uniform(0.6, 4))
+        publish(0.2)
+        with suspension():  # again, while what has waited still comes
+            publish(1.5)
+        resumed = now()
+        publish(3)
+        results = {key: stage.seen.result(key) for key in published}
+        begun = {key: one["time"] for key, one in results.items() if one["status"] == "done"}
+        late = {key: time - published[key] for key, time in begun.items()}
+        assert max(late.values()) <= 1000
+        assert {one["error"]["code"] for one in results.values() if "error" in one} == {"expired"}
+        assert max(published[key] for key in begun) > resumed + 1500
+        sender.terminate()
+
+
+@pytest.mark.parametrize("ago, code", [(900, None), (2500, "expired")])
+def test_a_speed_that_was_sent_too_long_ago(stage: Stage, ago: int, code: str | None) -> None:
+    with running_gateway(stage.folder, stage.fleet("clock-skew = 1\n")):
+        stage.motors_on()
+        time.sleep(3)  # `sent` must be after the connection, too
+        speed = stage.result("speed", {"speeds": {"pitch": 1}}, sent=now() - ago)
+        assert speed.get("error", {}).get("code") == code

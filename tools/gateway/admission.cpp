@@ -21,68 +21,136 @@ constexpr std::chrono::seconds fence_patience{10};
 /// Refusals that are answered: garbage must not keep the disk busy.
 constexpr double refusals_per_second = 50;
 constexpr int most_refusals_at_once = 500;
+/// What may wait for the disk.
+constexpr std::size_t most_received = 1'000;
+constexpr std::size_t most_received_bytes = std::size_t{8} << 20U;
 
 }  // namespace
 
 Admission::Admission(const BrokerSettings& settings, const Topics& topics, const Stations& stations,
-                     Journal& journal, Outbox& outbox, MqttConnection& mqtt)
+                     Journal& journal, Worker& disk, Outbox& outbox, MqttConnection& mqtt)
     : settings_(settings),
       topics_(topics),
       stations_(stations),
       journal_(journal),
+      disk_(disk),
       outbox_(outbox),
       mqtt_(mqtt),
       fences_{Fence(topics_.of(gateway_level, "cmd/fence")),
               Fence(topics_.of(gateway_level, "raw"))},
+      echo_(fences_[0].topic()),
       refusals_(refusals_per_second, most_refusals_at_once) {}
 
-void Admission::take(const std::vector<MqttMessage>& messages) {
-  const auto arrived = GimbalTasks::Clock::now();
-  // Before the disk is asked, and before all that has come with them.
-  std::map<const Station*, std::size_t> stops;  // the last one of each gimbal
-  std::vector<const Station*> stopped(messages.size());
-  for (std::size_t i = 0; i < messages.size(); ++i) {
-    stopped[i] = stop_at_once(messages[i]);
-    if (stopped[i] != nullptr) stops[stopped[i]] = i;
-  }
-  std::vector<Admitted> admitted;
-  journal_.begin();
-  for (std::size_t i = 0; i < messages.size(); ++i) {
-    if (stopped[i] != nullptr) continue;
-    const auto is_overtaken = [&](const Station& station) {
-      const auto found = stops.find(&station);
-      return found != stops.end() && i < found->second;
-    };
-    if (auto one = take_one(messages[i], is_overtaken)) admitted.push_back(std::move(*one));
-  }
-  journal_.commit();
-  for (Admitted& one : admitted) {
-    one.job.arrived = arrived;
-    one.station->tasks->run(std::move(one.job));
+void Admission::take(std::vector<MqttMessage> messages) {
+  const auto now = GimbalTasks::Clock::now();
+  watch_delays(now);
+  for (MqttMessage& message : messages) {
+    if (see_fence(message)) continue;
+    std::optional<CommandTopic> topic = topics_.command(message.topic);
+    if (!topic || stop_at_once(*topic, message)) continue;
+    queue(*std::move(topic), std::move(message), now);
   }
 }
 
-/// Stops a gimbal, whatever waits or was commanded before, and whatever is wrong with the payload.
-/// Returns null if the message is no `stop` or is refused, which take_one() does.
-const Station* Admission::stop_at_once(const MqttMessage& message) {
-  const std::optional<CommandTopic> topic = topics_.command(message.topic);
-  if (!topic || topic->task != stop_task) return nullptr;
-  try {
-    const Station& station = station_for(*topic, message.is_retained);
-    station.tasks->run({.order = {.what = StopOrder()}, .done = answer_of_stop(*topic, message)});
-    return &station;
-  } catch (const Refusal&) {
-    return nullptr;
+/// While the gateway, the broker or the path between them is suspended, commands wait unseen. What
+/// the broker has kept comes in its order, so before a message of ours; what senders could not
+/// deliver comes soon afterwards.
+void Admission::watch_delays(GimbalTasks::Clock::time_point now) {
+  const bool was_late = outbox_.was_late(now);
+  if (was_late || now > last_turn_ + GimbalTasks::longest_silence) {
+    speeds_from_ = now + GimbalTasks::longest_silence;
+    echo_.close("");
+  } else if (echo_.token().empty() && fences_[0].is_open()) {
+    const std::string token = fmt::format("{}-{}", fences_[0].token(), ++echoes_);
+    if (mqtt_.publish({.topic = echo_.topic(), .payload = token})) echo_.close(token);
   }
+  last_turn_ = now;
+}
+
+bool Admission::see_fence(const MqttMessage& message) {
+  if (message.topic == echo_.topic()) echo_.saw(message.payload);
+  for (Fence& fence : fences_) {
+    if (message.topic == fence.topic()) return fence.saw(message.payload), true;
+  }
+  return false;
+}
+
+/// Stops a gimbal, whatever waits or was commanded before, and whatever is wrong with the payload.
+/// Returns false if the message is no `stop` or is to be refused.
+bool Admission::stop_at_once(const CommandTopic& topic, const MqttMessage& message) {
+  if (topic.task != stop_task) return false;
+  try {
+    const Station& station = station_for(topic, message.is_retained);
+    station.tasks->run({.order = {.what = StopOrder()}, .done = answer_of_stop(topic, message)});
+    return true;
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
+void Admission::queue(CommandTopic topic, MqttMessage message,
+                      GimbalTasks::Clock::time_point arrived) {
+  const auto station = stations_.find(topic.gimbal);
+  Received received{.arrived = arrived,
+                    .time = std::chrono::system_clock::now(),
+                    .connected_at = connected_at_,
+                    .was_queued = !fences_[topic.task == "raw" ? 1 : 0].is_open(),
+                    .may_be_old = arrived < speeds_from_ || !echo_.is_open(),
+                    .stops = station == stations_.end() ? 0 : station->second.tasks->stops()};
+  received.topic = std::move(topic);
+  received.message = std::move(message);
+  const std::size_t size = received.message.payload.size();
+  {
+    const std::scoped_lock lock(mutex_);
+    received.is_excess =
+        received_.size() >= most_received || received_bytes_ + size > most_received_bytes;
+    const bool is_lost = received.is_excess && !refusals_.take(arrived);
+    if (!is_lost) {
+      received_bytes_ += size;
+      received_.push_back(std::move(received));
+      disk_.wake();
+      return;
+    }
+  }
+  outbox_.count("refused");
+  outbox_.count_dropped();
+}
+
+bool Admission::is_settled() const {
+  const std::scoped_lock lock(mutex_);
+  return received_.empty() && !is_settling_;
+}
+
+void Admission::settle() {
+  std::vector<Received> received;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (received_.empty()) return;
+    received.swap(received_);
+    received_bytes_ = 0;
+    is_settling_ = true;
+  }
+  std::vector<Admitted> admitted;
+  journal_.begin();
+  for (const Received& one : received) {
+    if (auto command = settle_one(one)) admitted.push_back(std::move(*command));
+  }
+  journal_.commit();
+  for (Admitted& one : admitted) one.station->tasks->run(std::move(one.job));
+  {
+    const std::scoped_lock lock(mutex_);
+    is_settling_ = false;
+  }
+  mqtt_.wake();
 }
 
 /// Broken ones get as many answers as what is refused.
 GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const MqttMessage& message) {
-  CommandPayload payload = addressed_payload(message);
+  CommandPayload payload = addressed_payload(message, {});
   const auto ignored = read_stop_payload(message.payload, topics_, payload);
   if (!ignored.empty()) {
     outbox_.count_ignored();
-    if (!refusals_.take(GimbalTasks::Clock::now())) {
+    if (!may_answer()) {
       outbox_.count_dropped();
       return [this](const TaskOutcome& outcome) { outbox_.count(outcome.status); };
     }
@@ -96,35 +164,29 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
   };
 }
 
-std::optional<Admission::Admitted> Admission::take_one(const MqttMessage& message,
-                                                       const IsOvertaken& is_overtaken) {
-  for (Fence& fence : fences_) {
-    if (message.topic == fence.topic()) return fence.saw(message.payload), std::nullopt;
-  }
-  const std::optional<CommandTopic> topic = topics_.command(message.topic);
-  if (!topic) return {};
-  CommandPayload payload = addressed_payload(message);
+std::optional<Admission::Admitted> Admission::settle_one(const Received& received) {
+  CommandPayload payload = addressed_payload(received.message, received.time);
   try {
-    if (topic->task == stop_task) {
-      read_stop_payload(message.payload, topics_, payload);
+    if (received.topic.task == stop_task) {
+      read_stop_payload(received.message.payload, topics_, payload);
     } else {
-      read_payload(message.payload, topics_, payload);
+      read_payload(received.message.payload, topics_, payload);
     }
-    const Station& station = station_for(*topic, message.is_retained);
-    return admit(*topic, payload, station, is_overtaken(station));
+    const Station& station = station_for(received.topic, received.message.is_retained);
+    return admit(received, payload, station);
   } catch (const Refusal& refusal) {
-    refuse(*topic, payload, refusal.code(), refusal.what());
+    refuse(received.topic, payload, refusal.code(), refusal.what());
     return {};
   }
 }
 
 /// With what the properties of the message say.
-CommandPayload Admission::addressed_payload(const MqttMessage& message) const {
+CommandPayload Admission::addressed_payload(const MqttMessage& message, WallTime time) const {
   CommandPayload payload;
   payload.correlation = message.correlation.substr(0, longest_correlation);
   if (topics_.is_reply(message.reply)) payload.reply = message.reply;
   if (is_key(message.key)) payload.key = message.key;
-  if (message.expiry) payload.deadline = std::chrono::system_clock::now() + *message.expiry;
+  if (message.expiry) payload.deadline = time + *message.expiry;
   return payload;
 }
 
@@ -145,9 +207,10 @@ const Station& Admission::station_for(const CommandTopic& topic, bool is_retaine
 }
 
 /// Throws Refusal.
-std::optional<Admission::Admitted> Admission::admit(const CommandTopic& topic,
+std::optional<Admission::Admitted> Admission::admit(const Received& received,
                                                     const CommandPayload& payload,
-                                                    const Station& station, bool is_overtaken) {
+                                                    const Station& station) {
+  const CommandTopic& topic = received.topic;
   const JournalCommand command{topic.gimbal,
                                payload.key,
                                topic.task + ' ' + payload_text(payload.parameters),
@@ -167,12 +230,11 @@ std::optional<Admission::Admitted> Admission::admit(const CommandTopic& topic,
     case Recognition::full: throw Refusal("overload", "too much waits for the broker");
   }
   if (is_closing_) throw Refusal("closing", "the gateway ends");
-  check_times(payload);
+  if (received.is_excess) throw Refusal("overload", "too much waits for the disk");
+  check_times(received, payload);
   Order order = read_order(topic.task, payload.parameters, station.gimbal->settings().raw_effects);
-  if (order.must_not_wait && is_overtaken && !order.is_urgent) {
-    throw Refusal("superseded", "a later command stops the camera");
-  }
-  if (order.must_not_wait) check_freshness(topic, payload);
+  if (order.must_not_wait) check_freshness(received, payload);
+  if (std::holds_alternative<SpeedOrder>(order.what)) check_speed(received, payload);
   const auto id = journal_.admit(command, std::chrono::system_clock::now());
   if (!id) throw Refusal("overload", "too much waits for the broker");
   if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
@@ -183,14 +245,19 @@ std::optional<Admission::Admitted> Admission::admit(const CommandTopic& topic,
   std::optional<WallTime> deadline = payload.deadline;
   if (deadline) *deadline += settings_.clock_skew;
   return Admitted{&station,
-                  {.command = *id, .order = std::move(order), .deadline = deadline, .done = done}};
+                  {.command = *id,
+                   .order = std::move(order),
+                   .deadline = deadline,
+                   .arrived = received.arrived,
+                   .stops = received.stops,
+                   .done = done}};
 }
 
 /// The clocks of senders may differ from ours by `clock_skew`. Throws Refusal.
-void Admission::check_times(const CommandPayload& payload) const {
+void Admission::check_times(const Received& received, const CommandPayload& payload) const {
   if (payload.key.empty()) throw Refusal("invalid", "'key' is missing");
   if (!payload.deadline) throw Refusal("invalid", "'deadline' is missing");
-  const auto left = *payload.deadline - std::chrono::system_clock::now();
+  const auto left = *payload.deadline - received.time;
   if (left < -settings_.clock_skew) throw Refusal("expired", "its deadline has passed");
   if (left > settings_.longest_deadline + settings_.clock_skew) {
     throw Refusal("deadline_too_far",
@@ -201,15 +268,27 @@ void Admission::check_times(const CommandPayload& payload) const {
 
 /// Brokers keep commands while the gateway is away, and some deliver them again long afterwards.
 /// Throws Refusal.
-void Admission::check_freshness(const CommandTopic& topic, const CommandPayload& payload) const {
+void Admission::check_freshness(const Received& received, const CommandPayload& payload) const {
   if (!payload.sent) throw Refusal("invalid", "'sent' is missing");
-  if (*payload.sent > std::chrono::system_clock::now() + settings_.clock_skew) {
+  if (*payload.sent > received.time + settings_.clock_skew) {
     throw Refusal("sent_in_future", "the clock of its sender is ahead");
   }
-  if (*payload.sent < connected_at_ - settings_.clock_skew ||
-      !fences_[topic.task == "raw" ? 1 : 0].is_open()) {
+  if (*payload.sent < received.connected_at - settings_.clock_skew || received.was_queued) {
     throw Refusal("queued", "it was published while the gateway was not connected");
   }
+}
+
+/// A speed is meant for now; other motion has its deadline. Throws Refusal.
+void Admission::check_speed(const Received& received, const CommandPayload& payload) const {
+  const auto age = received.time - *payload.sent;
+  if (received.may_be_old || age > GimbalTasks::longest_silence + settings_.clock_skew) {
+    throw Refusal("expired", "it may have waited, and a speed that waits is not wanted");
+  }
+}
+
+bool Admission::may_answer() {
+  const std::scoped_lock lock(mutex_);
+  return refusals_.take(GimbalTasks::Clock::now());
 }
 
 void Admission::refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
@@ -217,7 +296,7 @@ void Admission::refuse(const CommandTopic& topic, const CommandPayload& payload,
   outbox_.count("refused");
   // Only the fleet's gimbals have topics for events.
   if (payload.reply.empty() && !stations_.contains(topic.gimbal)) return;
-  if (!refusals_.take(GimbalTasks::Clock::now())) {
+  if (!may_answer()) {
     outbox_.count_dropped();
     return;
   }
@@ -230,6 +309,9 @@ void Admission::connected() {
   connected_at_ = std::chrono::system_clock::now();
   const auto now = unix_milliseconds(connected_at_);
   for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
+  echo_.close(fences_[0].token());
+  last_turn_ = GimbalTasks::Clock::now();
+  speeds_from_ = last_turn_ + GimbalTasks::longest_silence;
   mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")}, 1);
 }
 
@@ -241,6 +323,7 @@ void Admission::subscribed() {
 
 void Admission::lost() {
   for (Fence& fence : fences_) fence.close("");
+  echo_.close("");
   fenced_.reset();
 }
 

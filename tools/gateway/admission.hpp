@@ -5,9 +5,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +21,7 @@
 #include "gateway/mqtt.hpp"
 #include "gateway/outbox.hpp"
 #include "gateway/payload.hpp"
+#include "gateway/worker.hpp"
 
 namespace sbgc::tools {
 
@@ -45,7 +46,9 @@ class Fence {
     token_ = std::move(token);
     is_open_ = false;
   }
-  void saw(const std::string& payload) { is_open_ = is_open_ || payload == token_; }
+  void saw(const std::string& payload) {
+    is_open_ = is_open_ || (payload == token_ && !token_.empty());
+  }
   const std::string& token() const noexcept { return token_; }
 
  private:
@@ -54,45 +57,67 @@ class Fence {
   bool is_open_ = false;
 };
 
-/// On the thread of the connection, but for close().
 class Admission {
  public:
-  /// `stations` and `mqtt` can be filled and constructed later.
+  /// `stations`, `disk`, which calls settle(), and `mqtt` can be filled and constructed later.
   Admission(const BrokerSettings& settings, const Topics& topics, const Stations& stations,
-            Journal& journal, Outbox& outbox, MqttConnection& mqtt);
+            Journal& journal, Worker& disk, Outbox& outbox, MqttConnection& mqtt);
   Admission(const Admission&) = delete;
   Admission& operator=(const Admission&) = delete;
   ~Admission() = default;
 
-  /// What has arrived together. Commands go to their gimbals when they are on the disk.
-  void take(const std::vector<MqttMessage>& messages);
+  // On the thread of the connection, which never waits for the journal.
+
+  /// What has arrived. Stops go to their gimbals at once, the rest waits for settle().
+  void take(std::vector<MqttMessage> messages);
+  /// True if nothing of what has arrived waits for the disk.
+  bool is_settled() const;
   void connected();
   void subscribed();
   void lost();
   /// Who may command, but not read the topic of a fence, would wonder why nothing moves.
   void watch_fences();
+
+  /// On the thread of the journal: commands go to their gimbals when they are on the disk.
+  void settle();
+
   /// Nothing but stops from now on. Any thread.
   void close() noexcept { is_closing_ = true; }
 
  private:
+  /// A command, or a stop that is refused, on its way to the disk.
+  struct Received {
+    MqttMessage message{};
+    CommandTopic topic{};
+    GimbalTasks::Clock::time_point arrived{};
+    std::chrono::system_clock::time_point time{};  // the same
+    std::chrono::system_clock::time_point connected_at{};
+    bool was_queued{};      // it may have been published before the connection was made
+    bool may_be_old{};      // as a speed: something was suspended
+    bool is_excess{};       // too much waits for the disk
+    std::uint64_t stops{};  // see GimbalTasks::Job
+  };
   /// A command that is to be carried out once it is on the disk.
   struct Admitted {
     const Station* station{};
     GimbalTasks::Job job{};
   };
 
-  /// True if a later `stop` for the gimbal has come with a command.
-  using IsOvertaken = std::function<bool(const Station&)>;
-
-  const Station* stop_at_once(const MqttMessage& message);
+  void watch_delays(GimbalTasks::Clock::time_point now);
+  bool see_fence(const MqttMessage& message);
+  bool stop_at_once(const CommandTopic& topic, const MqttMessage& message);
   GimbalTasks::Done answer_of_stop(const CommandTopic& topic, const MqttMessage& message);
-  std::optional<Admitted> take_one(const MqttMessage& message, const IsOvertaken& is_overtaken);
-  CommandPayload addressed_payload(const MqttMessage& message) const;
+  void queue(CommandTopic topic, MqttMessage message, GimbalTasks::Clock::time_point arrived);
+  std::optional<Admitted> settle_one(const Received& received);
+  CommandPayload addressed_payload(const MqttMessage& message,
+                                   std::chrono::system_clock::time_point time) const;
   const Station& station_for(const CommandTopic& topic, bool is_retained) const;
-  std::optional<Admitted> admit(const CommandTopic& topic, const CommandPayload& payload,
-                                const Station& station, bool is_overtaken);
-  void check_times(const CommandPayload& payload) const;
-  void check_freshness(const CommandTopic& topic, const CommandPayload& payload) const;
+  std::optional<Admitted> admit(const Received& received, const CommandPayload& payload,
+                                const Station& station);
+  void check_times(const Received& received, const CommandPayload& payload) const;
+  void check_freshness(const Received& received, const CommandPayload& payload) const;
+  void check_speed(const Received& received, const CommandPayload& payload) const;
+  bool may_answer();
   void refuse(const CommandTopic& topic, const CommandPayload& payload, const char* code,
               const std::string& message);
 
@@ -100,12 +125,25 @@ class Admission {
   const Topics& topics_;
   const Stations& stations_;
   Journal& journal_;
+  Worker& disk_;
   Outbox& outbox_;
   MqttConnection& mqtt_;
   std::atomic<bool> is_closing_{false};
+
+  // Of the thread of the connection:
   std::array<Fence, 2> fences_;  // of cmd and raw
   std::optional<MqttConnection::Clock::time_point> fenced_{};
   std::chrono::system_clock::time_point connected_at_{};
+  GimbalTasks::Clock::time_point last_turn_{};
+  GimbalTasks::Clock::time_point speeds_from_{};  // earlier ones may be old
+  Fence echo_;                                    // and those before our own message
+  std::uint64_t echoes_ = 0;
+
+  // Shared:
+  mutable std::mutex mutex_{};
+  std::vector<Received> received_{};
+  std::size_t received_bytes_ = 0;
+  bool is_settling_ = false;
   Allowance refusals_;
 };
 

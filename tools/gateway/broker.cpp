@@ -19,6 +19,7 @@
 #include "gateway/payload.hpp"
 #include "gateway/reports.hpp"
 #include "gateway/rivals.hpp"
+#include "gateway/worker.hpp"
 
 namespace sbgc::tools {
 
@@ -36,7 +37,15 @@ class Broker::Impl {
  public:
   Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals);
 
-  void start() { mqtt_.start(); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() { disk_.finish(); }
+
+  void start() {
+    disk_.start();
+    disk_.wake();  // for what an earlier gateway has left
+    mqtt_.start();
+  }
   void close();
   Statistics statistics() const;
   std::string failure() const;
@@ -48,7 +57,7 @@ class Broker::Impl {
   void add_station(Gimbal& gimbal, std::optional<std::int64_t> moved_by);
 
   // On the thread of the connection.
-  void take(const std::vector<MqttMessage>& messages);
+  void take(std::vector<MqttMessage> messages);
   void connected();
   void lost(const std::string& reason);
   bool idle();
@@ -72,6 +81,7 @@ class Broker::Impl {
   std::string failure_{};
   std::string last_problem_{};  // of the connection, on its thread
 
+  Worker disk_;
   MqttConnection mqtt_;  // last: its thread uses the others
 };
 
@@ -83,8 +93,14 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
       journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
                                    .history = settings_.history,
                                    .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
-      outbox_(settings_, topics_, rivals_, journal_, mqtt_),
-      admission_(settings_, topics_, stations_, journal_, outbox_, mqtt_),
+      outbox_(settings_, topics_, rivals_, journal_, disk_, mqtt_),
+      admission_(settings_, topics_, stations_, journal_, disk_, outbox_, mqtt_),
+      disk_(
+          [this] {
+            admission_.settle();
+            outbox_.record();
+          },
+          [this] { mqtt_.wake(); }),
       mqtt_(settings_, will(), mqtt_handlers()) {
   const std::map<std::string, std::int64_t> moved_by = journal_.moving();
   for (const auto& gimbal : gimbals) {
@@ -94,7 +110,8 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
 }
 
 MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
-  return {.on_messages = [this](const std::vector<MqttMessage>& messages) { take(messages); },
+  return {.on_messages = [this](std::vector<MqttMessage> messages) { take(std::move(messages)); },
+          .is_settled = [this] { return admission_.is_settled(); },
           .on_connected = [this] { connected(); },
           .on_lost = [this](const std::string& reason) { lost(reason); },
           .on_subscribed = [this] { admission_.subscribed(); },
@@ -145,13 +162,13 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
   stations_[name] = {&gimbal, std::move(tasks)};
 }
 
-void Broker::Impl::take(const std::vector<MqttMessage>& messages) {
+void Broker::Impl::take(std::vector<MqttMessage> messages) {
   for (const MqttMessage& one : messages) {
     if (one.topic != state_topic_ || !rivals_.read(one.payload, Rivals::Clock::now())) continue;
     has_rival_ = true;
     throw std::runtime_error("another gateway of this fleet is at the broker, and was there first");
   }
-  admission_.take(messages);
+  admission_.take(std::move(messages));
 }
 
 void Broker::Impl::connected() {
@@ -171,7 +188,7 @@ void Broker::Impl::lost(const std::string& reason) {
 }
 
 bool Broker::Impl::idle() {
-  outbox_.record();
+  disk_.check();
   if (!mqtt_.is_connected()) return false;
   admission_.watch_fences();
   return outbox_.publish();
@@ -213,6 +230,7 @@ void Broker::Impl::close() {
   wait_until([&] { return !is_connected_ || outbox_.statistics().waiting == 0; },
              std::chrono::seconds(2));
   mqtt_.close();
+  disk_.finish();
 }
 
 Broker::Statistics Broker::Impl::statistics() const {

@@ -1,7 +1,8 @@
 /// Puts the gimbals of a fleet on an MQTT broker: what they report, and what they are told.
 ///
-/// The thread of the connection to the broker owns the journal. A command goes from there to the
-/// strand of its gimbal, once it is on the disk; its result comes back the same way.
+/// A command goes from the thread of the connection to that of the journal and, once it is on the
+/// disk, to the strand of its gimbal; its result comes back the same way. A stop goes to the strand
+/// at once: nothing waits for the journal but its own thread.
 #pragma once
 
 #include <memory>

@@ -59,6 +59,7 @@ GimbalTasks::GimbalTasks(Gimbal& gimbal, Hooks hooks, std::optional<std::int64_t
 }
 
 void GimbalTasks::run(Job job) {
+  if (std::holds_alternative<StopOrder>(job.order.what)) ++stop_count_;
   asio::post(gimbal_.executor(), [self = shared_from_this(), job = std::move(job)]() mutable {
     self->add(std::move(job));
   });
@@ -109,6 +110,9 @@ void GimbalTasks::add(Job job) {
     return stop(std::move(job.done));
   }
   if (job.order.is_urgent) return turn_motors_off(std::move(job));
+  if (job.order.must_not_wait && job.stops < stop_count_) {
+    return end(job, {"refused", "superseded", "a later command stops the camera", {}});
+  }
   constexpr std::size_t most_waiting = 16;
   if (waiting_.size() >= most_waiting) {
     return end(job, {"refused", "overload", "too many commands wait for this gimbal", {}});

@@ -1,7 +1,9 @@
 /// Carries out the commands of one gimbal.
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -58,6 +60,7 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
     Order order{};
     std::optional<Time> deadline{};  ///< it must begin before
     Clock::time_point arrived{};
+    std::uint64_t stops{};  ///< what stops() was then: a later stop supersedes its motion
     Done done{};
   };
 
@@ -69,6 +72,8 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
 
   /// Calls `done` exactly once, on the strand.
   void run(Job job);
+  /// How many stops run() has got.
+  std::uint64_t stops() const noexcept { return stop_count_; }
   void link_changed(bool is_online);
   /// Stops the camera if a command has moved it, and ends what runs or waits. `done` is called when
   /// nothing is left to do.
@@ -104,6 +109,7 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   Gimbal& gimbal_;
   const Hooks hooks_;
   asio::steady_timer timer_;
+  std::atomic<std::uint64_t> stop_count_{0};
   std::deque<Job> waiting_{};
   std::optional<Job> current_{};
   std::unique_ptr<asio::cancellation_signal> cancel_{};

@@ -207,7 +207,7 @@ void MqttConnection::set_up(const MqttPublication& will) {
                  "MQTT 5");
   }
   require_mqtt(mosquitto_int_option(connection, MOSQ_OPT_TCP_NODELAY, 1), "TCP");
-  // The library leaves acknowledgments to mosquitto_loop_write(), which runs after on_messages().
+  // The library leaves acknowledgments to mosquitto_loop_write(); see can_write().
   require_mqtt(mosquitto_threaded_set(connection, true), "MQTT");
   require_mqtt(mosquitto_max_inflight_messages_set(connection, 0), "MQTT");
   require_mqtt(
@@ -327,6 +327,8 @@ void MqttConnection::serve() {
   handlers_.on_idle();  // the last words
   mosquitto_disconnect(connection_.get());
   const auto end = Clock::now() + std::chrono::seconds(1);
+  while (!can_write() && Clock::now() < end) std::this_thread::sleep_for(milliseconds(10));
+  if (!can_write()) return;
   while (mosquitto_socket(connection_.get()) >= 0 && Clock::now() < end) {
     if (mosquitto_loop_write(connection_.get(), 1) != MOSQ_ERR_SUCCESS) break;
   }
@@ -334,6 +336,7 @@ void MqttConnection::serve() {
 
 std::string MqttConnection::connect() {
   begun_ = Clock::now();
+  is_holding_ = false;  // the library has forgotten the acknowledgments
   const BrokerAddress& address = settings_.addresses[attempts_++ % settings_.addresses.size()];
   constexpr std::chrono::seconds least_keep_alive{5};  // of the library
   const auto keep_alive = static_cast<int>(
@@ -346,6 +349,8 @@ std::string MqttConnection::connect() {
     constexpr std::uint32_t never = 0xFFFFFFFF;
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_SESSION_EXPIRY_INTERVAL, never);
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_MAXIMUM_PACKET_SIZE, longest_packet);
+    // A stop must not wait behind what is not acknowledged.
+    mosquitto_property_add_int16(properties.add(), MQTT_PROP_RECEIVE_MAXIMUM, 0xFFFF);
     status = mosquitto_connect_bind_v5(connection_.get(), address.host.c_str(), address.port,
                                        keep_alive, nullptr, properties.get());
   } else {
@@ -362,21 +367,22 @@ void MqttConnection::forget_wakes() {
 
 std::string MqttConnection::turn() {
   mosquitto* const connection = connection_.get();
-  const bool writes = mosquitto_want_write(connection);
+  const bool writes = can_write() && mosquitto_want_write(connection);
   std::array<pollfd, 2> waiting{
       {{mosquitto_socket(connection), static_cast<short>(POLLIN | (writes ? POLLOUT : 0)), 0},
        {wake_.get(), POLLIN, 0}}};
-  const milliseconds longest = has_more_ && !writes ? milliseconds(0) : mqtt_turn;
+  const bool is_busy = has_more_ && !writes && !is_holding_;
+  const milliseconds longest = is_busy ? milliseconds(0) : mqtt_turn;
   ::poll(waiting.data(), waiting.size(), static_cast<int>(longest.count()));
   forget_wakes();
   const bool can_read = (waiting[0].revents & ~POLLOUT) != 0;
   std::string problem = can_read ? read() : "";
-  // They are on the disk before the acknowledgments, which the library has queued, are written.
   arrived_bytes_ = 0;
-  if (!arrived_.empty()) handlers_.on_messages(std::exchange(arrived_, {}));
+  is_holding_ = is_holding_ || !arrived_.empty();
+  handlers_.on_messages(std::exchange(arrived_, {}));
   has_more_ = handlers_.on_idle();
   if (!problem.empty()) return problem;
-  if (mosquitto_want_write(connection)) {
+  if (can_write() && mosquitto_want_write(connection)) {
     const int status = mosquitto_loop_write(connection, 1);
     if (status != MOSQ_ERR_SUCCESS) return mqtt_error(status);
   }
@@ -385,6 +391,11 @@ std::string MqttConnection::turn() {
   if (mosquitto_socket(connection) < 0) return "the connection was closed";
   if (!is_connected_ && Clock::now() > begun_ + mqtt_patience) return "the broker does not answer";
   return "";
+}
+
+bool MqttConnection::can_write() {
+  is_holding_ = is_holding_ && !handlers_.is_settled();
+  return !is_holding_;
 }
 
 /// Reads several messages, so that one commit to the disk serves all.

@@ -48,8 +48,12 @@ class MqttConnection {
   using Clock = std::chrono::steady_clock;
 
   struct Handlers {
-    /// Messages that have arrived together. They are acknowledged when this has returned.
+    /// What has arrived since the last call, in its order; several times a second, also if that is
+    /// nothing. It must not wait.
     std::function<void(std::vector<MqttMessage>)> on_messages{};
+    /// True if what has arrived may be acknowledged. Nothing at all is sent before, because the
+    /// library has the acknowledgments among what it sends; wake() tells that it has changed.
+    std::function<bool()> is_settled{};
     std::function<void()> on_connected{};
     /// With a reason for people; also if an attempt to connect has failed.
     std::function<void(const std::string& reason)> on_lost{};
@@ -116,6 +120,7 @@ class MqttConnection {
   /// Waits for the broker or wake(), and reads and writes. Returns why the connection broke, or "".
   std::string turn();
   std::string read();
+  bool can_write();
   /// Waits for `pause` or until the end.
   void rest(std::chrono::milliseconds pause);
 
@@ -130,8 +135,9 @@ class MqttConnection {
   // Of the thread:
   std::size_t attempts_ = 0;
   bool is_connected_ = false;
-  bool has_more_ = false;  // to do
-  std::string refusal_{};  // of the broker
+  bool has_more_ = false;    // to do
+  bool is_holding_ = false;  // acknowledgments, until what has arrived is settled
+  std::string refusal_{};    // of the broker
   std::vector<MqttMessage> arrived_{};
   std::size_t arrived_bytes_ = 0;
   int last_id_ = 0;

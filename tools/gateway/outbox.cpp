@@ -1,5 +1,7 @@
 #include "gateway/outbox.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "command/remark.hpp"
@@ -14,14 +16,21 @@ constexpr std::size_t most_unacknowledged = 64;
 constexpr std::size_t most_unsent = 256;
 /// After which a message that the broker has refused, as for a quota, is published again.
 constexpr std::chrono::seconds pause_after_refusal{10};
-/// Events that wait for the thread of the broker.
+/// Half of what may pass unseen while the broker is suspended.
+constexpr std::chrono::milliseconds longest_beat_interval{250};
+/// Events that wait for the thread of the journal.
 constexpr std::size_t most_notices = 1'000;
 
 }  // namespace
 
 Outbox::Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
-               Journal& journal, MqttConnection& mqtt)
-    : settings_(settings), topics_(topics), rivals_(rivals), journal_(journal), mqtt_(mqtt) {
+               Journal& journal, Worker& disk, MqttConnection& mqtt)
+    : settings_(settings),
+      topics_(topics),
+      rivals_(rivals),
+      journal_(journal),
+      disk_(disk),
+      mqtt_(mqtt) {
   settle_unfinished();
 }
 
@@ -67,7 +76,7 @@ void Outbox::happen(Happening happening) {
     }
     happenings_.push_back(std::move(happening));
   }
-  mqtt_.wake();
+  disk_.wake();
 }
 
 void Outbox::put_sample(std::string topic, std::string payload) {
@@ -137,47 +146,113 @@ void Outbox::connected() {
 }
 
 void Outbox::acknowledged(int id, const std::string& refused) {
-  if (heartbeat_ == id) heartbeat_.reset();
+  if (heartbeat_ == id) {
+    was_late_ = was_late(MqttConnection::Clock::now());
+    heartbeat_.reset();
+  }
   const bool is_news = refused != std::exchange(last_refusal_, refused);
   if (is_news && !refused.empty()) remark("sbgc: the broker refuses messages: {}\n", refused);
   const auto found = on_the_way_.find(id);
   if (found == on_the_way_.end()) return;
-  if (refused.empty()) {
-    ++acknowledged_;
-    delivered_.push_back(found->second);
-  } else {
-    refused_.push_back({MqttConnection::Clock::now() + pause_after_refusal, found->second});
+  {
+    const std::scoped_lock lock(mutex_);
+    --in_flight_;
+    if (refused.empty()) {
+      ++acknowledged_;
+      delivered_.push_back(found->second);
+    } else {
+      refused_.push_back({MqttConnection::Clock::now() + pause_after_refusal, found->second});
+    }
   }
   on_the_way_.erase(found);
+  disk_.wake();
+}
+
+bool Outbox::was_late(MqttConnection::Clock::time_point now) {
+  const bool is_late = heartbeat_ && now > last_beat_ + GimbalTasks::longest_silence;
+  return std::exchange(was_late_, false) || is_late;
 }
 
 void Outbox::record() {
   std::deque<Happening> happenings;
+  std::vector<std::int64_t> delivered;
   {
     const std::scoped_lock lock(mutex_);
     happenings.swap(happenings_);
+    delivered.swap(delivered_);
   }
-  if (happenings.empty() && delivered_.empty()) return;
-  journal_.begin();
-  for (const std::int64_t id : std::exchange(delivered_, {})) journal_.remove(id);
-  std::size_t ended = 0;
-  for (const Happening& happening : happenings) {
-    if (const auto* const notice = std::get_if<WaitingMessage>(&happening)) {
-      journal_.put(*notice);
-    } else if (const auto* const rest = std::get_if<AtRest>(&happening)) {
-      journal_.set_at_rest(rest->gimbal, rest->command);
-    } else {
-      const auto& [command, gimbal, result] = std::get<Ended>(happening);
-      ++ended;
-      for (const ReplyAddress& address : journal_.finish(command, result)) {
-        answer(WaitingKind::result, gimbal, address, Json::parse(result));
-      }
-    }
+  if (!happenings.empty() || !delivered.empty()) {
+    journal_.begin();
+    for (const std::int64_t id : delivered) journal_.remove(id);
+    for (const Happening& happening : happenings) write(happening);
+    journal_.commit();
+    running_ -= static_cast<std::size_t>(std::ranges::count_if(
+        happenings, [](const Happening& one) { return std::holds_alternative<Ended>(one); }));
   }
-  journal_.commit();
-  running_ -= ended;
   waiting_ = journal_.waiting();
   gave_way_ = journal_.dropped();
+  load();
+}
+
+void Outbox::write(const Happening& happening) {
+  if (const auto* const notice = std::get_if<WaitingMessage>(&happening)) {
+    journal_.put(*notice);
+  } else if (const auto* const rest = std::get_if<AtRest>(&happening)) {
+    journal_.set_at_rest(rest->gimbal, rest->command);
+  } else if (const auto* const oversized = std::get_if<Oversized>(&happening)) {
+    shorten(oversized->message);
+  } else {
+    const auto& [command, gimbal, result] = std::get<Ended>(happening);
+    for (const ReplyAddress& address : journal_.finish(command, result)) {
+      answer(WaitingKind::result, gimbal, address, Json::parse(result));
+    }
+  }
+}
+
+void Outbox::shorten(const WaitingMessage& message) {
+  remark("sbgc: the broker takes no message of {} bytes to {}\n", message.payload.size(),
+         message.topic);
+  journal_.remove(message.id);
+  if (auto payload = shortened(message.payload)) {
+    WaitingMessage rest = message;
+    rest.payload = *std::move(payload);
+    journal_.put(rest);
+  } else {
+    ++overflowed_;
+  }
+}
+
+/// Fetches what publish() can take, the refused that are due first.
+void Outbox::load() {
+  std::vector<std::int64_t> again;
+  std::size_t room = 0;
+  {
+    const std::scoped_lock lock(mutex_);
+    room = most_unacknowledged - in_flight_;
+    const auto now = MqttConnection::Clock::now();
+    while (!refused_.empty() && refused_.front().again <= now && again.size() < room) {
+      again.push_back(refused_.front().id);
+      refused_.pop_front();
+    }
+  }
+  std::vector<WaitingMessage> found;
+  for (const std::int64_t id : again) {
+    // A notice may have given way.
+    for (WaitingMessage& one : journal_.waiting_after(id - 1, 1)) {
+      if (one.id == id) found.push_back(std::move(one));
+    }
+  }
+  for (WaitingMessage& one : journal_.waiting_after(last_loaded_, room - found.size())) {
+    last_loaded_ = one.id;
+    found.push_back(std::move(one));
+  }
+  if (found.empty()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    in_flight_ += found.size();
+    std::ranges::move(found, std::back_inserter(loaded_));
+  }
+  mqtt_.wake();
 }
 
 bool Outbox::publish() {
@@ -188,52 +263,30 @@ bool Outbox::publish() {
 }
 
 void Outbox::publish_waiting() {
-  const auto now = MqttConnection::Clock::now();
-  while (!refused_.empty() && refused_.front().again <= now &&
-         on_the_way_.size() < most_unacknowledged) {
-    const std::int64_t id = refused_.front().id;
-    const std::vector<WaitingMessage> found = journal_.waiting_after(id - 1, 1);
-    // A notice may have given way.
-    const bool is_there = !found.empty() && found.front().id == id;
-    if (is_there && !publish_one(found.front())) return;
-    refused_.pop_front();
+  while (true) {
+    const WaitingMessage* message = nullptr;  // nobody else removes it
+    {
+      const std::scoped_lock lock(mutex_);
+      const bool is_due =
+          !refused_.empty() && refused_.front().again <= MqttConnection::Clock::now();
+      if (is_due) disk_.wake();
+      if (loaded_.empty()) return;
+      message = &loaded_.front();
+    }
+    const auto id = mqtt_.publish({.topic = message->topic,
+                                   .payload = message->payload,
+                                   .correlation = message->correlation});
+    if (!id) return;
+    const bool is_oversized = *id == 0;
+    if (is_oversized) {
+      happen(Oversized{*message});
+    } else {
+      on_the_way_[*id] = message->id;
+    }
+    const std::scoped_lock lock(mutex_);
+    if (is_oversized) --in_flight_;
+    loaded_.pop_front();
   }
-  if (on_the_way_.size() >= most_unacknowledged) return;
-  for (const WaitingMessage& one :
-       journal_.waiting_after(last_published_, most_unacknowledged - on_the_way_.size())) {
-    if (!publish_one(one)) return;
-    last_published_ = one.id;
-  }
-}
-
-/// Returns false if it cannot be sent now.
-bool Outbox::publish_one(const WaitingMessage& message) {
-  const auto id = mqtt_.publish(
-      {.topic = message.topic, .payload = message.payload, .correlation = message.correlation});
-  if (!id) return false;
-  if (*id == 0) {
-    shorten(message);
-  } else {
-    on_the_way_[*id] = message.id;
-  }
-  return true;
-}
-
-/// The broker never takes it as it is.
-void Outbox::shorten(const WaitingMessage& message) {
-  remark("sbgc: the broker takes no message of {} bytes to {}\n", message.payload.size(),
-         message.topic);
-  journal_.begin();
-  journal_.remove(message.id);
-  if (auto payload = shortened(message.payload)) {
-    WaitingMessage rest = message;
-    rest.payload = *std::move(payload);
-    journal_.put(rest);
-  } else {
-    ++overflowed_;
-  }
-  journal_.commit();
-  waiting_ = journal_.waiting();
 }
 
 void Outbox::publish_states() {
@@ -266,7 +319,8 @@ bool Outbox::publish_telemetry() {
 /// A message that the broker must acknowledge shows that it is there; it also carries figures.
 void Outbox::beat() {
   const auto now = MqttConnection::Clock::now();
-  if (heartbeat_ || now < last_beat_ + settings_.stop_after / 4) return;
+  const auto interval = std::min(settings_.stop_after / 4, longest_beat_interval);
+  if (heartbeat_ || now < last_beat_ + interval) return;
   last_beat_ = now;
   heartbeat_ = mqtt_.publish(
       {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});

@@ -24,6 +24,7 @@
 #include "gateway/newest.hpp"
 #include "gateway/payload.hpp"
 #include "gateway/rivals.hpp"
+#include "gateway/worker.hpp"
 
 namespace sbgc::tools {
 
@@ -42,9 +43,9 @@ struct OutboxStatistics {
 
 class Outbox {
  public:
-  /// `mqtt` can be constructed later.
+  /// `disk`, which calls record(), and `mqtt` can be constructed later.
   Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
-         Journal& journal, MqttConnection& mqtt);
+         Journal& journal, Worker& disk, MqttConnection& mqtt);
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
   ~Outbox() = default;
@@ -70,16 +71,21 @@ class Outbox {
   /// Commands of the journal that have not ended.
   std::size_t running() const noexcept { return running_; }
 
-  // On the thread of the connection.
+  // On the thread of the journal.
 
   void has_begun() noexcept { ++running_; }
   /// Puts a result on the disk.
   void answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
               Json result);
+  /// One commit for all that has ended, happened or was acknowledged; then publish() gets more.
+  void record();
+
+  // On the thread of the connection, which never waits for the journal.
+
   void connected();
   void acknowledged(int id, const std::string& refused);
-  /// One commit for all that has ended, happened or was acknowledged.
-  void record();
+  /// True if a heartbeat is without its acknowledgment for too long, or was since the last call.
+  bool was_late(MqttConnection::Clock::time_point now);
   /// Returns true if some is left that can be published.
   bool publish();
 
@@ -94,7 +100,11 @@ class Outbox {
     std::int64_t command{};
     std::string gimbal{};
   };
-  using Happening = std::variant<WaitingMessage, Ended, AtRest>;
+  /// The broker never takes it as it is.
+  struct Oversized {
+    WaitingMessage message{};
+  };
+  using Happening = std::variant<WaitingMessage, Ended, AtRest, Oversized>;
   /// A message of the journal that the broker has not taken.
   struct RefusedMessage {
     MqttConnection::Clock::time_point again{};
@@ -103,9 +113,10 @@ class Outbox {
 
   void settle_unfinished();
   void happen(Happening happening);
-  void publish_waiting();
-  bool publish_one(const WaitingMessage& message);
+  void load();
+  void write(const Happening& happening);
   void shorten(const WaitingMessage& message);
+  void publish_waiting();
   void publish_states();
   bool publish_telemetry();
   void beat();
@@ -114,12 +125,17 @@ class Outbox {
   const Topics& topics_;
   const Rivals& rivals_;
   Journal& journal_;
+  Worker& disk_;
   MqttConnection& mqtt_;
 
   // Shared:
   Newest telemetry_{};
   mutable std::mutex mutex_{};
   std::deque<Happening> happenings_{};
+  std::vector<std::int64_t> delivered_{};            // messages of the journal, acknowledged
+  std::deque<RefusedMessage> refused_{};             // the others
+  std::deque<WaitingMessage> loaded_{};              // messages of the journal to publish
+  std::size_t in_flight_ = 0;                        // these, and those on the way
   std::map<std::string, std::string> states_{};      // by topic
   std::map<std::string, std::string> new_states_{};  // that are not published
   std::map<std::string, std::uint64_t> ended_{};     // commands by status
@@ -132,12 +148,12 @@ class Outbox {
 
   // Of the thread of the connection:
   std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
-  std::vector<std::int64_t> delivered_{};               // of these, acknowledged
-  std::deque<RefusedMessage> refused_{};                // of these, the others
   std::string last_refusal_{};
-  std::int64_t last_published_ = 0;
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
+  bool was_late_ = false;
+
+  std::int64_t last_loaded_ = 0;  // of the thread of the journal
 };
 
 }  // namespace sbgc::tools
