@@ -9,6 +9,7 @@
 #include <sbgc/client/result.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
+#include <sbgc/session/event.hpp>
 
 namespace sbgc {
 
