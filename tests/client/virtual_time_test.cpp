@@ -1,6 +1,7 @@
 // Tests of tasks in virtual time: without threads, clocks and lines.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -25,6 +26,11 @@ emulator::EmulatorOptions calm_board() {
   emulator::EmulatorOptions options;
   options.board.gimbal.noise = 0;
   return options;
+}
+
+template <class M>
+Task<decltype(std::declval<detail::Calling<M>>().await_resume())> called(M request) {
+  co_return co_await tasks::call(request);
 }
 
 class VirtualTime : public ::testing::Test {
@@ -75,6 +81,40 @@ TEST_F(VirtualTime, ADeadLineEndsAStopInTime) {
   EXPECT_EQ(stopped.error().code, ErrorCode::timeout);
   EXPECT_LE(client.now() - start, seconds(10));
   EXPECT_EQ(client.pending(), 0U);
+}
+
+TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  std::vector<msg::RealtimeDataCustom> samples;
+  const auto subscription =
+      client.delivery().subscribe(key_of<msg::RealtimeDataCustom>, [&](const void* sample) {
+        samples.push_back(*static_cast<const msg::RealtimeDataCustom*>(sample));
+      });
+  msg::DataStreamInterval stream;
+  stream.cmd_id = msg::RealtimeDataCustom::command;
+  const auto ask = [&](Flag what) {
+    return client.run(called(msg::RealtimeDataCustomRequest{.flags = what}));
+  };
+  const auto start = [&](std::uint16_t interval) {
+    stream.interval_ms = msg::Milliseconds(interval);
+    stream.config.flags = msg::RealtimeDataCustomFlags(Flag::imu_angles);
+    return client.run(called(stream));
+  };
+  ASSERT_TRUE(start(20));
+  for (int i = 0; i < 20; ++i) {
+    const auto acceleration = ask(Flag::acc_data);
+    ASSERT_TRUE(acceleration) << acceleration.error().message;
+    EXPECT_NEAR(acceleration->acc_data.value().yaw.raw(), 512, 20);
+    const std::size_t before = samples.size();
+    const auto angles = ask(Flag::imu_angles);
+    ASSERT_TRUE(angles) << angles.error().message;
+    EXPECT_EQ(samples.size(), before + 1) << "the answer is the next sample";
+  }
+  for (const auto& sample : samples) EXPECT_NEAR(sample.imu_angles.value().yaw.degrees(), 0, 1);
+  ASSERT_TRUE(start(10));
+  const auto refused = ask(Flag::acc_data);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::overload);
 }
 
 TEST_F(VirtualTime, ABackupComesBack) {

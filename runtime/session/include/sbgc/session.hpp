@@ -733,8 +733,9 @@ class BasicSession {
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
     if constexpr (has_streams) {
       if (policy.changes_stream()) streams_.settle(policy.stream, done);
-      const bool is_refused = outcome == Outcome::failed || outcome == Outcome::board_error;
-      if (is_refused && request.is_in_flight()) streams_.expect_none(policy);
+      const bool is_over = outcome == Outcome::answered || outcome == Outcome::failed ||
+                           outcome == Outcome::board_error;
+      if (is_over && request.is_in_flight()) streams_.expect_none(policy);
     }
     if (policy.restarts_board && done) streams_.stop();
     const Event event{.kind = EventKind::completed,

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
@@ -88,10 +89,7 @@ class SampleTimes {
   constexpr Sample take() noexcept {
     if (doubt_left_ != 0) {
       const Ticks samples = is_known_ ? (age_ + interval_ - gap()) / interval_ : never;
-      if (samples == 0) {
-        is_answered_ = true;
-        return Sample::no;
-      }
+      if (samples == 0) return std::exchange(is_answered_, true) ? Sample::doubtful : Sample::no;
       if (!is_answered_) {
         // One more than there can be samples: the answer was among them.
         if (frames_ >= samples) doubt_left_ = 0;
@@ -227,7 +225,7 @@ class Streams {
       if (streams_[i].can_hide(policy)) streams_[i].times.prolong(late_left);
     }
   }
-  /// The request has failed: it has no answer any more.
+  /// The request has ended: it has no answer any more.
   constexpr void expect_none(const ResponsePolicy& policy) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].can_hide(policy)) streams_[i].times.expect_none();
