@@ -100,6 +100,7 @@ TEST_F(Subscribed, TellsFormsOfACommandApart) {
 }
 
 TEST_F(Subscribed, TheRequestTellsAnswersOfOneSizeApart) {
+  introduce(board, 2745);
   board.answer<msg::AdjVarsStateRequestExt>(msg::AdjVarsStateExt{.analog_var_value = 1.5F});
   board.answer<msg::AdjVarsStateRequest>(msg::AdjVarsState{.analog_value = 7});
   Client client = connect();
