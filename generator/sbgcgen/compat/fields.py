@@ -368,6 +368,8 @@ def _compare_field(
     pair.compare(WIRE, "may be absent", "appended")
     pair.compare(WIRE, "is present if it fits", "fits")
     pair.compare(MEANING, "is hidden in text and JSON", "secret")
+    pair.compare(COMPATIBLE, "name in saved files", "saved_as")
+    pair.compare(COMPATIBLE, "number in saved files", "saved_in")
     _compare_conditions(pair, names)
     # A new default changes what a program sends that does not set the field.
     pair.compare(MEANING, "default")
