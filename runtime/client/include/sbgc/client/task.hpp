@@ -295,15 +295,23 @@ struct Calling {
     id = machine->begin(request, options);
     machine->wait(coroutine, {.call = id});
   }
-  CallResult<M> await_resume() {
+  CallResult<M> await_resume() { return read_response<M>(take()); }
+
+  Result<Reply> take() {
     const Result<Reply>* const reply = machine->reply(id);
-    CallResult<M> result =
+    Result<Reply> result =
         reply != nullptr
-            ? read_response<M>(*reply)
-            : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was canceled"});
+            ? *reply
+            : Result<Reply>(ClientError{ErrorCode::cancelled, "the call was canceled"});
     machine->end(id);
     return result;
   }
+};
+
+template <Callable M>
+struct Transacting : Calling<M> {
+  using Calling<M>::Calling;
+  Result<Reply> await_resume() { return this->take(); }
 };
 
 }  // namespace detail
@@ -316,6 +324,12 @@ inline detail::ThisTask this_task() noexcept { return {}; }
 /// Like Client::call(), but never calls CallOptions::on_confirmation.
 template <Callable M>
 detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
+  return {request, options};
+}
+
+/// Like Client::transact(), but never calls CallOptions::on_confirmation.
+template <Callable M>
+detail::Transacting<M> transact(const M& request, const CallOptions& options = {}) {
   return {request, options};
 }
 
