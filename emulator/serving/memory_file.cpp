@@ -14,11 +14,11 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/atomic_file.hpp>
+#include <sbgc/client/own_file.hpp>
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/parameters.hpp>
-#include <sbgc/parse_json.hpp>
 
 namespace sbgc::serving {
 namespace {
@@ -160,9 +160,6 @@ std::string checksum_of(const Json& document) {
 class Reader {
  public:
   Result<SavedMemory> read(const Json& document) {
-    if (!document.is_object() || document.value("format", Json()) != format_name) {
-      return ClientError{ErrorCode::bad_file, "this is not the memory of an emulated board"};
-    }
     const Json version = document.value("version", Json());
     if (version.is_number_unsigned() && version > format_version) {
       return ClientError{ErrorCode::incompatible,
@@ -324,9 +321,10 @@ std::string to_json_text(const SavedMemory& saved) {
 }
 
 Result<SavedMemory> parse_memory(std::string_view text) {
-  const ParsedJson document = parse_json(text);
-  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
-  return Reader().read(document.value);
+  const Result<Json> document =
+      detail::parse_own_json(text, format_name, "the memory of an emulated board");
+  if (!document) return document.error();
+  return Reader().read(*document);
 }
 
 Result<void> save_memory(const std::string& file, const SavedMemory& saved) {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/client/own_file.hpp>
 #include <sbgc/detail/parse_number.hpp>
 
 namespace sbgc::serving {
@@ -75,7 +75,7 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
 }
 
 std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file) {
-  const Result<std::string> content = detail::read_whole_file(file, largest_motion);
+  const Result<std::string> content = detail::read_text_file(file, largest_motion);
   if (!content) throw std::runtime_error(content.error().message);
   std::istringstream whole(*content);
   return read_motion(whole, file.string());

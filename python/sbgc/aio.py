@@ -36,6 +36,7 @@ from sbgc.client import (
     target_of,
 )
 from sbgc.emulator import Board
+from sbgc.fields import limited
 from sbgc.message import Message, of_library, wrap
 from sbgc.msg import BodeTestStartStopRequest, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
@@ -214,7 +215,7 @@ class Gimbal(Link):
         await self._finish(self._link.rename_profile(profile_index(profile), name), timeout=timeout)
 
     async def rename_profiles(self, names: Sequence[str], *, timeout: float = 10.0) -> None:
-        await self._finish(self._link.rename_profiles(list(names)), timeout=timeout)
+        await self._finish(self._link.rename_profiles(limited(names)), timeout=timeout)
 
     async def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
         index = profile_index(profile)

@@ -67,4 +67,9 @@ def recording_of(found: Any) -> BodeRecording:
 
 def read_bode(file: Union[str, Path]) -> BodeRecording:
     """Read a recording of the vendor's program, of `sbgc bode -o` or of BodeRecording.csv()."""
-    return recording_of(_core.parse_bode_csv(Path(file).read_bytes()))
+    with Path(file).open("rb") as opened:
+        text = opened.read(_core.MAX_BODE_CSV + 1)  # parsing refuses what is longer
+    try:
+        return recording_of(_core.parse_bode_csv(text))
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from None

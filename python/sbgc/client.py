@@ -16,6 +16,7 @@ from sbgc import _core
 from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalError, GimbalTimeout
+from sbgc.fields import limited
 from sbgc.message import Message, of_library, wrap
 from sbgc.msg import (
     BoardInfo,
@@ -468,7 +469,7 @@ class Gimbal(Link):
 
     def rename_profiles(self, names: Sequence[str], *, timeout: float = 10.0) -> None:
         """Rename all profiles, and verify the names."""
-        finish(self._link.rename_profiles(list(names)), timeout=timeout)
+        finish(self._link.rename_profiles(limited(names)), timeout=timeout)
 
     def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
         """Read the parameters of a profile, from 1, and those of the whole board."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, MutableSequence
 from enum import Enum
+from itertools import islice
 from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, Union, cast, overload
 
 from sbgc import _core
@@ -125,6 +126,15 @@ class AxesOf:
                 self._kind.write(message, f"{path}.{name}", element)
 
 
+MOST_ELEMENTS = 255
+"""A body has no more bytes."""
+
+
+def limited(values: Iterable[Any]) -> list[Any]:
+    """The values, as long as they can fit into a message, and one more: some iterables have no end."""
+    return list(islice(values, MOST_ELEMENTS + 1))
+
+
 class ListOf:
     """A list, whose size may be fixed."""
 
@@ -137,10 +147,13 @@ class ListOf:
     def write(self, message: _core.AnyMessage, path: str, value: Iterable[object]) -> None:
         if not isinstance(value, Iterable):
             raise TypeError(f"{path}: a list is needed, not {value!r}")
-        values = list(value)
+        values = limited(value)
         size = message.count(path)
-        if not message.remove(path) and len(values) != size:
-            raise FieldError(f"{path}: it has {size} elements, not {len(values)}", path)
+        is_fixed = not message.remove(path)
+        if len(values) > MOST_ELEMENTS or (is_fixed and len(values) != size):
+            takes = f"has {size}" if is_fixed else f"takes at most {MOST_ELEMENTS}"
+            given = str(len(values)) if len(values) <= MOST_ELEMENTS else f"over {MOST_ELEMENTS}"
+            raise FieldError(f"{path}: it {takes} elements, not {given}", path)
         message.add(path)
         for index, element in enumerate(values):
             self._kind.write(message, f"{path}[{index}]", element)
@@ -386,7 +399,7 @@ class Elements(MutableSequence[T]):
             self._kind.write(changed, f"{self._path}[{range(len(self))[index]}]", value)
             self._message.take(changed)
             return
-        self._edit(lambda values: values.__setitem__(index, value))
+        self._edit(lambda values: values.__setitem__(index, limited(value)))
 
     def __delitem__(self, index: Any) -> None:
         self._edit(lambda values: values.__delitem__(index))
@@ -395,7 +408,7 @@ class Elements(MutableSequence[T]):
         self._edit(lambda values: values.insert(index, value))
 
     def extend(self, values: Iterable[T]) -> None:
-        self._edit(lambda own: own.extend(values))
+        self._edit(lambda own: own.extend(limited(values)))
 
     def _edit(self, edit: Any) -> None:
         # Structures among the values stay places in this message.

@@ -53,6 +53,7 @@ py::tuple response_of(const Samples& input, const Samples& output, double from, 
 void bind_bode(py::module_& module) {
   module.def("bode_csv", &csv_of);
   module.def("parse_bode_csv", &recording_from);
+  module.attr("MAX_BODE_CSV") = max_bode_csv;
   module.def("frequency_response", &response_of);
 }
 

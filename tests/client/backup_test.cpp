@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <linux/capability.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -283,12 +284,28 @@ TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
 
 TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
   EXPECT_EQ(load_backup(file("none.json")).error().code, ErrorCode::not_found);
-  std::ofstream(file("text")) << "hello";
-  const auto error = load_backup(file("text")).error();
-  EXPECT_EQ(error.code, ErrorCode::bad_file);
-  EXPECT_THAT(error.message, HasSubstr("text: this is not JSON"));
-  EXPECT_EQ(parse_backup("{}").error().code, ErrorCode::bad_file);
-  EXPECT_EQ(parse_backup("[]").error().code, ErrorCode::bad_file);
+  const std::pair<std::string, const char*> contents[] = {
+      {"hello", "text"},
+      {"", "an empty file"},
+      {" \n<saved-configuration/>", "XML of the vendor's program"},
+      {"<?xml version='1.0'?>\n<saved-configuration/>", "XML of the vendor's program"},
+      {"<svg/>", "XML"},
+      {"<html><saved-configuration/>", "an HTML page"},
+      {"PK\x03\x04", "a ZIP archive"},
+      {std::string("\x1F\x8B\0", 3), "gzip data"},
+      {std::string("a\0", 2), "binary data"},
+      {"[]", "text"},
+  };
+  for (const auto& [content, kind] : contents) {
+    std::ofstream(file("other")) << content;
+    const auto error = load_backup(file("other")).error();
+    EXPECT_EQ(error.code, ErrorCode::bad_file);
+    EXPECT_EQ(error.message,
+              fmt::format("{}: this is {}, not an sbgc backup", file("other").string(), kind));
+  }
+  EXPECT_EQ(parse_backup("{}").error().message, "this is JSON, but not an sbgc backup");
+  EXPECT_THAT(parse_backup("{\"format\": }").error().message,
+              HasSubstr("this is not JSON (line 1"));
 }
 
 TEST_F(BackupTest, EveryBeginningOfAFileIsRefused) {
@@ -312,7 +329,7 @@ TEST_F(BackupTest, AFileThatIsMadeToDoHarmIsRefused) {
 
 TEST_F(BackupTest, EverythingInAFileIsChecked) {
   EXPECT_THAT(wrong([](Json& json) { json["format"] = "sbgc-other"; }).message,
-              HasSubstr("this is not an sbgc backup"));
+              HasSubstr("this is JSON of the format \"sbgc-other\", not an sbgc backup"));
   EXPECT_EQ(wrong([](Json& json) { json["version"] = 2; }).code, ErrorCode::incompatible);
   EXPECT_THAT(wrong([](Json& json) { json["version"] = "1"; }).message, HasSubstr("version"));
   EXPECT_THAT(wrong([](Json& json) { json.erase("board"); }).message,

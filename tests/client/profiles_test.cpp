@@ -99,7 +99,21 @@ TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
   board.after([&](const Packet& request) {
     if (is<msg::WriteProfileNames>(request)) board.store(msg::ReadProfileNames{});
   });
-  EXPECT_EQ(client().rename_profile(0, "x").error().code, ErrorCode::mismatch);
+  const auto error = client().rename_profile(0, "x").error();
+  EXPECT_EQ(error.code, ErrorCode::mismatch);
+  EXPECT_THAT(error.message, HasSubstr("the board confirmed ReadProfileNames, but it reads back"));
+}
+
+TEST_F(ProfilesTest, ALostRenamingIsRepeatedAndNeverCalledConfirmed) {
+  int lost = 0;
+  board.on_lost(
+      [&](const Packet& request) { return is<msg::WriteProfileNames>(request) && lost++ == 0; });
+  ASSERT_TRUE(client().rename_profile(0, "once"));
+  EXPECT_EQ(client().profile_names()->at(0), "once");
+  board.on_lost(is<msg::WriteProfileNames>);
+  const auto error = client().rename_profile(0, "never").error();
+  EXPECT_EQ(error.message,
+            "the board did not confirm ReadProfileNames, and it reads back as before");
 }
 
 }  // namespace

@@ -71,5 +71,9 @@ def test_a_lost_sample_and_a_broken_file(tmp_path: Path) -> None:
     recording = sbgc.read_bode(file)
     assert recording.lost == 1 and math.isnan(recording.output[1]) and not recording.response()
     file.write_text("1;2\n")
-    with pytest.raises(ValueError, match="line 1: not a frequency response"):
+    with pytest.raises(ValueError, match="lost.csv: line 1: not a frequency response"):
         sbgc.read_bode(file)
+    with file.open("wb") as large:
+        large.truncate(1 << 40)  # bytes that take no space
+    with pytest.raises(ValueError, match="lost.csv: .*the file is too long"):
+        sbgc.read_bode(str(file))

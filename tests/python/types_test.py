@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from collections.abc import Callable, Iterator
 
 import pytest
 
@@ -100,6 +101,35 @@ def test_lists_behave_like_lists() -> None:
     with pytest.raises(FieldError):
         message.note_freq_hz.extend([600] * 200)
     assert message.note_freq_hz_raw == [21000]
+
+
+def test_only_what_can_fit_is_taken_of_an_iterable() -> None:
+    taken = 0
+
+    def endless() -> Iterator[float]:
+        nonlocal taken
+        while taken < 10_000:
+            taken += 1
+            yield 600
+
+    message = msg.BeepSound(note_freq_hz=[600])
+
+    def set_slice() -> None:
+        message.note_freq_hz[:] = endless()
+
+    uses: list[Callable[[], object]] = [
+        lambda: msg.BeepSound(note_freq_hz=endless()),
+        lambda: message.note_freq_hz.extend(endless()),
+        set_slice,
+        lambda: msg.ReadProfileNames(profile_name=map(str, endless())),
+    ]
+    for use in uses:
+        taken = 0
+        with pytest.raises(FieldError, match=r"(takes at most 255|has 5) elements, not over 255"):
+            use()
+        assert taken <= 256
+    with pytest.raises(FieldError, match="it has 5 elements, not 2"):
+        msg.ReadProfileNames(profile_name=["a", "b"])
 
 
 def test_errors_name_field_value_and_limit() -> None:

@@ -151,6 +151,9 @@ class FieldMaker(TypeMaker):
             node["was"] = self.unique("FORMER_NAME_")
         if self.chance(0.1):
             node["unconfirmed"] = True
+        if self.chance(0.1):
+            node["saved_as"] = self.random.choice((None, "saved__name", "saved{n}"))
+            node["saved_in"] = self.random.choice(("unit", "raw"))
 
     def rules(self, fields: list[Node]) -> list[str]:
         """Returns a rule for two fields of the same type and number, if there are such."""

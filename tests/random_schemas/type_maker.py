@@ -180,6 +180,8 @@ class TypeMaker:
                 content[key]["was"] = self.unique("FORMER_VALUE_")
             if self.chance(0.1):
                 content[key]["unconfirmed"] = True
+            if self.chance(0.1):
+                content[key]["saved_as"] = "savedValue"
         node = {"type": number, "values": content}
         if self.chance(0.5) and any(key.startswith(prefix) for key in content):
             node["prefix"] = prefix

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import csv
 import io
+import os
+import re
+import subprocess
 import sys
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import Result, frame, run
+from sbgc_command import PROGRAM, Result, frame, run
 
 DIRECTIONS = {"LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"}
 MARKS = {"\u061c", "\u200e", "\u200f"}
@@ -23,9 +27,9 @@ HOSTILE = {
     for c in map(chr, range(sys.maxunicode + 1))
     if unicodedata.category(c) in ("Cc", "Zl", "Zp")
     or unicodedata.bidirectional(c) in DIRECTIONS
-    or c in MARKS
+    or c in MARKS | {"\ufffe", "\uffff"}
 }
-"""What a terminal obeys instead of showing it, according to Unicode."""
+"""What a terminal obeys instead of showing it, according to Unicode, and what XML does not allow."""
 
 STRAY = [bytes([byte]) for byte in range(0x80, 0x100)]
 """Bytes that are not UTF-8; terminals of 8 bits obey the first 32 of them."""
@@ -68,7 +72,7 @@ def assert_harmless(output: bytes) -> None:
 def cell(text: bytes) -> str:
     """Returns the cell of the first profile name in CSV."""
     table = decode(frame_with(text), "--format", "csv").out
-    _, line = csv.reader(io.StringIO(table.decode(errors="surrogateescape")))
+    _, line = csv.reader(io.StringIO(table.decode()))
     return line[1]
 
 
@@ -92,8 +96,8 @@ def test_json_escapes_the_code_point() -> None:
 def test_csv_shows_what_it_escapes() -> None:
     assert cell(b"\x1b[31m\x7f") == r"\x1b[31m\x7f"
     assert cell("\u009b31m\u202e".encode()) == r"\u009b31m\u202e"
-    assert cell(b"\x9b31m") == r"\x9b31m"
-    assert cell(b'"\x9b, ') == r'"\x9b, '
+    assert cell(b"\x9b31m\xe9") == "\uf79b31m\uf7e9", "as in JSON"
+    assert cell(b'"\x9b, ') == '"\uf79b, '
 
 
 def test_other_characters_stay() -> None:
@@ -124,3 +128,96 @@ def test_of_a_board(tmp_path: Path) -> None:
             assert_harmless(result.out)
             assert_harmless(result.error.encode())
         assert_harmless(backup.read_bytes())
+
+
+# Every command that takes a file, with each of its forms of output, meets files with hostile names and contents.
+
+PIECES = [c.encode() for c in sorted(HOSTILE - {"\0"})] + STRAY + [b"\xed\xa0\x80", b"<&>\"'"]
+HEADS = [b"".join(PIECES[at::8]) for at in range(8)]
+CONTENTS = {
+    "table": b"time,"
+    + b",".join(re.sub(rb"[\r\n\"]", b"", head) for head in HEADS[:7])
+    + b"\n0"
+    + b",1" * 7
+    + b"\n1"
+    + b",2" * 7
+    + b"\n",
+    "bode": b"%sbgc_test_data;70;0;1;3000;6;200\n" + b"1;2\n2;1\n3;5\n4;2\n" * 500,
+    "capture": EVERYTHING,
+    "json": b'{"format": "' + re.sub(rb'[\0-\x1f"\\\\]', b"", b"".join(PIECES)) + b'"}',
+}
+
+
+def help_of(path: tuple[str, ...]) -> str:
+    return run(*path, "--help").text
+
+
+def leaves(path: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
+    """All commands that do something, as the help names them."""
+    text = help_of(path)
+    if "] COMMAND\n" not in text:
+        yield path
+        return
+    for name in re.findall(r"^  ([a-z]+)  ", text, re.MULTILINE):
+        yield from leaves((*path, name))
+
+
+def forms(text: str, picture: bytes) -> list[list[bytes]]:
+    """The ways of output that a help offers."""
+    formats = re.search(r"^  --format ([a-z|]+)", text, re.MULTILINE)
+    found = [[b"--format", name.encode()] for name in formats[1].split("|")] if formats else [[]]
+    found += [[flag.encode()] for flag in ("--table", "--ascii", "--real") if f"  {flag} " in text]
+    return found + ([[b"--svg", picture]] if "  --svg FILE" in text else [])
+
+
+def assert_readable(output: bytes) -> None:
+    if b"\0" not in output:  # no frames or captures
+        assert_harmless(output)
+        output.decode()
+
+
+def test_every_writer_of_foreign_text(tmp_path: Path) -> None:
+    folder = os.fsencode(tmp_path)
+    pictures = 0
+    with emulated_gimbal() as gimbal:
+        for path in leaves():
+            text = help_of(path)
+            slots = [[b"%s"]] if re.search(r"^  \[?FILE", text, re.MULTILINE) else []
+            for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+) FILE", text, re.MULTILINE):
+                if option != "--svg":
+                    slots += [[option.encode(), b"%s"], [option.encode(), b"%s"] * 2]
+            port = [b"-p", gimbal.address.encode()] if "-p ADDRESS" in text else []
+            runs = [
+                (slot, form, content)
+                for slot in slots
+                for form in forms(text, folder + b"/picture.svg")
+                for content in CONTENTS.values()
+            ]
+            for number, (slot, form, content) in enumerate(runs):
+                names = [
+                    folder + b"/" + head.replace(b"/", b"") for head in HEADS[number % 8 :][:2]
+                ]
+                names = (names * 2)[:2]
+                for name in names:
+                    Path(os.fsdecode(name)).write_bytes(content)
+                words = [names.pop() if word == b"%s" else word for word in slot]
+                try:
+                    done = subprocess.run(
+                        [PROGRAM, *path, *words, *form, *port],
+                        stdin=subprocess.DEVNULL,
+                        capture_output=True,
+                        timeout=5,
+                        check=False,
+                    )
+                except subprocess.TimeoutExpired as over:
+                    assert_readable((over.stdout or b"") + (over.stderr or b""))
+                    break  # it serves
+                assert_readable(done.stdout)
+                assert_readable(done.stderr)
+                picture = tmp_path / "picture.svg"
+                if picture.exists():
+                    pictures += 1
+                    assert_readable(picture.read_bytes())
+                    ElementTree.fromstring(picture.read_bytes())
+                    picture.unlink()
+    assert pictures >= 3

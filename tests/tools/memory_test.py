@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
 import subprocess
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -30,22 +32,64 @@ def sbgc(gimbal: EmulatedGimbal, *arguments: str | Path) -> Result:
 
 def test_the_eeprom_is_read_and_written(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     before, data, after = tmp_path / "before", tmp_path / "data", tmp_path / "after"
-    assert sbgc(gimbal, "eeprom", "read", before).status == 0
+    assert sbgc(gimbal, "eeprom", "read", before, "--raw").status == 0
     assert before.stat().st_size == SIZE
     data.write_bytes(os.urandom(150))
     # Neither the start nor the end is that of a page.
-    written = sbgc(gimbal, "eeprom", "write", data, "--address", "20001", "--yes")
+    write = ("eeprom", "write", data, "--address", "20001", "--yes")
+    assert "does not say of which board" in sbgc(gimbal, *write).error
+    written = sbgc(gimbal, *write, "--raw")
     assert written.status == 0 and "150 bytes written and read back" in written.error
-    assert sbgc(gimbal, "eeprom", "read", after).status == 0
+    assert sbgc(gimbal, "eeprom", "read", after, "--raw").status == 0
     expected = bytearray(before.read_bytes())
     expected[20001:20151] = data.read_bytes()
     assert after.read_bytes() == expected
 
 
+def test_an_image_says_what_it_is(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    image, raw = tmp_path / "image", tmp_path / "raw"
+    part = ("--address", "4096", "--size", "300")
+    assert sbgc(gimbal, "eeprom", "read", image, *part).status == 0
+    assert sbgc(gimbal, "eeprom", "read", raw, "--raw", *part).status == 0
+    line, _, data = image.read_bytes().partition(b"\n")
+    facts = json.loads(line)
+    assert data == raw.read_bytes()
+    before = line.partition(b',"crc32"')[0]
+    assert facts["crc32"] == f"{zlib.crc32(before + data):08x}"
+    del facts["crc32"]
+    serial = facts.pop("serial_number")
+    expected = {"format": "sbgc-eeprom", "version": 1, "model": "3.6", "firmware": "2.70"}
+    assert facts == expected | {"frw_extra_id": 0, "address": 4096, "size": 300}
+    written = sbgc(gimbal, "eeprom", "write", image, "--yes")
+    assert written.status == 0 and "300 bytes" in written.error, written
+    for wrong in (("--raw",), ("--address", "4096")):
+        assert sbgc(gimbal, "eeprom", "write", image, "--yes", *wrong).status == 2
+    image.write_bytes(line + b"\n" + data[:-7])
+    assert "changed, or is incomplete" in sbgc(gimbal, "eeprom", "write", image, "--yes").error
+    image.write_bytes(line + b"\n" + data)
+    head = before.replace(json.dumps(serial).encode(), b'"00ff"')
+    other_sum = f',"crc32":"{zlib.crc32(head + data):08x}"}}'.encode()
+    image.write_bytes(head + other_sum + b"\n" + data)
+    with emulated_gimbal("--board", "3.0", "--firmware", "2.66") as other:
+        options: tuple[str, ...] = ()
+        for option in ("--other-model", "--other-firmware"):
+            result = sbgc(other, "eeprom", "write", image, "--yes", *options)
+            assert result.status == 1 and option in result.error, result
+            options += (option,)
+        for file, allowed, said in (
+            (image, options, "of another board, with the serial number 00ff"),
+            (raw, ("--raw",), "Nothing is known of these bytes"),
+        ):
+            asked = answer_on_terminal(
+                "n", "eeprom", "write", str(file), *allowed, "-p", other.address
+            )
+            assert said in " ".join(asked.error.split()), asked
+
+
 def test_progress_on_a_terminal(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     data = tmp_path / "data"
     data.write_bytes(bytes(640))
-    written = answer_on_terminal("y", "eeprom", "write", str(data), "-p", gimbal.address)
+    written = answer_on_terminal("y", "eeprom", "write", str(data), "--raw", "-p", gimbal.address)
     assert written.status == 0, written
     bars = re.findall(r"\r\x1b\[K\[(#*)( *)\] (\d+)/640 bytes", written.error)
     assert len(bars) > 3
@@ -56,7 +100,7 @@ def test_progress_on_a_terminal(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
 
 def test_a_part_of_the_eeprom(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     part = tmp_path / "part"
-    result = sbgc(gimbal, "eeprom", "read", part, "--address", "100", "--size", "7")
+    result = sbgc(gimbal, "eeprom", "read", part, "--raw", "--address", "100", "--size", "7")
     assert result.status == 0 and part.stat().st_size == 7
     late = sbgc(gimbal, "eeprom", "read", tmp_path / "no", "--address", str(SIZE))
     assert late.status == 1 and "ends before address" in late.error
@@ -73,7 +117,7 @@ def test_nothing_is_overwritten_without_force(gimbal: EmulatedGimbal, tmp_path: 
         result = sbgc(gimbal, *command, kept)
         assert result.status == 1 and "--force replaces it" in result.error
         assert kept.read_text() == "my thesis"
-    assert sbgc(gimbal, "eeprom", "read", kept, "--size", "5", "--force").status == 0
+    assert sbgc(gimbal, "eeprom", "read", kept, "--size", "5", "--force", "--raw").status == 0
     assert kept.stat().st_size == 5
 
 
@@ -143,7 +187,7 @@ def test_the_board_vanishes_in_the_middle(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("eeprom", "write", "{data}"),
+        ("eeprom", "write", "{data}", "--raw"),
         ("files", "put", "1", "{data}"),
         ("files", "delete", "1"),
         ("files", "delete", "--all"),

@@ -470,9 +470,11 @@ def test_comparisons_that_cannot_be_made(board: str, tmp_path: Path) -> None:
     broken.write_text("{}")
     assert params(board, "diff", str(broken)).status == 3
     assert run("params", "diff").status == 2
+    backup = str(tmp_path / "backup.json")
+    good(board, "backup", backup)
     for options in (["--profile", "2"], ["--yes"]):
-        needless = run("params", "diff", str(missing_file), *options)
-        assert needless.status == 2 and "need --defaults" in needless.error
+        needless = run("params", "diff", backup, backup, *options)
+        assert needless.status == 2 and "needs --defaults" in needless.error
 
 
 def test_disk_full_leaves_no_file(board: str, tmp_path: Path) -> None:

@@ -39,8 +39,11 @@ def assert_refused(result: Result, reason: str) -> None:
         ("move --yaw 5 --wait", "the motors are off"),
         ("speed --yaw 5 --for 1s", "the motors are off"),
         ("files delete 77", "file 77: No file has this id"),
-        ("eeprom write --address 999999 FILE", "the EEPROM ends before address 999999"),
-        ("eeprom write --address 32767 FILE", "2 bytes do not fit: the EEPROM has 1 from address"),
+        ("eeprom write --raw --address 999999 FILE", "the EEPROM ends before address 999999"),
+        (
+            "eeprom write --raw --address 32767 FILE",
+            "2 bytes do not fit: the EEPROM has 1 from address",
+        ),
     ],
 )
 def test_what_this_board_cannot_do(
@@ -58,7 +61,7 @@ def test_what_this_board_cannot_do(
         ("script start 1", "CMD_RUN_SCRIPT"),
         ("send CMD_BEEP_SOUND", "CMD_BEEP_SOUND"),
         ("calibrate mag", "CMD_CALIB_MAG"),
-        ("eeprom write FILE", "CMD_EEPROM_WRITE"),
+        ("eeprom write --raw FILE", "CMD_EEPROM_WRITE"),
         ("files put 1 FILE", "CMD_WRITE_FILE"),
         ("files delete 1", "CMD_READ_FILE"),
         ("files delete --all", "CMD_FS_CLEAR_ALL"),

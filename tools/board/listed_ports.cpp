@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/atomic_file.hpp>
-#include <sbgc/parse_json.hpp>
+#include <sbgc/client/own_file.hpp>
 
 namespace sbgc::tools {
 
@@ -58,14 +58,12 @@ Json json_of(const io::PortInfo& port) {
 io::PortList read_ports(const std::string& name) {
   const Result<std::string> text = detail::read_whole_file(name, largest_list);
   if (!text) return failed(text.error().message);
-  const ParsedJson parsed = parse_json(*text);
-  if (!parsed) return failed(name + ": " + parsed.problem->reason);
+  const Result<Json> parsed =
+      detail::parse_own_json(*text, format_name, "a list of ports of `sbgc ports --format json`");
+  if (!parsed) return failed(name + ": " + parsed.error().message);
   const std::string unfit = name + ": not a list of ports as `sbgc ports --format json` prints it";
-  if (!parsed.value.is_object() || parsed.value.value("format", Json()) != format_name ||
-      parsed.value.value("version", Json()) != format_version) {
-    return failed(unfit);
-  }
-  const Json ports = parsed.value.value("ports", Json());
+  if (parsed->value("version", Json()) != format_version) return failed(unfit);
+  const Json ports = parsed->value("ports", Json());
   if (!ports.is_array()) return failed(unfit);
   if (ports.size() > most_ports) {
     return failed(fmt::format("{}: more than {} ports", name, most_ports));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/foreign_kind.hpp>
 #include <sbgc/parse_json.hpp>
 #include <sbgc/validate.hpp>
 
@@ -103,6 +104,8 @@ bool works_with_defaults(const MessageType& message, const Json& fields, EncodeR
 std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeRules& rules) {
   const ParsedJson parsed = parse_json(text);
   if (!parsed) {
+    const std::string_view kind = detail::foreign_kind(text);
+    if (!kind.empty()) throw InputError(fmt::format("this is {}, not JSON lines", kind));
     throw InputError(
         fmt::format("{}, at column {}", parsed.problem->reason, parsed.problem->column));
   }

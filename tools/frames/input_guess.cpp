@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/detail/foreign_kind.hpp>
 #include <sbgc/parser.hpp>
 
 #include "frames/pasted_text.hpp"
@@ -48,6 +49,9 @@ std::string kind_of_text(ByteSpan bytes) {
   const auto first = std::ranges::find_if(bytes, [](std::uint8_t byte) { return byte > ' '; });
   if (first == bytes.end()) return "this is white space";
   if (*first == '{') return "this looks like JSON: use sbgc encode";
+  const std::string_view kind =
+      detail::foreign_kind({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!kind.empty()) return fmt::format("this is {}", kind);
   if (!choice.problem) return "this is text without bytes";
   return fmt::format("this is text, but not of bytes: {}",
                      to_text(choice.reading, *choice.problem));

@@ -175,7 +175,7 @@ void show_responses(const BodeCommand& command, const std::vector<NamedResponse>
     if (!command.table) continue;
     const bool is_first = &one == &responses.front();
     const std::string title = responses.size() > 1 ? one.name + '\n' : "";
-    show_table((is_first ? "" : "\n") + title + response_table(one.response));
+    show_table((is_first ? "" : "\n") + printable(title) + response_table(one.response));
   }
   if (command.svg.empty()) return;
   const std::string picture = response_svg(responses);

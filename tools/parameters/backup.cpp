@@ -21,6 +21,7 @@
 #include "command/wording.hpp"
 #include "parameters/defaults.hpp"
 #include "parameters/parameter_messages.hpp"
+#include "parameters/parameters_file.hpp"
 #include "parameters/params_commands.hpp"
 #include "parameters/profile_choice.hpp"
 #include "parameters/write_outcome.hpp"
@@ -89,6 +90,7 @@ struct RestoreChoice {
   bool other_model = false;
   bool other_firmware = false;
   bool partial = false;
+  ProfileOption profile{};
   Arming arming{};
 };
 
@@ -102,12 +104,29 @@ std::string refusal_hint(const Backup& backup, const ClientError& error) {
 }
 
 int restore_file(const RestoreChoice& options, const CommandContext& context) {
-  const Backup backup = value_of(load_backup(options.file));
+  ParametersFile file = load_parameters_file(options.file);
+  if (options.profile.number && !file.is_of_one_profile()) {
+    throw CommandError(fmt::format("{} holds all profiles, so it takes no --profile", file.name),
+                       wrong_usage);
+  }
   Client client = connect(context.gimbal);
+  Backup backup = file.backup;
   RestoreOptions restoring{.dry_run = true,
                            .allow_other_model = options.other_model,
                            .allow_other_firmware = options.other_firmware,
-                           .allow_partial = options.partial};
+                           .allow_partial = options.partial,
+                           .validate = file.vendor.has_value()};
+  std::string where = board_text(client.identity());
+  if (file.vendor) {
+    const ChosenProfile profile = choose_profile(client, options.profile);
+    if (file.is_of_one_profile()) where = fmt::format("{} of {}", profile.text(), where);
+    backup.board.info.frw_extra_id = client.identity().info.frw_extra_id;  // the file lacks it
+    // Before its names are looked up: they may stand for something else on another board.
+    if (const auto fits = check_fit(client.identity(), backup.board, restoring); !fits) {
+      fail({fits.error().code, fits.error().message + refusal_hint(backup, fits.error())});
+    }
+    backup.parameters = file.values(read_parameters(client), profile.index).parameters;
+  }
   WriteReport plan;
   {
     const Interruption interruption;
@@ -121,7 +140,8 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
     fail(error);
   }
   if (const auto others = left_alone(client.identity(), backup); !others.empty()) {
-    remark("note: not in the backup, so left alone: {}\n", to_text(others));
+    remark("note: not in the {}, so left alone: {}\n", file.vendor ? "file" : "backup",
+           to_text(others));
   }
   const std::string changes = changes_text(plan);
   if (changes.empty()) {
@@ -136,7 +156,7 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   arm(options.arming,
       fmt::format("Saves the present parameters to {}, then writes {} to {}. Parameters take "
                   "effect at once, and the camera can move.",
-                  save_to, counted(change_count(plan), "change"), board_text(client.identity())));
+                  save_to, counted(change_count(plan), "change"), where));
   bool is_saved = false;
   restoring.dry_run = false;
   restoring.save_current = [&](const Backup& present) {
@@ -242,17 +262,45 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
                             "the factory defaults", profile.text());
 }
 
+/// Returns the file as a backup. What a file of the vendor's program does not hold is as in
+/// `other`.
+Backup as_backup(ParametersFile& file, const Backup& other, std::uint8_t target) {
+  Backup result = file.backup;
+  result.parameters = file.values(other.parameters, target).parameters;
+  for (const Parameters& block : other.parameters.all()) {
+    if (file.vendor && result.parameters.find(block.id) == nullptr) {
+      value_of(result.parameters.put(block));
+    }
+  }
+  return result;
+}
+
 int compare(const DiffOptions& options, const CommandContext& context) {
   if (options.defaults) return compare_with_defaults(options, context);
-  const Backup before = value_of(load_backup(options.files[0]));
+  std::vector<ParametersFile> files;
+  for (const std::string& file : options.files) files.push_back(load_parameters_file(file));
+  if (options.profile.number && std::ranges::none_of(files, &ParametersFile::is_of_one_profile)) {
+    throw CommandError("--profile needs --defaults, or a file with one profile", wrong_usage);
+  }
+  auto target = static_cast<std::uint8_t>(options.profile.number.value_or(1) - 1);
+  Backup before;
   Backup after;
   std::string name = "the board";
-  if (options.files.size() > 1) {
+  if (files.size() > 1) {
     name = options.files[1];
-    after = value_of(load_backup(name));
+    Backup base = files[0].vendor ? files[1].backup : files[0].backup;
+    if (files[0].vendor && files[1].vendor) {
+      const Availability versions = base.board.versions();
+      base.parameters = empty_parameters({versions.firmware, versions.board});
+      base = as_backup(files[0], base, target);  // what only one of them holds is in both
+    }
+    after = as_backup(files[1], base, target);
+    before = as_backup(files[0], after, target);
   } else {
     Client client = connect(context.gimbal);
+    if (files[0].is_of_one_profile()) target = choose_profile(client, options.profile).index;
     after = read_backup(client);
+    before = as_backup(files[0], after, target);
   }
   for (const std::string& mismatch : mismatches(after.board, before.board)) {
     remark("note: {}\n", mismatch);
@@ -264,8 +312,8 @@ int compare_or_tell(const DiffOptions& options, const CommandContext& context) {
   if (options.files.empty() != options.defaults) {
     throw CommandError("name a backup to compare the board with, or --defaults", wrong_usage);
   }
-  if (!options.defaults && (options.profile.number || options.arming.yes)) {
-    throw CommandError("--profile and --yes need --defaults", wrong_usage);
+  if (!options.defaults && options.arming.yes) {
+    throw CommandError("--yes needs --defaults", wrong_usage);
   }
   try {
     return compare(options, context);
@@ -370,7 +418,10 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
   const Subcommand<RestoreChoice> command(params, context, "restore",
                                           "Write the parameters of a backup");
   auto& options = command.options();
-  command->add_option("file", options.file, "A backup")->type_name("FILE")->required();
+  command->add_option("file", options.file, "A backup, or a .profile file of the vendor's program")
+      ->type_name("FILE")
+      ->required();
+  add_profile_option(*command, options.profile);
   command->add_flag("--dry-run", options.dry_run, "Only print what would change");
   command
       ->add_option("--save-to", options.save_to,
@@ -385,9 +436,13 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                     "Also if parameter sets were removed from the backup");
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
-      "end all of them again. After a failure or Ctrl-C, it says what the board holds.");
-  command.examples(
-      {"sbgc params restore gimbal.json --dry-run", "sbgc params restore gimbal.json"});
+      "end all of them again. After a failure or Ctrl-C, it says what the board holds. Of a "
+      ".profile "
+      "file, what has no certain counterpart in the protocol is listed and not written; --profile "
+      "is "
+      "for files with one profile.");
+  command.examples({"sbgc params restore gimbal.json --dry-run", "sbgc params restore gimbal.json",
+                    "sbgc params restore studio.profile --profile 2"});
   command.runs(restore_file);
 }
 
@@ -395,7 +450,9 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
   const Subcommand<DiffOptions> command(params, context, "diff",
                                         "Compare the board with a backup, or two backups");
   auto& options = command.options();
-  command->add_option("files", options.files, "A backup to compare the board with, or two backups")
+  command
+      ->add_option("files", options.files,
+                   "A backup or a .profile file to compare the board with, or two of them")
       ->type_name("FILE")
       ->expected(0, 2);
   command->add_flag("--defaults", options.defaults,

@@ -50,6 +50,13 @@ const std::vector<ParameterMessage>& parameter_messages() {
   return messages;
 }
 
+std::uint8_t copy_count(const ParametersId& id) {
+  const auto found = std::ranges::find_if(parameter_messages(), [&](const auto& message) {
+    return id.message == message.type->info->name;
+  });
+  return found != parameter_messages().end() ? found->copies : std::uint8_t{1};
+}
+
 AnyMessage message_in(const Parameters& block) {
   AnyMessage message = find_message(block.id.message)->make();
   static_cast<void>(message.decode(block.body));  // ParameterSet has checked this

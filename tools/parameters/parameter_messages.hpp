@@ -25,6 +25,9 @@ struct ParameterMessage {
 /// All of them, in the order of the specification's families.
 const std::vector<ParameterMessage>& parameter_messages();
 
+/// Returns how many copies the board has of such a block.
+std::uint8_t copy_count(const ParametersId& id);
+
 /// Returns the message with the values of a block of a ParameterSet.
 AnyMessage message_in(const Parameters& block);
 

@@ -24,6 +24,7 @@
 #include "parameters/defaults.hpp"
 #include "parameters/pager.hpp"
 #include "parameters/parameter_messages.hpp"
+#include "parameters/parameters_file.hpp"
 #include "parameters/params_commands.hpp"
 #include "parameters/profile_choice.hpp"
 #include "values/field_text.hpp"
@@ -153,36 +154,82 @@ std::string table_of(const std::vector<ShownParameter>& parameters) {
   return result;
 }
 
+/// Shows the parameters, those that differ from the defaults, if there are some.
+int print_parameters(const ShowOptions& options, const ChosenProfile& profile,
+                     const std::string& title, std::vector<ShownParameter> parameters,
+                     const std::vector<ParametersChange>* changes = nullptr) {
+  keep_wanted(parameters, options.names);
+  if (changes != nullptr) keep_changed(parameters, *changes);
+  if (options.format == "json") {
+    print_json(profile, parameters);
+  } else {
+    const bool is_default = changes != nullptr && parameters.empty();
+    print_paged(title + (is_default ? ": the factory defaults\n" : "\n") + table_of(parameters));
+  }
+  return success;
+}
+
+/// Returns the profile that the backed up board worked with.
+std::uint8_t active_in(const ParameterSet& set) {
+  const auto first = set.get<msg::ReadParams3>(0);
+  return first && first->cur_profile_id < profile_count ? first->cur_profile_id : std::uint8_t{0};
+}
+
+/// Shows a file. The first name is that of the file.
+int show_file(ShowOptions options) {
+  ParametersFile file = load_parameters_file(options.names.front());
+  options.names.erase(options.names.begin());
+  if (options.changed) {
+    throw CommandError("--changed needs a board, whose defaults are known", wrong_usage);
+  }
+  const Availability versions = file.backup.board.versions();
+  const std::size_t last = file.vendor ? file.vendor->profiles.size() : profile_count;
+  const std::uint8_t active = file.vendor ? std::uint8_t{0} : active_in(file.backup.parameters);
+  const std::size_t chosen = options.profile.number.value_or(active + 1U);
+  if (chosen > last) {
+    throw CommandError(fmt::format("{} holds {}", file.name, counted(last, "profile")),
+                       wrong_usage);
+  }
+  const auto index = static_cast<std::uint8_t>(chosen - 1);
+  const Availability known{versions.firmware, versions.board};
+  const VendorValues values = file.values(empty_parameters(known), index);
+  std::vector<ShownParameter> parameters;
+  for (const Parameters& block : values.parameters.all()) {
+    if (copy_count(block.id) != 1 && block.id.copy != index) continue;
+    for (ShownParameter& one : shown_parameters(block, versions)) {
+      const std::pair<std::string, std::string> field{one.message, one.path};
+      const bool is_held =
+          !file.vendor || std::ranges::find(values.fields, field) != values.fields.end();
+      if (is_held) parameters.push_back(std::move(one));
+    }
+  }
+  const ChosenProfile profile{index, !file.vendor && index == active};
+  const std::string title =
+      fmt::format("{} of {}, of board {}, firmware {}", profile.text(), printable(file.name),
+                  file.backup.board.board_version(), file.backup.board.firmware_version());
+  return print_parameters(options, profile, title, std::move(parameters));
+}
+
 int show(const ShowOptions& options, const CommandContext& context) {
+  if (!options.names.empty() && is_parameters_file(options.names.front()))
+    return show_file(options);
   Client client = connect(context.gimbal);
   const ParameterSet defaults = options.changed ? kept_defaults(client.identity()) : ParameterSet();
   const ChosenProfile profile = choose_profile(client, options.profile);
   const ParameterSet set = read_parameters(client, [&](const ParametersId& id) {
-    const auto& messages = parameter_messages();
-    const auto of = std::ranges::find(messages, id.message, [](const ParameterMessage& message) {
-      return std::string(message.type->info->name);
-    });
-    return of->copies == 1 || id.copy == profile.index;
+    return copy_count(id) == 1 || id.copy == profile.index;
   });
+  const Availability versions = client.identity().versions();
   std::vector<ShownParameter> parameters;
   for (const Parameters& block : set.all()) {
-    for (ShownParameter& parameter : shown_parameters(block, client.identity().versions())) {
+    for (ShownParameter& parameter : shown_parameters(block, versions)) {
       parameters.push_back(std::move(parameter));
     }
   }
-  keep_wanted(parameters, options.names);
-  if (options.changed) {
-    const Availability versions = client.identity().versions();
-    keep_changed(parameters, diff(defaults, set, versions, versions));
-  }
-  if (options.format == "json") {
-    print_json(profile, parameters);
-  } else {
-    const bool is_default = options.changed && parameters.empty();
-    print_paged(profile.text() + (is_default ? ": the factory defaults\n" : "\n") +
-                table_of(parameters));
-  }
-  return success;
+  std::vector<ParametersChange> changes;
+  if (options.changed) changes = diff(defaults, set, versions, versions);
+  return print_parameters(options, profile, profile.text(), std::move(parameters),
+                          options.changed ? &changes : nullptr);
 }
 
 int get(const ShowOptions& options, const CommandContext& context) {
@@ -301,7 +348,9 @@ void add_params_show(CLI::App& params, CommandContext& context) {
       ->add_option(
           "words", options.names,
           "Only the parameters with all these words: a topic (pid), part of a name, or words "
-          "of a description (tilt limit)")
+          "of a description (tilt limit). If the first one ends in .json or .profile, the "
+          "parameters "
+          "of that file: a backup, or of the vendor's program")
       ->type_name("WORDS");
   command->add_flag("--changed", options.changed,
                     "Only the parameters that differ from the factory defaults");
@@ -312,7 +361,8 @@ void add_params_show(CLI::App& params, CommandContext& context) {
       "that `sbgc params diff --defaults` has read from this board, for the parameters of "
       "profiles: "
       "the protocol has no request that only reads them.");
-  command.examples({"sbgc params show", "sbgc params show poles --profile 2"});
+  command.examples({"sbgc params show", "sbgc params show poles --profile 2",
+                    "sbgc params show studio.profile pid"});
   command.runs(show);
 }
 

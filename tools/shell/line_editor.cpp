@@ -64,7 +64,7 @@ void list_words(const std::vector<std::string>& words) {
   fmt::print("\n");
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool ends_row = (i + 1) % in_row == 0 || i + 1 == words.size();
-    fmt::print("{:{}}{}", words[i], ends_row ? 0 : widest, ends_row ? "\n" : "");
+    fmt::print("{:{}}{}", printable(words[i]), ends_row ? 0 : widest, ends_row ? "\n" : "");
   }
   std::fflush(stdout);
 }

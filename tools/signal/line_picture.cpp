@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "command/wording.hpp"
+
 namespace sbgc::tools {
 
 namespace {
@@ -29,12 +31,12 @@ constexpr double legend_line = 18;
 
 std::string xml_text(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&': result += "&amp;"; break;
       case '<': result += "&lt;"; break;
       case '>': result += "&gt;"; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+      default: result += c;
     }
   }
   return result;

@@ -1,11 +1,11 @@
 #include "values/leaf_value.hpp"
 
 #include <cmath>
-#include <cstdint>
 
 #include <fmt/format.h>
 
 #include <sbgc/detail/characters.hpp>
+#include <sbgc/json/values.hpp>
 
 namespace sbgc::tools {
 
@@ -36,13 +36,14 @@ std::string real_text(const Leaf& leaf) {
 
 std::string csv_text(std::string_view text) {
   std::string result;
-  detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
-    const auto byte = static_cast<std::uint8_t>(sequence[0]);
-    const char32_t c = is_utf8 ? detail::code_point(sequence) : byte;  // as a terminal of 8 bits
+  // As JSON does, bytes that are not UTF-8 become characters of the private use area.
+  const std::string utf8 = detail::to_utf8(text);
+  detail::for_each_sequence(utf8, [&](std::string_view sequence, bool) {
+    const char32_t c = detail::code_point(sequence);
     if (!detail::is_control(c)) {
       result += sequence == "\"" ? "\"\"" : sequence;
     } else if (sequence.size() == 1) {
-      result += fmt::format("\\x{:02x}", byte);
+      result += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
     } else {
       result += detail::escaped(c);
     }

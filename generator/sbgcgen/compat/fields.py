@@ -368,6 +368,8 @@ def _compare_field(
     pair.compare(WIRE, "may be absent", "appended")
     pair.compare(WIRE, "is present if it fits", "fits")
     pair.compare(MEANING, "is hidden in text and JSON", "secret")
+    pair.compare(COMPATIBLE, "name in saved files", "saved_as")
+    pair.compare(COMPATIBLE, "number in saved files", "saved_in")
     _compare_conditions(pair, names)
     # Values that were valid become invalid only if the board used the field less often.
     pair.compare(

@@ -196,7 +196,9 @@ class Field:
     `since` ends the body, or the element of a list, before the field. `fits`: present only if the body has no end without the
     field, but with it; a text of varying size only if it is all that is left of the body, not empty, and
     without control characters.
-    `secret`: text and JSON hide the value. `counting` is how the counter of a list counts:
+    `secret`: text and JSON hide the value. `saved_as`: its name in files of the vendor's program, "" for one that
+    follows from the field's, None if it has no certain one; `saved_in`: "unit", "raw" or "", for what follows
+    from the scale. `counting` is how the counter of a list counts:
     "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1"; it may be
     the part `counter_part` of a packed value. `default` is the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
     names. `directions` is None if the value counts in no direction; otherwise it counts in that of
@@ -239,6 +241,8 @@ class Field:
     appended: bool = False
     fits: bool = False
     secret: bool = False
+    saved_as: str | None = ""
+    saved_in: str = ""
     counting: str = "elements"
     default: int = 0
     constant: bool = False

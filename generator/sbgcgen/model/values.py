@@ -210,7 +210,8 @@ class EnumValue:
 
     If the value names a type, `wire` is that wire type. `number` is any other number that the value
     stands for, such as a baud rate. `aliases` are former names. An `unconfirmed` fact comes from a
-    single source or is contradicted by another. `needs` is the feature of boards that know it.
+    single source or is contradicted by another. `needs` is the feature of boards that know it. `saved_as` is
+    the name of a flag in files of the vendor's program.
     """
 
     name: str
@@ -227,6 +228,7 @@ class EnumValue:
     unconfirmed: bool = False
     former: Former | None = None
     needs: str = ""
+    saved_as: str = ""
 
 
 @dataclass(frozen=True)
@@ -253,7 +255,8 @@ class Part:
     """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo.
 
     `signed`: the bits are a two's complement number. `sign` is the mask of a bit that makes the
-    number negative, or 0. `quantity` has the unit of the number.
+    number negative, or 0. `quantity` has the unit of the number. `saved_as` is the name of the part in files
+    of the vendor's program.
     """
 
     name: str
@@ -267,6 +270,7 @@ class Part:
     signed: bool = False
     sign: int = 0
     quantity: Quantity | None = None
+    saved_as: str = ""
 
     @property
     def is_digits(self) -> bool:

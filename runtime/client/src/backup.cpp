@@ -6,6 +6,7 @@
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
+#include <sbgc/client/own_file.hpp>
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/system.hpp>
@@ -74,9 +75,6 @@ std::string checksum(const BoardIdentity& board, const Json& contents) {
 class Reader {
  public:
   Result<Backup> read(const Json& document) {
-    if (!document.is_object() || text(document, "format", "") != format_name) {
-      return ClientError{ErrorCode::bad_file, "this is not an sbgc backup"};
-    }
     if (auto right = check_version(document); !right) return right.error();
     Backup backup;
     backup.created = text(document, "created", "");
@@ -286,9 +284,9 @@ std::string to_json_text(const Backup& backup) {
 }
 
 Result<Backup> parse_backup(std::string_view text) {
-  const ParsedJson document = parse_json(text);
-  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
-  return Reader().read(document.value);
+  const Result<Json> document = detail::parse_own_json(text, format_name, "an sbgc backup");
+  if (!document) return document.error();
+  return Reader().read(*document);
 }
 
 Result<void> save_backup(const Backup& backup, const std::filesystem::path& file,

@@ -142,7 +142,7 @@ Task<Result<std::vector<std::uint8_t>>> ParametersKind::read(std::uint8_t copy,
   co_return body;
 }
 
-Task<Result<void>> ParametersKind::write(std::vector<std::uint8_t> body,
+Task<Result<bool>> ParametersKind::write(std::vector<std::uint8_t> body,
                                          CallOptions options) const {
   const TaskMachine& task = co_await tasks::this_task();
   const MessageType* const writer = supported(writers, task.identity().versions());
@@ -152,8 +152,9 @@ Task<Result<void>> ParametersKind::write(std::vector<std::uint8_t> body,
   }
   AnyMessage request = writer->make();
   static_cast<void>(request.decode(body));  // problem() has checked this
-  const auto done = co_await tasks::call(request, options);
-  co_return done ? Result<void>() : done.error();
+  const Result<Reply> reply = co_await tasks::transact(request, options);
+  if (!reply) co_return reply.error();
+  co_return reply->kind != ReplyKind::unconfirmed;
 }
 
 AnyMessage ParametersKind::message(Body body) const {

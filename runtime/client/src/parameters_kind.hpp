@@ -33,7 +33,8 @@ struct ParametersKind {
   bool is_readable(const Availability& versions) const;
   bool is_writable(const Availability& versions) const;
   Task<Result<std::vector<std::uint8_t>>> read(std::uint8_t copy, CallOptions options) const;
-  Task<Result<void>> write(std::vector<std::uint8_t> body, CallOptions options) const;
+  /// Returns whether the board has confirmed it.
+  Task<Result<bool>> write(std::vector<std::uint8_t> body, CallOptions options) const;
 
   std::string name() const { return type->info->name; }
   /// Returns why the body does not hold parameters of this copy; "" if it does.

@@ -157,7 +157,9 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
   const SavedMemory saved{sbgc::serving::owner_of({}), {}};
   const std::string text = to_json_text(saved);
   const auto bad = ErrorCode::bad_file;
-  expect_error("", bad, "not JSON");
+  expect_error("", bad, "this is an empty file, not the memory of an emulated board");
+  expect_error("<saved-configuration/>", bad,
+               "this is XML of the vendor's program, not the memory");
   expect_error(std::string(200'000, '[') + std::string(200'000, ']'), bad,
                "nested deeper than 64 levels (line 1, column 65)");
   expect_error(changed(text, R"("profile": 0)", R"("profile": 0, "profile": 0)"), bad,
@@ -243,7 +245,7 @@ TEST_F(MemoryFile, ErrorsNameTheFile) {
   std::ofstream(path("other.json")) << "{}";
   const auto other = load_memory(path("other.json"));
   ASSERT_FALSE(other);
-  EXPECT_THAT(other.error().message, HasSubstr("other.json: this is not the memory"));
+  EXPECT_THAT(other.error().message, HasSubstr("other.json: this is other JSON, not the memory"));
   std::ofstream(path("large.json")) << std::string(2'000'000, ' ');
   const auto large = load_memory(path("large.json"));
   ASSERT_FALSE(large);

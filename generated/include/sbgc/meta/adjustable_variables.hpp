@@ -35,10 +35,12 @@ struct Meta<msg::TriggerSlot> {
   static constexpr FieldInfo fields[] = {
       {.name = "src_ch",
        .spec_name = "SRC_CH",
-       .summary = "RC signal."},
+       .summary = "RC signal.",
+       .saved_as = "adj__vars__trigger/src__ch"},
       {.name = "action",
        .spec_name = "ACTION{1..5}",
-       .summary = "Action of each signal level."},
+       .summary = "Action of each signal level.",
+       .saved_as = "adj__vars__trigger/action"},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

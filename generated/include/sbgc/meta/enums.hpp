@@ -1575,10 +1575,10 @@ struct EnumMeta<msg::PassProtectFlag> {
 template <>
 struct EnumMeta<msg::FilterSwitch> {
   static constexpr ValueInfo values[] = {
-      {"EN_NOTCH1", 1, "First notch filter."},
-      {"EN_NOTCH2", 2, "Second notch filter."},
-      {"EN_NOTCH3", 4, "Third notch filter."},
-      {"EN_LPF", 8, "Low-pass filter."},
+      {"EN_NOTCH1", 1, "First notch filter.", {}, false, "notchEnabled1"},
+      {"EN_NOTCH2", 2, "Second notch filter.", {}, false, "notchEnabled2"},
+      {"EN_NOTCH3", 4, "Third notch filter.", {}, false, "notchEnabled3"},
+      {"EN_LPF", 8, "Low-pass filter.", {}, false, "lpfEnabled"},
   };
   static constexpr EnumInfo info{"FilterSwitches", values, true};
 };
@@ -2420,8 +2420,8 @@ struct PackedMeta<msg::EulerOrderSetting> {
 template <>
 struct PackedMeta<msg::RcMode> {
   static constexpr PartInfo parts[] = {
-      {.name = "mode", .mask = 0x07, .shift = 0, .values = &EnumMeta<msg::RcModeKind>::info},
-      {.name = "inverted", .mask = 0x08, .shift = 3},
+      {.name = "mode", .mask = 0x07, .shift = 0, .values = &EnumMeta<msg::RcModeKind>::info, .saved_as = "rcMode"},
+      {.name = "inverted", .mask = 0x08, .shift = 3, .saved_as = "rcInverse"},
   };
   static constexpr PackedInfo info{"RcMode", "", nullptr, parts};
 };

@@ -112,7 +112,10 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result.update(given(add=number(quantity.offset) or None), **exponential(quantity))
     if field.directions is not None:
         result["positive"] = leaf.direction and leaf.direction.positive
+    if field.saved_as != "":
+        result["saved_as"] = field.saved_as
     return result | given(
+        saved_in=field.saved_in or None,
         announced=type_.context if isinstance(type_, Announced) else None,
         packed=type_.name if isinstance(type_, Packed) else None,
         special={str(s.value): s.meaning for s in field.special} or None,

@@ -65,6 +65,7 @@ def _value(value: EnumValue) -> dict[str, Any]:
     } | given(
         formerly=former_names(value.aliases),
         unconfirmed=value.unconfirmed or None,
+        saved_as=value.saved_as or None,
         needs=value.needs or None,
         before={**(version(former.firmware) or {}), "summary": former.summary} if former else None,
     )
@@ -112,7 +113,9 @@ def _part(part: Part) -> dict[str, Any]:
         "enum": part.enum.name if part.enum else None,
         "summary": part.summary,
     }
-    result |= given(signed=part.signed or None, sign=part.sign or None)
+    result |= given(
+        signed=part.signed or None, sign=part.sign or None, saved_as=part.saved_as or None
+    )
     if part.quantity:
         result["quantity"] = part.quantity.name
         result["unit"] = part.quantity.unit

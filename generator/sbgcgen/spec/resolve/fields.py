@@ -321,6 +321,8 @@ class FieldResolver:
             fits="fits" in node,
             needs=self.types.needs(node),
             secret="secret" in node,
+            saved_as=node.get("saved_as", ""),
+            saved_in=str(node.get("saved_in", "")),
             aliases=self.types.aliases(node),
             unconfirmed=bool(node.get("unconfirmed", False)),
             directions=directions,

@@ -250,6 +250,7 @@ class TypeResolver(Entries):
             unconfirmed=bool(content.get("unconfirmed", False)),
             former=self._former(content),
             needs=self.needs(content),
+            saved_as=str(content.get("saved_as", "")),
         )
 
     def _former(self, content: Map) -> Former | None:
@@ -430,6 +431,7 @@ class TypeResolver(Entries):
             signed=bool(node.get("signed", False)),
             sign=sign,
             quantity=quantity,
+            saved_as=str(node.get("saved_as", "")),
         )
         if quantity is not None and not _holds(quantity.scalar, part.limits):
             text = f"'{name}' has numbers from {part.limits[0]} to {part.limits[1]}"

@@ -105,10 +105,18 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
   }
   const std::string task = fmt::format("writing file {}", file);
   const detail::Deadline deadline(co_await this_task(), options.timeout);
+  const auto cut = [&](ClientError error, std::uint64_t confirmed) {
+    error.message += fmt::format(
+        "; file {} of the board is incomplete, with {} of {} bytes confirmed: write it again, or "
+        "delete it",
+        file, confirmed, data.size());
+    return error;
+  };
   for (const auto& run : detail::page_runs(0, data.size(), file_page, file_most_written)) {
     const Progress progress{static_cast<std::size_t>(run.address), data.size(), task};
     if (auto going = detail::go_on(task, options.progress, progress, deadline); !going) {
-      co_return detail::during(fmt::format("after {} bytes", run.address), going.error());
+      if (run.address == 0) co_return detail::during("nothing was written", going.error());
+      co_return cut(going.error(), run.address);
     }
     const auto part =
         std::span(data).subspan(run.address, std::min(run.size, data.size() - run.address));
@@ -119,10 +127,7 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
     static_cast<void>(request.data.resize(part.size()));  // page_runs() limits the size
     std::ranges::copy(part, request.data.begin());
     const Result<void> sent = co_await call(request, detail::options_within(deadline));
-    if (!sent) {
-      co_return detail::during(fmt::format("after {} bytes", run.address),
-                               file_error(file, sent.error()));
-    }
+    if (!sent) co_return cut(file_error(file, sent.error()), run.address);
   }
   if (options.verify) {
     const TransferOptions reading{.timeout = deadline.left()};
@@ -131,7 +136,9 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
     if (const auto at = detail::difference(data, *present)) {
       co_return ClientError{
           ErrorCode::mismatch,
-          fmt::format("file {} differs from the written data, from byte {}", file, *at)};
+          fmt::format("file {} differs from the written data, from byte {}: write it again, or "
+                      "delete it",
+                      file, *at)};
     }
   }
   if (options.progress) options.progress({data.size(), data.size(), task});

@@ -52,6 +52,16 @@ std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdent
   return result;
 }
 
+Result<void> check_fit(const BoardIdentity& board, const BoardIdentity& backup,
+                       const RestoreOptions& options) {
+  std::string refused = options.allow_other_model ? "" : allow_other_model(board, backup);
+  if (refused.empty() && !options.allow_other_firmware) {
+    refused = allow_other_firmware(board, backup);
+  }
+  if (!refused.empty()) return ClientError{ErrorCode::incompatible, refused};
+  return {};
+}
+
 namespace tasks {
 
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
@@ -67,12 +77,7 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   if (const std::string why = incomplete(backup, options.allow_partial); !why.empty()) {
     co_return ClientError{ErrorCode::bad_file, why};
   }
-  std::string refused =
-      options.allow_other_model ? "" : allow_other_model(task.identity(), backup.board);
-  if (refused.empty() && !options.allow_other_firmware) {
-    refused = allow_other_firmware(task.identity(), backup.board);
-  }
-  if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
+  if (auto fits = check_fit(task.identity(), backup.board, options); !fits) co_return fits.error();
   if (!options.dry_run) {
     if (!options.save_current) {
       co_return ClientError{ErrorCode::invalid, "restoring requires RestoreOptions::save_current"};
@@ -86,7 +91,7 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   }
   WriteOptions writing{.timeout = deadline.left(),
                        .dry_run = options.dry_run,
-                       .validate = false,
+                       .validate = options.validate,
                        .progress = options.progress};
   co_return co_await write_parameters(std::move(backup.parameters), std::move(writing));
 }

@@ -184,18 +184,21 @@ class Writing {
   Task<Result<void>> write(std::size_t index) {
     const ParametersState& state = report_.parameters[index].state;
     Result<void> done = co_await write_once(index);
-    // The line may have changed the request: do not leave the board with such values.
+    // The line may have changed the request, or lost it: do not leave the board with such values.
     const bool may_be_damaged =
-        !done && state == ParametersState::different && has_only_sums(task_.framing());
-    if (may_be_damaged && deadline_.left() >= writing_time) done = co_await write_once(index);
+        state == ParametersState::different && has_only_sums(task_.framing());
+    const bool is_lost = state == ParametersState::unwritten && is_unconfirmed_;
+    const bool has_time = deadline_.left() >= writing_time;
+    if (!done && has_time && (may_be_damaged || is_lost)) done = co_await write_once(index);
     co_return done;
   }
 
   Task<Result<void>> write_once(std::size_t index) {
     const Step& step = steps_[index];
     ParametersReport& block = report_.parameters[index];
-    const Result<void> sent =
+    const Result<bool> sent =
         co_await step.kind->write(step.wanted, detail::parameters_options(deadline_));
+    is_unconfirmed_ = sent && !*sent;
     // Whatever the response was: only the values read back are certain.
     if (auto seen = co_await look(index); !seen) {
       block.state = ParametersState::unknown;
@@ -205,7 +208,10 @@ class Writing {
     if (block.state == ParametersState::written) co_return Result<void>();
     co_return ClientError{
         ErrorCode::mismatch,
-        fmt::format("{} was confirmed, but reads back differently", to_text(block.id))};
+        fmt::format("the board {} {}, {} it reads back {}",
+                    is_unconfirmed_ ? "did not confirm" : "confirmed", to_text(block.id),
+                    is_unconfirmed_ ? "and" : "but",
+                    block.state == ParametersState::unwritten ? "as before" : "differently")};
   }
 
   /// Reads a block back and records its state.
@@ -271,6 +277,7 @@ class Writing {
   const WriteOptions& options_;
   detail::Deadline deadline_;
   std::vector<Step> steps_{};
+  bool is_unconfirmed_ = false;  ///< the last write, although the board could have confirmed it
   WriteReport report_{};
 };
 

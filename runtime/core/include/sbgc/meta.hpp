@@ -26,7 +26,8 @@ struct ValueInfo {
   std::int64_t value{};
   const char* summary = "";
   Availability since{};
-  bool unconfirmed{};  ///< from a single source, or contradicted by another
+  bool unconfirmed{};         ///< from a single source, or contradicted by another
+  const char* saved_as = "";  ///< the name of a flag in files of the vendor's program
 };
 
 /// Something that only some boards have: a flag of what they report, and its mask in an
@@ -55,7 +56,8 @@ struct PartInfo {
   std::uint64_t sign{};  ///< a bit that makes the number negative
   bool is_signed{};      ///< two's complement
   const EnumInfo* values{};
-  const UnitInfo* unit{};  ///< of the number
+  const UnitInfo* unit{};     ///< of the number
+  const char* saved_as = "";  ///< its name in files of the vendor's program
 };
 
 /// A packed value; `display` contains {part} for each part, or is empty. Values from `later_from`
@@ -167,6 +169,13 @@ enum class FieldRole : std::uint8_t {
   state,    ///< state of the board, not a parameter; written back as it was read
 };
 
+/// How files of the vendor's program hold the number of a quantity.
+enum class SavedIn : std::uint8_t {
+  automatic,  ///< as on the wire, if that is no coarser than the unit; otherwise that is not known
+  raw,        ///< as on the wire
+  unit,
+};
+
 /// Whether text and JSON show secrets, such as passwords, or `hidden_text` in place of them.
 enum class Secrets : std::uint8_t { hidden, shown };
 
@@ -190,6 +199,10 @@ struct FieldInfo {
   bool reserved{};
   bool optional{};  ///< may be omitted in JSON
   bool secret{};    ///< such as a password: text and JSON hide it
+  /// The name in files of the vendor's program; {n} stands for the number of the element. "": as
+  /// `spec_name`, for letters and digits; null: it has no certain one.
+  const char* saved_as = "";
+  SavedIn saved_in{};
   Availability since{};
   bool unconfirmed{};  ///< from a single source, or contradicted by another
   const AlternativeUnit* alternative{};

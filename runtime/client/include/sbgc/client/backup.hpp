@@ -96,10 +96,17 @@ struct RestoreOptions {
   bool allow_other_firmware = false;
   /// Restore what the backup holds even if Backup::missing is not empty.
   bool allow_partial = false;
+  /// Reject values that the protocol does not allow, as write_parameters() does: for parameters
+  /// that no board held before.
+  bool validate = false;
   /// For the whole operation.
   std::chrono::milliseconds timeout{180'000};
   ProgressHandler progress{};
 };
+
+/// Fails with ErrorCode::incompatible if restore() refuses a backup of that board on this one.
+Result<void> check_fit(const BoardIdentity& board, const BoardIdentity& backup,
+                       const RestoreOptions& options);
 
 namespace tasks {
 
@@ -107,8 +114,8 @@ namespace tasks {
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
 /// Sets the parameters of the board to those of a backup; others keep their values. Writes as
-/// write_parameters() does, but does not validate values, because a board held them before. Fails
-/// with ErrorCode::bad_file if parameters are missing, or if there are none at all.
+/// write_parameters() does, but by default does not validate values, because a board held them
+/// before. Fails with ErrorCode::bad_file if parameters are missing, or if there are none at all.
 Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 
 }  // namespace tasks

@@ -302,13 +302,21 @@ struct Calling {
     id = machine->begin(request, options);
     machine->wait(coroutine, {.call = id});
   }
-  CallResult<M> await_resume() {
+  CallResult<M> await_resume() { return read_response<M>(take()); }
+
+  Result<Reply> take() {
     const Result<Reply>* const reply = machine->reply(id);
-    CallResult<M> result =
-        reply != nullptr ? read_response<M>(*reply) : CallResult<M>(machine->end_of_wait().error());
+    Result<Reply> result =
+        reply != nullptr ? *reply : Result<Reply>(machine->end_of_wait().error());
     machine->end(id);
     return result;
   }
+};
+
+template <Callable M>
+struct Transacting : Calling<M> {
+  using Calling<M>::Calling;
+  Result<Reply> await_resume() { return this->take(); }
 };
 
 }  // namespace detail
@@ -321,6 +329,12 @@ inline detail::ThisTask this_task() noexcept { return {}; }
 /// Like Client::call(), but never calls CallOptions::on_confirmation.
 template <Callable M>
 detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
+  return {request, options};
+}
+
+/// Like Client::transact(), but never calls CallOptions::on_confirmation.
+template <Callable M>
+detail::Transacting<M> transact(const M& request, const CallOptions& options = {}) {
   return {request, options};
 }
 

@@ -43,11 +43,12 @@ constexpr char32_t code_point(std::string_view sequence) noexcept {
 }
 
 /// True for a character that a terminal obeys instead of showing it: ASCII and C1 controls, what
-/// changes the direction of text, and the separators of lines and paragraphs.
+/// changes the direction of text, and the separators of lines and paragraphs; and for U+FFFE and
+/// U+FFFF, which are no characters and not allowed in XML.
 constexpr bool is_control(char32_t c) noexcept {
   const auto is_in = [&](char32_t first, char32_t last) { return c >= first && c <= last; };
   return c < 0x20 || is_in(0x7F, 0x9F) || c == 0x061C || is_in(0x200E, 0x200F) ||
-         is_in(0x2028, 0x202E) || is_in(0x2066, 0x2069);
+         is_in(0x2028, 0x202E) || is_in(0x2066, 0x2069) || is_in(0xFFFE, 0xFFFF);
 }
 
 /// Writes such a character as "\u009b". All of them have at most four digits.

@@ -1,0 +1,22 @@
+/// Files that users name: what is not one of this project's is named for what it is.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <sbgc/client/result.hpp>
+#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/json_dom.hpp>
+
+namespace sbgc::detail {
+
+/// Reads a text file of at most `most` bytes. Fails with ErrorCode::bad_file, too, if the content
+/// is of a foreign kind.
+Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most);
+
+/// Parses a JSON object with the `format`. Fails with ErrorCode::bad_file if it is anything else
+/// than `what`, such as "an sbgc backup".
+Result<Json> parse_own_json(std::string_view text, const char* format, const char* what);
+
+}  // namespace sbgc::detail

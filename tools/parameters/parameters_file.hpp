@@ -1,0 +1,35 @@
+/// Files with parameters: backups, and what the vendor's program saves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <sbgc/client/backup.hpp>
+
+#include "parameters/profile_choice.hpp"
+#include "parameters/vendor_values.hpp"
+
+namespace sbgc::tools {
+
+struct ParametersFile {
+  std::string name{};
+  Backup backup{};                     ///< of a file of the vendor's program, only the board
+  std::optional<VendorFile> vendor{};  ///< of the vendor's program
+
+  /// True if it is for one profile, which the user chooses.
+  bool is_of_one_profile() const { return vendor && vendor->profiles.size() == 1; }
+
+  /// Returns the values in the file, with those of `present` for what a file of the vendor's
+  /// program does not hold; names on the standard error what is not taken. Throws CommandError.
+  VendorValues values(const ParameterSet& present, std::uint8_t target);
+
+  bool has_told = false;  ///< what is not taken
+};
+
+/// True if the word is the name of such a file: it ends in .json or .profile.
+bool is_parameters_file(const std::string& word);
+
+/// Reads a file of either kind. Throws CommandError.
+ParametersFile load_parameters_file(const std::string& name);
+
+}  // namespace sbgc::tools
