@@ -282,7 +282,9 @@ def _config(
     if message.name not in role.messages or not isinstance(whole.type, Struct):
         return None
     origin = {(name, path): c.name for c in message.contexts for name, path in c.sources}
-    own = {origin[request.name, f.name]: f for f in request.fields if (request.name, f.name) in origin}
+    own = {
+        origin[request.name, f.name]: f for f in request.fields if (request.name, f.name) in origin
+    }
     found: list[CorrelationField] = []
     offset = 0
     for field in whole.type.fields:
