@@ -87,7 +87,7 @@ TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
   using Flag = msg::RealtimeDataCustomFlag;
   std::vector<msg::RealtimeDataCustom> samples;
   const auto subscription =
-      client.delivery().subscribe(key_of<msg::RealtimeDataCustom>, [&](const void* sample) {
+      client.delivery().subscribe(detail::key_of<msg::RealtimeDataCustom>, [&](const void* sample) {
         samples.push_back(*static_cast<const msg::RealtimeDataCustom*>(sample));
       });
   msg::DataStreamInterval stream;
@@ -104,13 +104,13 @@ TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
   for (int i = 0; i < 20; ++i) {
     const auto acceleration = ask(Flag::acc_data);
     ASSERT_TRUE(acceleration) << acceleration.error().message;
-    EXPECT_NEAR(acceleration->acc_data.value().yaw.raw(), 512, 20);
+    EXPECT_NEAR(acceleration->acc_data->yaw.raw(), 512, 20);
     const std::size_t before = samples.size();
     const auto angles = ask(Flag::imu_angles);
     ASSERT_TRUE(angles) << angles.error().message;
     EXPECT_EQ(samples.size(), before + 1) << "the answer is the next sample";
   }
-  for (const auto& sample : samples) EXPECT_NEAR(sample.imu_angles.value().yaw.degrees(), 0, 1);
+  for (const auto& sample : samples) EXPECT_NEAR(sample.imu_angles->yaw.degrees(), 0, 1);
   ASSERT_TRUE(start(10));
   const auto refused = ask(Flag::acc_data);
   ASSERT_FALSE(refused);

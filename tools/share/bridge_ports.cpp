@@ -568,11 +568,11 @@ void BridgePorts::arrived(const BoardFrame& message) {
   heard_ = now();
   unanswered_ = 0;
   if (message.belongs_to_call) {
-    if (message.sample == Sample::yes) give_sample(frame);
+    if (message.sample == sbgc::Sample::yes) give_sample(frame);
     return;
   }
-  if (message.sample == Sample::doubtful) return;
-  const bool is_answer = message.sample == Sample::no || message.is_late;
+  if (message.sample == sbgc::Sample::doubtful) return;
+  const bool is_answer = message.sample == sbgc::Sample::no || message.is_late;
   if (!is_answer && is_streamed(frame.id)) return give_sample(frame);
   const auto ended = ended_streams_.find(frame.id);
   if (ended != ended_streams_.end() && now() - ended->second < end_of_stream_time) return;
