@@ -138,8 +138,10 @@ NearestForm nearest_form(const Frame& frame, Direction direction) {
     for_each_leaf(M{}, layout);
     const std::size_t missing = M::min_size - std::min(M::min_size, size);
     const std::size_t surplus = size - std::min(M::max_size, size);
-    const bool has_field = std::ranges::any_of(
-        layout.parts, [missing](const PaddedLayout::Part& part) { return part.size == missing; });
+    // Without ranges, which the library of the WebAssembly build lacks.
+    const bool has_field =
+        std::any_of(layout.parts.begin(), layout.parts.end(),
+                    [missing](const PaddedLayout::Part& part) { return part.size == missing; });
     layout.pad(layout.alignment);
     const bool is_padded = M::min_size == M::max_size && surplus != 0 && layout.size == size;
     const bool is_nearer = missing + surplus < least;

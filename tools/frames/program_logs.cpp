@@ -111,7 +111,7 @@ std::optional<LineProblem> read_strace(std::string_view line, Bytes& out,
     const std::size_t equals = line.rfind(") = ");
     const bool is_done = equals != std::string_view::npos && equals >= at;
     if (is_done && !has(line, equals + 4, decimal_digits)) return {};
-    const std::size_t transferred =
+    const std::uint64_t transferred =
         is_done ? number_of(line.substr(equals + 4, run(line, equals + 4, decimal_digits)), 10)
                 : line.size();
     sender = direction;
