@@ -75,7 +75,7 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
 }
 
 std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file) {
-  const Result<std::string> content = detail::read_whole_file(file, largest_motion);
+  const Result<std::string> content = detail::read_text_file(file, largest_motion);
   if (!content) throw std::runtime_error(content.error().message);
   std::istringstream whole(*content);
   return read_motion(whole, file.string());

@@ -34,7 +34,7 @@ std::vector<NamedGimbal> named_gimbals() {
   const std::filesystem::path path = configuration_file();
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return {};
-  const Result<std::string> text = detail::read_whole_file(path, largest_configuration);
+  const Result<std::string> text = detail::read_text_file(path, largest_configuration);
   if (!text) throw CommandError(text.error().message);
   return gimbals_in(*text);
 }

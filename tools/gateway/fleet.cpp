@@ -297,7 +297,7 @@ Fleet fleet_in(const std::string& text, const std::filesystem::path& file) {
 }
 
 Fleet read_fleet(const std::filesystem::path& file) {
-  const Result<std::string> text = detail::read_whole_file(file, largest_fleet_file);
+  const Result<std::string> text = detail::read_text_file(file, largest_fleet_file);
   if (!text) throw CommandError(text.error().message);
   return fleet_in(*text, file);
 }
