@@ -337,7 +337,7 @@ Result<void> save_memory(const std::string& file, const SavedMemory& saved) {
 }
 
 Result<SavedMemory> load_memory(const std::string& file) {
-  const Result<std::string> content = detail::read_whole_file(file, largest_file);
+  const Result<std::string> content = detail::read_text_file(file, largest_file);
   if (!content) return content.error();
   Result<SavedMemory> saved = parse_memory(*content);
   if (!saved) {

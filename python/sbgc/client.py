@@ -60,6 +60,7 @@ class Identity:
     serial_number: str
     info: BoardInfo
     details: Optional[BoardInfo3]
+    firmware_problem: str  # "" unless the firmware is no real version, such as 0.00
     """Only of boards that have serial numbers."""
 
 
@@ -213,9 +214,9 @@ class Link:
     @property
     def identity(self) -> Identity:
         """What the board reported about itself on connecting."""
-        board, firmware, serial_number, info, details = self._link.identity()
+        board, firmware, serial_number, info, details, problem = self._link.identity()
         more = None if details is None else _as(BoardInfo3, details)
-        return Identity(board, firmware, serial_number, _as(BoardInfo, info), more)
+        return Identity(board, firmware, serial_number, _as(BoardInfo, info), more, problem)
 
     @property
     def description(self) -> str:

@@ -136,7 +136,7 @@ py::tuple identity_of(const Link& link) {
   std::optional<AnyMessage> details;
   if (board.details) details = any_of(*board.details);
   return py::make_tuple(board.board_version(), board.firmware_version(), board.serial_number(),
-                        any_of(board.info), details);
+                        any_of(board.info), details, board.firmware_problem());
 }
 
 }  // namespace

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import random
 import re
+import subprocess
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import pytest
 
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import run
+from sbgc_command import PROGRAM, run
 
 
 def table(
@@ -221,3 +222,42 @@ def test_options_of_live_are_refused_for_a_table(option: tuple[str, str]) -> Non
     result = run("plot", "-", *option, stdin=table([0, 1]))
     assert result.status == 2
     assert result.error.strip() == f"sbgc: {option[0]} is for `sbgc plot live`, not for a table"
+
+
+@pytest.mark.parametrize(
+    "values", [("0", "1.79e308"), ("-1.79e308", "1.79e308"), ("1e300", "-1e300")]
+)
+def test_numbers_near_the_largest(values: tuple[str, str], tmp_path: Path) -> None:
+    rows = "t,a,b\n" + "".join(f"{i},{value},{i}\n" for i, value in enumerate(values))
+    for options in (("--svg", str(tmp_path / "a.svg")), ()):
+        result = run("plot", "-", *options, stdin=rows)
+        assert result.status == 0 and len(result.out) < 10_000
+    assert (tmp_path / "a.svg").stat().st_size < 20_000
+
+
+def test_no_more_curves_than_can_be_seen() -> None:
+    names = [f"c{i}" for i in range(100_000)]
+    rows = "\n".join(
+        [",".join(["t", *names]), *(",".join(100_001 * [str(i)]) for i in range(3)), ""]
+    )
+    many = run("plot", "-", stdin=rows)
+    assert many.status == 2 and "has 100000 curves, more than 500" in many.error
+    assert "c0, c1, c2, ..." in many.error
+    assert run("plot", "-", "c7,c99999", stdin=rows).status == 0
+    first_line_alone = run("plot", "-", stdin=rows[: rows.index("\n") + 1] + "1,2\n")
+    assert "more than 500" in first_line_alone.error, "before any value is read"
+
+
+def test_a_clock_that_jumps_needs_no_memory() -> None:
+    rows, clock = "time[s],timestamp_ms,a\n", 0
+    for i in range(6000):
+        clock += 60_000 if i % 5 == 4 else 4
+        rows += f"{i * 0.004},{clock % 65_536},{i % 5}\n"
+    limited = subprocess.run(
+        ["prlimit", "--as=400000000", PROGRAM, "plot", "-", "a", "--spectrum"],
+        input=rows,
+        text=True,
+        capture_output=True,
+        check=False,
+    )
+    assert limited.returncode == 1 and re.search(r"\d % of its samples are lost", limited.stderr)

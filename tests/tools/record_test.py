@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import socket
 import subprocess
@@ -91,6 +92,18 @@ def test_a_capture_is_no_table(name: str, stream: str, advice: str, tmp_path: Pa
     result = run("record", str(tmp_path / name), "--stream", stream, "-p", "capture:none")
     assert result.status == 2 and not list(tmp_path.iterdir())
     assert advice in " ".join(result.error.split())
+
+
+def test_a_named_pipe_needs_a_reader(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    arguments = ("record", "-p", gimbal.address, str(pipe), "--stream", "AhrsHelper")
+    alone = run(*arguments, "--for", "200ms")
+    assert alone.status == 1 and f"no program reads the named pipe {pipe}" in alone.error
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    assert run(*arguments, "--for", "200ms").status == 0
+    assert messages(os.read(reader, 65536))["AhrsHelper"] >= 5
+    os.close(reader)
 
 
 def test_standard_output_carries_only_the_capture(gimbal: EmulatedGimbal) -> None:

@@ -56,7 +56,7 @@ Json json_of(const io::PortInfo& port) {
 }
 
 io::PortList read_ports(const std::string& name) {
-  const Result<std::string> text = detail::read_whole_file(name, largest_list);
+  const Result<std::string> text = detail::read_text_file(name, largest_list);
   if (!text) return failed(text.error().message);
   const Result<Json> parsed =
       detail::parse_own_json(*text, format_name, "a list of ports of `sbgc ports --format json`");

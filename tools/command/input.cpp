@@ -62,6 +62,7 @@ bool Input::read_line(std::string& line, std::size_t limit) {
     throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
   }
   if (is_whole && !line.empty() && line.back() == '\r') line.pop_back();
+  if (std::exchange(is_first_line_, false) && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   return c != EOF || !line.empty();
 }
 

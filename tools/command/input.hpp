@@ -31,8 +31,8 @@ class Input {
   /// InputError.
   std::span<const std::uint8_t> read();
 
-  /// Reads the next line without its end; returns false at the end. Keeps only the first `limit +
-  /// 1` bytes of a line longer than `limit`. Throws InputError.
+  /// Reads the next line without its end and without a byte order mark; returns false at the end.
+  /// Keeps only the first `limit + 1` bytes of a line longer than `limit`. Throws InputError.
   bool read_line(std::string& line, std::size_t limit);
 
   const std::string& name() const noexcept { return name_; }
@@ -42,6 +42,7 @@ class Input {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::vector<std::uint8_t> block_;
   bool is_read_ = false;  // without a file
+  bool is_first_line_ = true;
 };
 
 }  // namespace sbgc::tools

@@ -123,7 +123,7 @@ std::optional<LineProblem> read_strace(std::string_view line, Bytes& out,
         if (!read_escape(line, at, out)) return LineProblem{start, "unknown escape"};
       }
     }
-    out.resize(std::min<std::uint64_t>(out.size(), before + transferred));
+    out.resize(static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), before + transferred)));
     return {};
   }
   return {};

@@ -53,14 +53,11 @@ struct PlotOptions {
   std::vector<const CLI::Option*> of_live{};  ///< that a table has no use for
 };
 
-/// The name of the column with the clock of the samples.
-constexpr const char* clock_path = "timestamp_ms";
-
-std::vector<Series> table_in(const std::string& file) {
+std::vector<Series> table_in(const std::string& file, const std::string& fields) {
   constexpr std::size_t largest_table = 64U << 20U;
   constexpr std::size_t longest_line = 1U << 20U;
   Input input(file, "the lines of a table");
-  TableReader reader;
+  TableReader reader(fields);
   std::string line;
   std::size_t size = 0;
   while (input.read_line(line, longest_line)) {
@@ -189,7 +186,7 @@ int plot(PlotOptions options, const CommandContext& context) {
   if (options.stream.empty()) options.stream = "RealtimeData3";
   if (is_live && options.fields.empty()) options.fields = "angle.*";
   const std::vector<Series> columns =
-      is_live ? live_table(options, context) : table_in(options.source);
+      is_live ? live_table(options, context) : table_in(options.source, options.fields);
   std::vector<Series> shown = chosen_series(columns, options.fields);
   std::erase_if(shown, [&](const Series& one) {
     return one.path == clock_path && options.fields.find(clock_path) == std::string::npos;

@@ -13,6 +13,7 @@
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
 #include "line/field_patterns.hpp"
+#include "signal/chart.hpp"
 #include "signal/uniform_samples.hpp"
 
 namespace sbgc::tools {
@@ -86,48 +87,8 @@ double distance_of(const std::vector<double>& times) {
   return (times.back() - times.front()) / total;
 }
 
-}  // namespace
-
-void TableReader::add_line(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  if (line.find('\0') != std::string_view::npos) {
-    throw CommandError(
-        "this is no table in CSV; `sbgc decode --format csv CAPTURE` makes one of a capture");
-  }
-  ++lines_;
-  std::vector<std::string> cells = cells_of(line);
-  if (lines_ == 1) {
-    for (std::string& cell : cells) columns_.push_back(named(std::move(cell)));
-    return;
-  }
-  if (cells.size() != columns_.size()) {
-    throw CommandError(fmt::format("line {} of the table has {} instead of {}", lines_,
-                                   counted(cells.size(), "column"), columns_.size()));
-  }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto number = sbgc::detail::parse_number<double>(cells[i]);
-    const bool is_finite = number && std::isfinite(*number);
-    columns_[i].values.push_back(is_finite ? *number : std::numeric_limits<double>::quiet_NaN());
-  }
-}
-
-std::vector<Series> TableReader::finish() {
-  if (columns_.size() < 2 || columns_.front().values.size() < 2) {
-    throw CommandError("the table has no two rows with a time and a value");
-  }
-  const std::vector<double>& times = columns_.front().values;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const bool is_after = i == 0 || times[i] >= times[i - 1];
-    constexpr double most = 1e20;  // more than the nanoseconds since 1970; also not for NaN
-    if (!(std::abs(times[i]) < most) || !is_after) {
-      throw CommandError(fmt::format("line {}: the first column, '{}', is not a time that grows",
-                                     i + 2, columns_.front().path));
-    }
-  }
-  return std::move(columns_);
-}
-
-std::vector<Series> chosen_series(const std::vector<Series>& columns, std::string_view patterns) {
+/// Returns which columns after the first the patterns choose. Throws CommandError.
+std::vector<bool> choice_of(const std::vector<Series>& columns, std::string_view patterns) {
   std::vector<bool> is_chosen(columns.size(), patterns.empty());
   is_chosen.front() = false;
   while (!patterns.empty()) {
@@ -149,6 +110,79 @@ std::vector<Series> chosen_series(const std::vector<Series>& columns, std::strin
     }
     patterns.remove_prefix(std::min(comma + 1, patterns.size()));
   }
+  return is_chosen;
+}
+
+}  // namespace
+
+void TableReader::choose_columns() {
+  is_kept_ = choice_of(columns_, patterns_);
+  constexpr std::ptrdiff_t most = 500;
+  const std::ptrdiff_t count = std::ranges::count(is_kept_, true);
+  if (count > most) {
+    std::string some;
+    for (std::size_t i = 0, named = 0; named < 3; ++i) {
+      if (!is_kept_[i]) continue;
+      some += columns_[i].path + ", ";
+      ++named;
+    }
+    throw CommandError(clipped(fmt::format("the table has {} curves, more than {}; FIELDS chooses "
+                                           "some of them: {}...",
+                                           count, most, some)),
+                       wrong_usage);
+  }
+  is_kept_.front() = true;
+  for (std::size_t i = 1; i < columns_.size(); ++i) {
+    if (columns_[i].path == clock_path) is_kept_[i] = true;
+  }
+}
+
+void TableReader::add_line(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line.find('\0') != std::string_view::npos) {
+    throw CommandError(
+        "this is no table in CSV; `sbgc decode --format csv CAPTURE` makes one of a capture");
+  }
+  ++lines_;
+  std::vector<std::string> cells = cells_of(line);
+  if (lines_ == 1) {
+    for (std::string& cell : cells) columns_.push_back(named(std::move(cell)));
+    return choose_columns();
+  }
+  if (cells.size() != columns_.size()) {
+    throw CommandError(fmt::format("line {} of the table has {} instead of {}", lines_,
+                                   counted(cells.size(), "column"), columns_.size()));
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!is_kept_[i]) continue;
+    const auto number = sbgc::detail::parse_number<double>(cells[i]);
+    const bool is_shown = number && is_drawable(*number);
+    columns_[i].values.push_back(is_shown ? *number : std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+std::vector<Series> TableReader::finish() {
+  if (columns_.size() < 2 || columns_.front().values.size() < 2) {
+    throw CommandError("the table has no two rows with a time and a value");
+  }
+  const std::vector<double>& times = columns_.front().values;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const bool is_after = i == 0 || times[i] >= times[i - 1];
+    constexpr double most = 1e20;  // more than the nanoseconds since 1970; also not for NaN
+    if (!(std::abs(times[i]) < most) || !is_after) {
+      throw CommandError(fmt::format("line {}: the first column, '{}', is not a time that grows",
+                                     i + 2, columns_.front().path));
+    }
+  }
+  std::vector<Series> kept;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (is_kept_[i]) kept.push_back(std::move(columns_[i]));
+  }
+  return kept;
+}
+
+std::vector<Series> chosen_series(const std::vector<Series>& columns, std::string_view patterns) {
+  const std::vector<bool> is_chosen = choice_of(columns, patterns);
   std::vector<Series> result;
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const auto is_number = [](double value) { return !std::isnan(value); };

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sbgc::tools {
@@ -15,16 +16,25 @@ struct Series {
   std::vector<double> values{};
 };
 
-/// Reads a table line by line.
+/// The name of the column with the clock of the samples.
+inline constexpr const char* clock_path = "timestamp_ms";
+
+/// Reads a table line by line, and keeps the time, the clock and what the patterns choose.
 class TableReader {
  public:
+  explicit TableReader(std::string patterns = "") : patterns_(std::move(patterns)) {}
+
   /// Takes a line without its end; the first one has the names. Throws CommandError.
   void add_line(std::string_view line);
   /// Returns the columns; the first one is the time. Throws CommandError if there are no rows.
   std::vector<Series> finish();
 
  private:
+  void choose_columns();
+
+  std::string patterns_;
   std::vector<Series> columns_{};
+  std::vector<bool> is_kept_{};
   std::size_t lines_ = 0;
 };
 

@@ -26,7 +26,7 @@ class LineEditor {
   bool is_interactive() const { return is_interactive_; }
 
   /// Returns the next line without its end; nothing at the end of the input. Ctrl-C makes a line
-  /// empty.
+  /// empty. Throws CommandError if the input is no text.
   std::optional<std::string> read();
 
   /// Adds a line to the history.
@@ -36,6 +36,7 @@ class LineEditor {
   class Editing;
 
   bool is_interactive_;
+  bool is_first_ = true;  // line
   std::string prompt_;
   std::unique_ptr<Editing> editing_;
 };

@@ -1,7 +1,6 @@
 // sbgc manual: the manual pages, from the same source as the help.
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <sbgc/client/atomic_file.hpp>
 #include <sbgc/detail/suggestions.hpp>
 #include <sbgc/version.hpp>
 
@@ -164,11 +164,9 @@ std::string page_of(const CLI::App& command) {
 }
 
 void write_page(const CLI::App& command, const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / (page_name(command) + ".1");
-  std::ofstream file(path, std::ios::binary);
-  file << page_of(command);
-  file.close();
-  if (!file) throw CommandError("cannot write " + path.string());
+  const auto written = detail::write_file_atomically(folder / (page_name(command) + ".1"),
+                                                     page_of(command), Existing::replace);
+  if (!written) throw CommandError(written.error().message);
 }
 
 struct ManualOptions {

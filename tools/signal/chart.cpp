@@ -53,7 +53,7 @@ std::size_t row_of(double value, ValueRange range, std::size_t rows) {
 ValueRange range_of_values(std::span<const double> values, double least) {
   ValueRange range{std::nan(""), std::nan("")};
   for (const double value : values) {
-    if (!std::isfinite(value)) continue;
+    if (!is_drawable(value)) continue;
     range.low = std::fmin(range.low, value);
     range.high = std::fmax(range.high, value);
   }

@@ -1,12 +1,16 @@
 /// Charts of values over time, as lines of text.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace sbgc::tools {
+
+/// False for infinite values and for those of which the sum of a few is infinite.
+inline bool is_drawable(double value) { return std::abs(value) <= 1e300; }
 
 /// The characters of a chart: dots of Braille need UTF-8.
 enum class ChartStyle : unsigned char { braille, ascii };

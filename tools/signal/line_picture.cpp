@@ -42,13 +42,13 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-/// The range of the finite numbers that were included, from `low` up.
+/// The range of the drawable numbers that were included, from `low` up.
 struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
   void include(double value) {
-    if (!std::isfinite(value)) return;
+    if (!is_drawable(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -202,7 +202,7 @@ class Picture {
     std::string path;
     bool is_down = false;
     for (const LinePoint& point : points) {
-      const bool is_number = std::isfinite(point.y);
+      const bool is_number = is_drawable(point.x) && is_drawable(point.y);
       if (is_number) {
         fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", is_down ? 'L' : 'M', x(point.x),
                        y(point.y));

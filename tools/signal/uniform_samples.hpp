@@ -27,18 +27,23 @@ class UniformSamples {
 
   double rate() const { return 1 / interval_; }
   /// The number of samples that arrived.
-  std::size_t size() const { return values_.size() - lost_; }
+  std::size_t size() const { return samples_.size(); }
   /// The share of samples that are missing between the first and the last.
   double lost_share() const;
   bool is_usable() const { return size() > 1 && lost_share() <= most_lost; }
-  /// The values of an axis; missing ones are interpolated between their neighbors.
+  /// The values of an axis; missing ones are interpolated between their neighbors. Nothing unless
+  /// is_usable(): what is missing may be more than the memory holds.
   std::vector<double> axis(std::size_t axis) const;
 
  private:
+  struct Sample {
+    std::int64_t number{};
+    Axes<double> values{};
+  };
+
   double interval_;
-  std::vector<Axes<double>> values_{};  ///< NaN where a sample is missing
-  std::size_t lost_ = 0;
-  std::int64_t next_ = 0;       ///< the number after the last one
+  std::vector<Sample> samples_{};
+  std::uint64_t lost_ = 0;
   std::uint16_t clock_ms_ = 0;  ///< of the last sample
   double phase_ms_ = 0;         ///< of the samples relative to the first
   double since_ms_ = 0;         ///< of the last sample, since the first

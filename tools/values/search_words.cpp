@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <sbgc/detail/words.hpp>
 
@@ -55,7 +56,8 @@ std::vector<const TopicReference*> topics_of(const FieldInfo& field) {
 Query::Query(std::string_view text) {
   while (!(text = detail::trimmed(text)).empty()) {
     const std::size_t size = std::min(text.find(' '), text.size());
-    words_.push_back(detail::lower_case(text.substr(0, size)));
+    std::string word = detail::lower_case(text.substr(0, size));
+    if (std::ranges::find(words_, word) == words_.end()) words_.push_back(std::move(word));
     text.remove_prefix(size);
   }
 }

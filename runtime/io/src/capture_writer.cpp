@@ -67,7 +67,9 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   *this = CaptureWriter(format_);
   path_ = path;
   start_ = now;
-  // Non-blocking, so that a pipe without a reader does not block the program.
+  struct stat present {};
+  if (::stat(path.c_str(), &present) == 0 && S_ISFIFO(present.st_mode)) return open_pipe();
+  // Non-blocking, so that a pipe that just came does not block the program.
   fd_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
   if (fd_ < 0) return fail(errno);
   if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
@@ -77,17 +79,30 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   if (fstat(fd_, &status) != 0) return fail(errno);
   std::array<std::uint8_t, capture_magic_size> begin{};
   const ssize_t size = status.st_size == 0 ? 0 : pread(fd_, begin.data(), begin.size(), 0);
-  const std::span<const std::uint8_t> present(begin.data(),
-                                              static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
-  if (size < 0 || !(is_own(present) || may_become_own(present))) {
+  const std::span<const std::uint8_t> found(begin.data(),
+                                            static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  if (size < 0 || !(is_own(found) || may_become_own(found))) {
     const char* const kind = format_ == CaptureFormat::sbgc ? "a capture" : "a pcapng file";
     return error_ = {Errc::not_a_capture,
                      path + " exists and is not " + kind + "; it was not changed."};
   }
   // A full disk can leave a part of the first header, without which nothing would be a capture.
-  if (size > 0 && may_become_own(present) && ftruncate(fd_, 0) != 0) {
+  if (size > 0 && may_become_own(found) && ftruncate(fd_, 0) != 0) {
     return fail(errno);
   }
+  begin_session();
+  return error_;
+}
+
+/// Opens a named pipe for writing alone: this program must not count as its reader.
+Error CaptureWriter::open_pipe() {
+  fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd_ < 0 && errno == ENXIO) {
+    return error_ = {std::error_code(ENXIO, std::generic_category()),
+                     "No program reads the named pipe " + path_ + "."};
+  }
+  if (fd_ < 0) return fail(errno);
+  may_wait_ = true;
   begin_session();
   return error_;
 }

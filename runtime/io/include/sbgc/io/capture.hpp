@@ -185,6 +185,7 @@ class CaptureWriter {
   bool put(std::span<const std::uint8_t> bytes);
   bool wait_for_reader();
   Error fail(int reason);
+  Error open_pipe();
 
   int fd_ = -1;
   bool may_wait_ = false;  // for a reader
