@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/own_file.hpp>
 
 namespace sbgc::tools {

@@ -31,8 +31,4 @@ void remove_leftovers(const std::filesystem::path& folder);
 /// Reads a file of at most `most` bytes.
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most);
 
-/// Like read_whole_file(), for text: without a byte order mark, lines end with '\n' alone. A file
-/// with a NUL byte is refused.
-Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most);
-
 }  // namespace sbgc::detail

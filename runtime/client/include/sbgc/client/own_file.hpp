@@ -11,8 +11,8 @@
 
 namespace sbgc::detail {
 
-/// Reads a text file of at most `most` bytes. Fails with ErrorCode::bad_file, too, if the content
-/// is of a foreign kind.
+/// Reads a text file of at most `most` bytes: without a byte order mark, lines end with '\n' alone.
+/// Fails with ErrorCode::bad_file, too, if the content is of a foreign kind or has a NUL byte.
 Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most);
 
 /// Parses a JSON object with the `format`. Fails with ErrorCode::bad_file if it is anything else
