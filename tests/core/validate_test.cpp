@@ -53,9 +53,8 @@ TEST(Validate, WhatTheBoardDoesNotUseMayHaveAnyValue) {
   message.action = msg::CoggingAction::calibrate;
   message.motors.roll = {.angle = msg::WideDegrees(20), .smooth = msg::Percent(100)};
   message.motors.yaw.smooth = msg::Percent(101);
-  EXPECT_EQ(violations_of(message),
-            (Violations{{"motors.pitch.angle", 0, 20, Rule::minimum},
-                        {"iterations_num", 0, 2, Rule::minimum}}));
+  EXPECT_EQ(violations_of(message), (Violations{{"motors.pitch.angle", 0, 20, Rule::minimum},
+                                                {"iterations_num", 0, 2, Rule::minimum}}));
   EXPECT_FALSE(is_valid(message));
   message.iterations_num = 2;
   message.axes = msg::CoggingAxis::roll;

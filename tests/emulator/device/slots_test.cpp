@@ -1,6 +1,5 @@
 // Tests of slots: RC signals that start actions and change variables.
 
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -233,7 +233,8 @@ TEST(Surplus, IsTheActionOfALaterSelection) {
     body[0] = 2;
     host.send_bytes(frame_of(select_imu, body));
     EXPECT_EQ(confirmations<msg::SelectImu3>(host.listen(milliseconds(50))), 1) << size;
-    EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).cur_imu, msg::SelectedImu::frame);
+    EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).cur_imu,
+              msg::SelectedImu::frame);
   }
 }
 

@@ -36,7 +36,8 @@ ClientError no_answer(const Call& call) {
 bool needs_context(const Frame& frame) {
   bool needs = false;
   select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
-    needs = requires { typename M::Context; } || IsAsked<M>;
+    needs = requires { typename M::Context; }
+    || IsAsked<M>;
   });
   return needs;
 }
@@ -205,8 +206,8 @@ std::shared_ptr<const Contexts> Dialogue::known_to(const Call& call, const Frame
 }
 
 Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
-  return {kind, frame.id, {frame.body.begin(), frame.body.end()}, known_to(call, frame),
-          frame.framing};
+  return {
+      kind, frame.id, {frame.body.begin(), frame.body.end()}, known_to(call, frame), frame.framing};
 }
 
 Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {
