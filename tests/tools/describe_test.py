@@ -103,6 +103,7 @@ def test_pages_of_types_variables_and_fields() -> None:
         "Used in\n"
         "  ReadParams3.rc.roll|pitch|yaw.rc_mode\n"
         "  WriteParams3.rc.roll|pitch|yaw.rc_mode\n"
+        "  ReadParamsAnswer.rc.roll|pitch|yaw.rc_mode\n"
         "  WriteParams.rc.roll|pitch|yaw.rc_mode\n"
     )
     assert described("ControlModeKind").startswith(

@@ -73,7 +73,7 @@ class Line:
 
 @pytest.fixture(name="gimbal", scope="module")
 def one_gimbal() -> Iterator[EmulatedGimbal]:
-    with emulated_gimbal("--board", "3.6", "--firmware", "2.70b0") as gimbal:
+    with emulated_gimbal("--board", "3.6", "--firmware", "2.74.5") as gimbal:
         yield gimbal
 
 

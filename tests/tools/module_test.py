@@ -13,7 +13,7 @@ from sbgc_command import run
 
 @pytest.fixture(name="gimbal", scope="module")
 def one_gimbal() -> Iterator[EmulatedGimbal]:
-    with emulated_gimbal("--board", "3.6", "--firmware", "2.70b0") as gimbal:
+    with emulated_gimbal("--board", "3.6", "--firmware", "2.74.5") as gimbal:
         yield gimbal
 
 
@@ -64,7 +64,7 @@ def test_a_line_that_may_repeat_packets_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_board_without_modules() -> None:
-    with emulated_gimbal() as gimbal:
+    with emulated_gimbal("--firmware", "2.60b4") as gimbal:
         result = run("module", "list", "-p", gimbal.address)
         assert (result.status, result.text) == (0, "")
         assert "no modules" in result.error

@@ -248,20 +248,6 @@ void put_name(TextOutput& out, const char* name) {
   out.put('"');
 }
 
-/// Writes the other messages that the body may be.
-void put_others(TextOutput& out, const DecodedFrame& decoded) {
-  for (const OtherReading& other : decoded.others) {
-    out.put(&other == decoded.others.data() ? ",\"others\":[{\"message\":" : ",{\"message\":");
-    put_name(out, other.message->name);
-    out.put(",\"after\":");
-    put_name(out, other.request);
-    out.put(",\"fields\":");
-    out.put(other.fields);
-    out.put('}');
-  }
-  if (!decoded.others.empty()) out.put(']');
-}
-
 }  // namespace
 
 DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
@@ -363,7 +349,6 @@ void FrameDecoder::add_other(DecodedFrame& result) {
   });
   Values& values = others_.emplace_back();
   const auto take = [&](const M& message) {
-    if (wanted_.json) other.fields = Taker::json(message, values.json, wanted_.secrets);
     if (wanted_.rows) {
       values.rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_),
                          wanted_.secrets);
@@ -473,7 +458,6 @@ void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* 
   if (decoded.status) {
     out.put(",\"fields\":");
     out.put(decoded.fields);
-    put_others(out, decoded);
     if (decoded.is_for_firmware) {
       out.put(",\"objections\":");
       put_objections(out, decoded);

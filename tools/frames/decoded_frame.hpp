@@ -18,9 +18,8 @@ namespace sbgc::tools {
 /// Another message that a body may be: the request decides, and nobody has seen it.
 struct OtherReading {
   const MessageInfo* message{};
-  const char* request = "";   ///< after which the body is this message
-  Rows rows{};                ///< if wanted
-  std::string_view fields{};  ///< the JSON of the message, if wanted
+  const char* request = "";  ///< after which the body is this message
+  Rows rows{};               ///< if wanted
 };
 
 /// The result of decoding one frame. The views are valid until the decoder decodes the next one.

@@ -56,7 +56,7 @@ enum class EventKind : std::uint8_t {
 
 /// Whether a message is a sample of a data stream that this session has started.
 enum class Sample : std::uint8_t {
-  none,      ///< no stream of this message is running
+  none,      ///< no stream of this message, or of this size, is running
   yes,       ///< a sample, which may also answer a request
   no,        ///< a stream of this message is running, but this is only an answer
   doubtful,  ///< a sample, or an answer that is late

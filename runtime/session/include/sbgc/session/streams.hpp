@@ -98,6 +98,7 @@ class SampleTimes {
       }
       doubt_left_ = 0;
     }
+    if (is_silent()) start(interval_);
     // Lines delay samples differently. age_ counts from the earliest time at which the last one can
     // have arrived; it forgets an eighth of each delay, because clocks differ.
     Ticks delay = age_ % interval_;
@@ -255,7 +256,8 @@ class Streams {
     }
     if (found == nullptr) return Sample::yes;  // before the confirmation of its start
     if (!found->times.is_known()) found->size = static_cast<std::uint8_t>(frame.body.size());
-    return found->has_form_of(frame) ? found->times.take() : Sample::no;
+    // A message that no document describes may change its size.
+    return found->has_form_of(frame) ? found->times.take() : Sample::none;
   }
   /// Returns true if the frame of the last take() is a sample of this stream.
   constexpr bool has_taken(const StreamChange& key) const noexcept {
