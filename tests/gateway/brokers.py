@@ -181,13 +181,15 @@ class Commander:
     def remove_retained(self, topic: str) -> None:
         subprocess.run([*self.base, "-t", topic, "-r", "-n"], timeout=60, check=True)
 
-    def publish_many(self, topic: str, payloads: list[dict[str, Any]]) -> subprocess.Popen[str]:
-        """Publishes them over one connection, in the background."""
+    def publish_many(
+        self, topic: str, payloads: list[dict[str, Any]], padding: int = 0
+    ) -> subprocess.Popen[str]:
+        """Publishes them over one connection, in the background, each with spaces at its end."""
         process = subprocess.Popen(
             [*self.base, "-t", topic, "-l"], stdin=subprocess.PIPE, text=True
         )
         assert process.stdin is not None
-        process.stdin.write("".join(json.dumps(one) + "\n" for one in payloads))
+        process.stdin.write("".join(json.dumps(one) + " " * padding + "\n" for one in payloads))
         process.stdin.close()
         return process
 
