@@ -19,6 +19,7 @@ from sbgc_command import PROGRAM, run
 from screens import terminal
 
 PATIENCE = 60.0
+VENDOR_FILE = Path(__file__).parents[2] / "fuzz/corpus/vendor_file/one_profile"
 
 SERVERS = ("emulate", "bridge", "replay")
 """Commands that go on until a signal."""
@@ -86,10 +87,16 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     path = tmp_path_factory.mktemp("examples")
     modules = ("--board", "3.6", "--firmware", "2.70b0")
     quick = ("--calibration-time", "5")
-    with emulated_gimbal(*modules, *quick, "--link", f"{path}/gimbal") as gimbal:
-        ports = {"name": gimbal.address, "description": "", "usb": None}
-        document = {"format": "sbgc-ports", "version": 1, "ports": [ports]}
-        (path / "ports.json").write_text(json.dumps(document))
+    with (
+        emulated_gimbal(*modules, *quick, "--link", f"{path}/gimbal") as gimbal,
+        emulated_gimbal("--board", "3.6", "--firmware", "2.74.5") as newest,
+    ):
+        for name, address in (("ports", gimbal.address), ("newest", newest.address)):
+            ports = {"name": address, "description": "", "usb": None}
+            document = {"format": "sbgc-ports", "version": 1, "ports": [ports]}
+            (path / f"{name}.json").write_text(json.dumps(document))
+        studio = VENDOR_FILE.read_text().replace("<boardVer>31<", "<boardVer>36<")
+        (path / "studio.profile").write_text(studio)
         (path / "sbgc").symlink_to(PROGRAM)
         for name in ("gimbals", ".zfunc", ".config/fish/completions"):
             (path / name).mkdir(parents=True)
@@ -149,7 +156,8 @@ def test_examples_work(folder: Path, example: str) -> None:
         **os.environ,
         "HOME": str(folder),
         "PATH": f"{folder}:{os.environ['PATH']}",
-        "SBGC_PORTS": str(folder / "ports.json"),
+        # Which loads firmware into modules, but does not tune.
+        "SBGC_PORTS": str(folder / f"{'newest' if ' module ' in example else 'ports'}.json"),
     }
     needs = INTERACTIVE.get(example.split()[1])
     if needs and "<" not in example:

@@ -78,7 +78,6 @@ OTHER_WORDS = (
         (["decode", "--fomat=jsonl"], "unknown option '--fomat=jsonl'; did you mean '--format'?"),
         (["emulate", "--tpc", "5000"], "unknown option '--tpc'; did you mean '--tcp'?"),
         (["decode", "--qqqqqq"], "unknown option '--qqqqqq'\n"),
-        (["decode", "one", "two"], "the arguments are neither one file nor bytes that begin"),
         (["ports", "one"], "unexpected argument 'one'"),
         (["x\x1b[2J"], "unknown command 'x?[2J'"),
     ],
