@@ -294,7 +294,7 @@ TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
       {"PK\x03\x04", "a ZIP archive"},
       {std::string("\x1F\x8B\0", 3), "gzip data"},
       {std::string("a\0", 2), "binary data"},
-      {"[]", "text"},
+      {"[]", "other JSON"},
   };
   for (const auto& [content, kind] : contents) {
     std::ofstream(file("other")) << content;
@@ -303,7 +303,7 @@ TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
     EXPECT_EQ(error.message,
               fmt::format("{}: this is {}, not an sbgc backup", file("other").string(), kind));
   }
-  EXPECT_EQ(parse_backup("{}").error().message, "this is JSON, but not an sbgc backup");
+  EXPECT_EQ(parse_backup("{}").error().message, "this is other JSON, not an sbgc backup");
   EXPECT_THAT(parse_backup("{\"format\": }").error().message,
               HasSubstr("this is not JSON (line 1"));
 }
