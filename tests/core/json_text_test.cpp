@@ -397,7 +397,7 @@ TEST(JsonTextOutput, NoTextControlsATerminal) {
     const bool is_private = c >= 0xF780 && c < 0xF800;  // stands for a byte that is not UTF-8
     const bool is_control = c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
                             c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
-                            (c >= 0x2066 && c <= 0x2069);
+                            (c >= 0x2066 && c <= 0x2069) || c == 0xFFFE || c == 0xFFFF;
     const bool is_syntax = c == '"' || c == '\\';
     ASSERT_EQ(is_raw, !is_control && !is_syntax && !is_private) << c;
     if (is_raw && c % 64 != 0) continue;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import socket
 import struct
 import subprocess
@@ -178,6 +179,31 @@ def test_a_stop_ends_the_motion_of_another_program(
             _, error = moving.communicate(timeout=20)
         assert moving.returncode == 1 and end in error
         assert observer.angles() == pytest.approx(stopped_at, abs=0.3)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_nothing_that_began_before_a_stop_moves_after_it(seed: int) -> None:
+    """A random motion of a program, at a bridge or beside it, and a stop at a random time."""
+    random_ = random.Random(seed)
+    motions = [
+        ("move", "--pitch", "60", "--speed", "10", "--wait"),
+        ("move", "--yaw", "-50", "--speed", "20"),
+        ("speed", "--yaw", "15", "--for", "1m"),
+        ("speed", "--pitch", "-9", "--for", "1m"),
+    ]
+    with ExitStack() as stack:
+        gimbal = stack.enter_context(emulated_gimbal())
+        observer = stack.enter_context(observer_of(gimbal))
+        places = [gimbal.address, stack.enter_context(bridge_to(gimbal.address)).address]
+        command = [PROGRAM, *random_.choice(motions), "--yes", "-p", random_.choice(places)]
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as program:
+            observer.await_motion()
+            time.sleep(random_.uniform(0, 0.5))
+            stopped = run("stop", "-p", random_.choice(places))
+            at = observer.angles()
+            assert stopped.status == 0, stopped.error
+            assert program.wait(20) in (0, 1)
+        assert observer.angles() == pytest.approx(at, abs=0.3)
 
 
 def test_controls_that_nobody_confirms_keep_their_rate() -> None:
