@@ -118,11 +118,12 @@ def test_pages_of_types_variables_and_fields() -> None:
         "  Hz; 10 to 400 Hz\n"
     )
     assert described("pitch.rc_min_angle") == (
-        "pitch.rc_min_angle  field of 3 messages\n"
+        "pitch.rc_min_angle  field of 4 messages\n"
         "  ReadParams3.rc.pitch.rc_min_angle\n"
         "      Angle at the lowest signal.\n"
         "      i16; deg; -720 to 720 deg; positive: pitch down, yaw right, roll unknown\n"
         "  WriteParams3.rc.pitch.rc_min_angle\n"
+        "  ReadParamsAnswer.rc.pitch.rc_min_angle\n"
         "  WriteParams.rc.pitch.rc_min_angle\n"
     )
 
