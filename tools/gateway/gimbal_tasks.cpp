@@ -23,7 +23,9 @@ namespace {
 constexpr std::chrono::milliseconds look_interval{100};
 
 TaskOutcome failed_outcome(const ClientError& error) {
-  return {"failed", name(error.code), error.message, {}};
+  // The client may end a running motion before its cancellation does; "superseded" has not begun.
+  const bool is_ended = error.code == ErrorCode::superseded;
+  return {"failed", name(is_ended ? ErrorCode::cancelled : error.code), error.message, {}};
 }
 
 Json angles_json(const MoveProgress& progress) {
