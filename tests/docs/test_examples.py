@@ -9,6 +9,7 @@ import subprocess
 from collections import defaultdict
 from dataclasses import dataclass
 from math import hypot
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -280,6 +281,8 @@ def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> N
             expected = code.get("data-gives")
             if expected == "values":
                 rows = [line.split() for line in frames_of(out)[-1][1:]]
+                # A lone frame whose request decides is read in the other way, too.
+                rows = list(takewhile(lambda row: row[:3] != ["The", "request", "decides"], rows))
                 shown = [" ".join(row).split() for row in values_of(page)]
                 # The page also says which way an angle is.
                 assert rows == [row[:-1] if row[-1] in SIDES else row for row in shown], page.path

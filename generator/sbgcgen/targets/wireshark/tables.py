@@ -258,7 +258,7 @@ def learns(layout: Layout) -> Iterator[Table]:
 def _announced(layout: Layout, name: str, list_: str, path: str) -> Table:
     """The part of an element that names a type, and the types by number."""
     first, _, part_name = path.partition(".")
-    (found,) = (m for m in layout.messages if m.name == name and m.direction == "from_board")
+    found = next(m for m in layout.messages if m.name == name)
     element = next(f.type for f in found.fields if f.name == list_)
     assert isinstance(element, Struct)
     type_ = next(f.type for f in element.fields if f.name == first)

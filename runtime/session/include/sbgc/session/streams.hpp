@@ -158,7 +158,10 @@ class Streams {
     if (place == capacity) return false;
     Stream& stream = streams_[place];
     if (place == size_) {
-      stream = {.command = change.command, .size = change.size, .config = change.config};
+      stream = {.command = change.command,
+                .size = change.size,
+                .has_any_size = change.size == 0,
+                .config = change.config};
       ++size_;
     }
     const std::uint32_t load = stream_load(change, framing_);
@@ -255,9 +258,9 @@ class Streams {
       if (is_of_message && (found == nullptr || stream.has_form_of(frame))) found = &stream;
     }
     if (found == nullptr) return Sample::yes;  // before the confirmation of its start
+    if (found->has_any_size) return Sample::none;
     if (!found->times.is_known()) found->size = static_cast<std::uint8_t>(frame.body.size());
-    // A message that no document describes may change its size.
-    return found->has_form_of(frame) ? found->times.take() : Sample::none;
+    return found->has_form_of(frame) ? found->times.take() : Sample::no;
   }
   /// Returns true if the frame of the last take() is a sample of this stream.
   constexpr bool has_taken(const StreamChange& key) const noexcept {
@@ -286,6 +289,7 @@ class Streams {
   struct Stream {
     std::uint8_t command{};
     std::uint8_t size{};
+    bool has_any_size{};  // no document describes the message
     std::array<std::uint8_t, max_stream_config> config{};
     std::uint32_t load{};     // confirmed by the board
     std::uint32_t asked{};    // the maximum of the changes not settled
