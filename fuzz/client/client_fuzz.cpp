@@ -301,8 +301,8 @@ class Player {
   /// The owner of a speed changes it, falls silent, or stops; then it closes the control.
   void hold_speed() {
     const auto bound = static_cast<sbgc::MotionBound>(input_.byte() % 4);
-    const auto speed = std::make_shared<sbgc::detail::HeldSpeed>(
-        sbgc::detail::DeadMansSwitch(sbgc::milliseconds(500), sbgc::milliseconds(100)));
+    const auto speed = client_.held_speed();
+    const bool yields = input_.byte() % 2 != 0;
     const Bytes changes = some_bytes(input_.byte() % 32);
     std::size_t at = 0;
     Instant next = client_.now();  // a task that waits for its owner may let it sleep longer
@@ -318,19 +318,14 @@ class Player {
       }
       const std::uint8_t change = changes[at++];
       next = client_.now() + sbgc::milliseconds(10) * change;
-      static_cast<void>(speed->with([&](sbgc::detail::DeadMansSwitch& rules) -> Result<void> {
-        if (change % 5 == 0) {
-          rules.stop();
-        } else {
-          rules.set({.yaw = msg::ControlSpeed(change)}, client_.now());
-        }
-        return {};
-      }));
+      static_cast<void>(change % 5 == 0
+                            ? speed->stop()
+                            : speed->set({.yaw = msg::ControlSpeed(change)}, client_.now()));
     };
-    static_cast<void>(
-        client_.run(sbgc::detail::hold_speed(
-                        speed, sbgc::detail::BoundedTurn(bound, std::chrono::milliseconds(500))),
-                    owner));
+    static_cast<void>(client_.run(
+        sbgc::detail::hold_speed(
+            speed, sbgc::detail::BoundedTurn(bound, std::chrono::milliseconds(500)), yields),
+        owner));
     require(client_.pending() == 0);
   }
 

@@ -160,7 +160,7 @@ class Streams {
     if (place == size_) {
       stream = {.command = change.command,
                 .size = change.size,
-                .has_any_size = change.size == 0,
+                .has_any_size = change.size == max_body_size,
                 .config = change.config};
       ++size_;
     }
