@@ -145,7 +145,7 @@ class Player {
         if (id != 0) {
           ports_.arrived({.frame = {.id = id, .body = body},
                           .is_late = (how & 1) != 0,
-                          .sample = static_cast<Sample>((how >> 1U) & 3U)});
+                          .sample = static_cast<sbgc::Sample>((how >> 1U) & 3U)});
         }
         break;
       }
