@@ -3202,7 +3202,7 @@ function M.unknown_flags(enum, value)
   return unknown
 end
 
--- "; the nearest: CMD_REALTIME_DATA_3 (23), CMD_REALTIME_DATA_4 (25)"
+-- "; the nearest: ONE (23), OTHER (25)"
 function M.nearest_text(enum, value)
   local found, least = {}, nil
   for _, one in ipairs(enum.values or {}) do

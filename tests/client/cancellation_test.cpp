@@ -42,5 +42,24 @@ TEST(Cancellation, ThatComesWithTheResponseEndsTheNextWait) {
   EXPECT_EQ(result.error().code, ErrorCode::cancelled);
 }
 
+Task<Result<void>> wait_twice() {
+  const auto first = co_await tasks::wait_until(Instant::never);
+  if (first || first.error().code != ErrorCode::superseded) co_return Result<void>();
+  co_return co_await tasks::wait_until(Instant::never);
+}
+
+TEST(Cancellation, ThatComesWithASuccessorEndsTheNextWait) {
+  auto task = wait_twice();
+  TaskMachine& machine = task.begin({});
+  machine.set_number(1);
+  ASSERT_EQ(machine.step({}).kind, TaskStep::Kind::wait);
+  machine.cancel();
+  machine.supersede(2);
+  ASSERT_EQ(machine.step({}).kind, TaskStep::Kind::done);
+  const auto result = std::move(task).result();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
+}
+
 }  // namespace
 }  // namespace sbgc::test

@@ -347,12 +347,11 @@ void FrameDecoder::add_other(DecodedFrame& result) {
       other.request = Meta<Request>::info.name;
     }
   });
-  Values& values = others_.emplace_back();
+  ValueRows& rows = others_.emplace_back();
   const auto take = [&](const M& message) {
     if (wanted_.rows) {
-      values.rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_),
-                         wanted_.secrets);
-      other.rows = values.rows.rows();
+      rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_), wanted_.secrets);
+      other.rows = rows.rows();
     }
   };
   const std::span<const std::uint8_t> body = result.frame.body;

@@ -107,11 +107,7 @@ class FrameDecoder {
   std::string json_{};
   std::string with_secrets_{};
   ValueRows rows_{};
-  struct Values {
-    ValueRows rows{};
-    std::string json{};
-  };
-  std::deque<Values> others_{};  // of the last frame
+  std::deque<ValueRows> others_{};  // of the last frame
 };
 
 }  // namespace sbgc::tools

@@ -26,8 +26,12 @@ bool TaskMachine::is_ready() {
     if (call->second.reply) return true;
     if (wait_.start_is_enough && call->second.has_started()) return true;
   }
-  if (std::exchange(is_cancelled_, false)) cut_short_ = ErrorCode::cancelled;
-  if (std::exchange(is_superseded_, false)) cut_short_ = ErrorCode::superseded;
+  // One at a time: a cancellation that comes with it ends the next wait.
+  if (std::exchange(is_superseded_, false)) {
+    cut_short_ = ErrorCode::superseded;
+  } else if (std::exchange(is_cancelled_, false)) {
+    cut_short_ = ErrorCode::cancelled;
+  }
   if (cut_short_) return true;
   return wait_.for_wake && std::exchange(is_woken_, false);
 }
