@@ -169,6 +169,13 @@ TEST_P(StopTest, RightAfterTheStartOfAMove) {
   }
 }
 
+TEST_P(StopTest, WithoutRestItFailsAndSaysSo) {
+  const auto stopped = programs.await(
+      programs.start(0, tasks::stop({.timeout = milliseconds(300), .rest = milliseconds(500)})));
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().message, "the camera has not come to rest");
+}
+
 TEST_P(StopTest, ALaterMotionOfTheSameClientEndsItsWatch) {
   const auto stopped = programs.start(0, tasks::stop());
   programs.run_for(sbgc::milliseconds(100));

@@ -46,7 +46,7 @@ bool is_plain_restart(const RawRequest& request) {
 
 std::vector<std::uint8_t> question_of_introduction() {
   std::vector<std::uint8_t> bytes(max_frame_size);
-  bytes.resize(encode_frame(basic_framing, msg::BoardInfoRequest{}, bytes).size);
+  bytes.resize(encode_frame(basic_framing, roles::IntroductionRequest{}, bytes).size);
   return bytes;
 }
 

@@ -389,11 +389,9 @@ Task<Result<void>> stop(StopOptions options) {
     if (!waited) co_return detail::cancelled_error("stopping the camera");
     if (!deadline.is_over()) continue;
     if (!state) co_return unknown();
-    if (is_still && turned.empty()) continue;  // the rest is not over yet
-    co_return ClientError{ErrorCode::timeout,
-                          is_still
-                              ? fmt::format("the camera has not come to rest; at last: {}", turned)
-                              : "the camera still turns: " + still};
+    const std::string seen = turned.empty() ? "" : "; at last: " + turned;
+    co_return ClientError{ErrorCode::timeout, is_still ? "the camera has not come to rest" + seen
+                                                       : "the camera still turns: " + still};
   }
 }
 

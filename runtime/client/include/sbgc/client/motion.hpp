@@ -42,6 +42,7 @@ struct MoveOptions {
 
 /// Options of stop().
 struct StopOptions {
+  /// For the whole stop, with the rest.
   std::chrono::milliseconds timeout{3'000};
   /// How long the board must report speed 0.
   std::chrono::milliseconds rest{500};
