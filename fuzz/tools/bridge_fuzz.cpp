@@ -82,6 +82,7 @@ class Board final : public sbgc::tools::BridgeLine {
     waiting = 0;
   }
   void check() override {}
+  void take_over(sbgc::tools::OwedStop) override {}
 
   std::deque<Sent> open;   // requests that have not ended
   std::vector<Sent> news;  // requests since the last step

@@ -220,7 +220,7 @@ TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   const auto stopped = stop();
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::timeout);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
   EXPECT_THAT(stopped.error().message, HasSubstr("yaw at 61.04 deg/s"));
 }
 

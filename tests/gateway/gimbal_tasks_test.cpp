@@ -155,6 +155,15 @@ class GimbalTasksTest : public ::testing::Test {
     }
     return (speed() != 0) == turns;
   }
+  void be_silent() {
+    board.on_lost([](const Packet&) { return true; });
+  }
+  bool has_event(const std::string& text) {
+    return events.wait_until([&](const auto& all) {
+      return std::ranges::any_of(
+          all, [&](const std::string& one) { return one.find(text) != std::string::npos; });
+    });
+  }
   bool is_at_rest_after(std::int64_t command) {
     return rests.wait_until([&](const auto& all) { return !all.empty() && all.back() == command; });
   }
@@ -341,21 +350,62 @@ TEST_F(GimbalTasksTest, ABrokerThatIsGoneStopsTheCamera) {
   EXPECT_TRUE(is_at_rest_after(1));
 }
 
-TEST_F(GimbalTasksTest, AStopThatIsNotConfirmedIsRepeated) {
+TEST_F(GimbalTasksTest, AStopIsOwedOverSilence) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  ASSERT_TRUE(eventually_turns());
+  be_silent();
+  EXPECT_THAT(result({.what = StopOrder()}), AnyOf("timeout", "not_connected", "link_lost"));
+  EXPECT_TRUE(has_event("stopping: the stop is still owed: "));
+  EXPECT_TRUE(gimbal->status().is_stopping);
+  EXPECT_THAT(result(near_move()), AnyOf("stopping", "not_connected"));
+  EXPECT_NE(speed(), 0);
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
+  board.on_lost({});
+  EXPECT_TRUE(has_event("; the camera has stopped"));
+  EXPECT_EQ(speed(), 0);
+  EXPECT_TRUE(is_at_rest_after(3));
+  EXPECT_FALSE(gimbal->status().is_stopping);
+  EXPECT_EQ(result(near_move()), "done");
+}
+
+TEST_F(GimbalTasksTest, MotorsOffAreOwedOverSilence) {
+  connect();
+  be_silent();
+  Order off = calling(msg::MotorsOff{});
+  off.is_urgent = true;
+  EXPECT_THAT(result(std::move(off)), AnyOf("timeout", "not_connected", "link_lost"));
+  EXPECT_TRUE(has_event("stopping: motors off is still owed: "));
+  board.on_lost({});
+  EXPECT_TRUE(has_event("stopped: motors off; "));
+  EXPECT_EQ(result(reading()), "done");
+}
+
+TEST_F(GimbalTasksTest, WhatSomethingElseTurnsIsNotOwedAStop) {
   connect();
   EXPECT_EQ(result(turning_for(Order::forever)), "done");
   ASSERT_TRUE(eventually_turns());
   board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
-  is_broker_there = false;
-  EXPECT_THAT(events.wait_for(1)[0], HasSubstr("; the camera may still turn: "));
-  EXPECT_NE(speed(), 0);
-  EXPECT_THAT(rests.wait_for(0), ElementsAre());
-  board.on_lost({});
-  EXPECT_TRUE(events.wait_until([](const auto& all) {
-    return all.back() == "stopped: the broker is gone; the camera has stopped";
-  }));
-  EXPECT_EQ(speed(), 0);
+  EXPECT_EQ(result({.what = StopOrder()}), "interrupted");
   EXPECT_TRUE(is_at_rest_after(1));
+  board.on_lost({});
+  is_broker_there = false;
+  std::this_thread::sleep_for(milliseconds(300));
+  EXPECT_NE(speed(), 0);
+}
+
+TEST_F(GimbalTasksTest, SilenceWhileTheCameraMovesIsALoss) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  ASSERT_TRUE(eventually_turns());
+  be_silent();
+  EXPECT_TRUE(has_event("silent: "));
+  EXPECT_TRUE(links.wait_until(
+      [](const auto& all) { return std::ranges::count(all, GimbalLink::offline) != 0; }));
+  EXPECT_NE(speed(), 0);
+  board.on_lost({});
+  EXPECT_TRUE(has_event("stopped: the gimbal was silent while the camera could move; the camera"));
+  EXPECT_EQ(speed(), 0);
 }
 
 TEST_F(GimbalTasksTest, ALineThatIsLostInTheMiddle) {
@@ -417,15 +467,23 @@ TEST_F(GimbalTasksTest, WhatAnEarlierGatewayHasMovedIsStopped) {
   EXPECT_EQ(speed(), 0);
 }
 
-TEST_F(GimbalTasksTest, AStopAfterTheStartIsRepeated) {
+TEST_F(GimbalTasksTest, WhatStandsAfterTheStartGetsNothing) {
   begin(7);
-  board.write(turn());
-  board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
   connect();
-  EXPECT_THAT(events.wait_for(1)[0], HasSubstr("; the camera may still turn: "));
-  EXPECT_THAT(rests.wait_for(0), ElementsAre());
-  board.on_lost({});
   EXPECT_TRUE(is_at_rest_after(7));
+  EXPECT_EQ(board.count<msg::Control>(), 0U);
+}
+
+TEST_F(GimbalTasksTest, ShuttingDownTriesUntilItIsGivenUp) {
+  connect();
+  EXPECT_EQ(result(turning_for(Order::forever)), "done");
+  be_silent();
+  std::promise<void> done;
+  tasks->shut_down([&] { done.set_value(); });
+  EXPECT_TRUE(has_event("stopping: "));
+  tasks->give_up();
+  has_ended = true;
+  EXPECT_THAT(rests.wait_for(0), ElementsAre());
 }
 
 TEST_F(GimbalTasksTest, ParametersThatAreBeingWrittenEndWithTheExecutor) {

@@ -44,6 +44,7 @@ class Line final : public BridgeLine {
   }
   std::size_t raw_waiting() const override { return waiting; }
   void check() override { ++checks; }
+  void take_over(OwedStop stop) override { stops.push_back(std::move(stop)); }
   void give_line_back() override {
     is_taken = false;
     ++reopened;
@@ -56,7 +57,15 @@ class Line final : public BridgeLine {
   Bytes raw;
   std::size_t waiting = 0;  // bytes that have not been sent; a test says when they are
   int checks = 0;
+  std::vector<OwedStop> stops;
 };
+
+msg::Control turning(int speed) {
+  msg::Control request;
+  request.control_mode.set_mode(msg::ControlModeKind::speed);
+  request.axes.yaw.speed = msg::ControlSpeed(static_cast<std::int16_t>(speed));
+  return request;
+}
 
 template <class M>
 Bytes frame_of(const M& message, Framing framing = basic_framing) {
@@ -160,6 +169,54 @@ TEST_F(Bridge, EachOfTwoHostsGetsItsOwnAnswer) {
   answer(line.sent[1], two);
   EXPECT_EQ(read(second), frame_of(two));
   EXPECT_THAT(read(first), IsEmpty());
+}
+
+TEST_F(Bridge, GoesOnWithTheStopOfAHostThatLeaves) {
+  const std::size_t host = join();
+  ask(host, turning(0));
+  ports.disconnect(host);
+  ASSERT_THAT(line.stops, SizeIs(1));
+  EXPECT_FALSE(line.stops[0].turns_motors_off());
+}
+
+TEST_F(Bridge, GoesOnWithMotorsOffUntilTheyAreConfirmed) {
+  const std::size_t first = join();
+  ask(first, msg::MotorsOff{});
+  ports.disconnect(first);
+  ASSERT_THAT(line.stops, SizeIs(1));
+  EXPECT_TRUE(line.stops[0].turns_motors_off());
+  const std::size_t second = join();
+  ask(second, msg::MotorsOff{});
+  msg::Confirm confirmation;
+  confirmation.cmd = msg::MotorsOff::command;
+  answer(line.sent.back(), confirmation);
+  ports.disconnect(second);
+  EXPECT_THAT(line.stops, SizeIs(1));
+}
+
+TEST_F(Bridge, AStopThatHasBeenSeenIsDone) {
+  const std::size_t host = join();
+  ask(host, turning(0));
+  msg::GetAngles state;
+  send(state);
+  time = time + sbgc::milliseconds(400);
+  state.axes.yaw.rc_speed = msg::ControlSpeed(1);
+  send(state);
+  state.axes.yaw.rc_speed = {};
+  for (int i = 0; i < 2; ++i) {
+    time = time + sbgc::milliseconds(500);
+    send(state);
+  }
+  ports.disconnect(host);
+  EXPECT_THAT(line.stops, IsEmpty());
+}
+
+TEST_F(Bridge, LaterMotionOfAnotherHostEndsAStop) {
+  const std::size_t first = join();
+  ask(first, turning(0));
+  ask(join(), turning(5));
+  ports.disconnect(first);
+  EXPECT_THAT(line.stops, IsEmpty());
 }
 
 TEST_F(Bridge, BodiesPassUnchanged) {

@@ -239,6 +239,7 @@ class BridgedSite final : public Site, private BridgeLine {
     ports_.restart_streams();
   }
   void check() override {}
+  void take_over(OwedStop) override {}
 
   std::size_t port_;
   Duration longest_delay_{};

@@ -133,9 +133,18 @@ void Admission::settle() {
   std::vector<Admitted> admitted;
   journal_.begin();
   for (const Received& one : received) {
-    if (auto command = settle_one(one)) admitted.push_back(std::move(*command));
+    if (one.stop) {
+      record_stop(one);
+    } else if (auto command = settle_one(one)) {
+      admitted.push_back(std::move(*command));
+    }
   }
   journal_.commit();
+  for (const Received& one : received) {
+    if (!one.stop) continue;
+    finish_stop(one.topic.gimbal, *one.stop);
+    if (const auto id = one.stop->id) stations_.at(one.topic.gimbal).tasks->recorded(*id);
+  }
   for (Admitted& one : admitted) one.station->tasks->run(std::move(one.job));
   {
     const std::scoped_lock lock(mutex_);
@@ -155,13 +164,50 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
       return [this](const TaskOutcome& outcome) { outbox_.count(outcome.status); };
     }
   }
-  return [this, gimbal = topic.gimbal, key = payload.key, ignored,
-          reply = ReplyAddress{payload.reply, payload.correlation}](const TaskOutcome& outcome) {
-    Json result = result_json(gimbal, stop_task, key, outcome);
-    if (!ignored.empty()) result["ignored"] = ignored;
-    outbox_.notify(answer_to(topics_, gimbal, reply, std::move(result)));
-    outbox_.count(outcome.status);
-  };
+  auto stop = std::make_shared<Stop>();
+  stop->reply = {payload.reply, payload.correlation};
+  {
+    const std::scoped_lock lock(mutex_);
+    stop->is_settled = received_.size() >= most_received;
+    if (!stop->is_settled) received_.push_back({.stop = stop, .message = {}, .topic = topic});
+  }
+  disk_.wake();
+  return
+      [this, gimbal = topic.gimbal, key = payload.key, ignored, stop](const TaskOutcome& outcome) {
+        Json result = result_json(gimbal, stop_task, key, outcome);
+        if (!ignored.empty()) result["ignored"] = ignored;
+        {
+          const std::scoped_lock lock(stop->mutex);
+          stop->result = std::move(result);
+        }
+        finish_stop(gimbal, *stop);
+        outbox_.count(outcome.status);
+      };
+}
+
+/// So that the next gateway goes on with it, and gives it a result.
+void Admission::record_stop(const Received& received) {
+  const auto id = journal_.admit({received.topic.gimbal, "", stop_task, received.stop->reply},
+                                 std::chrono::system_clock::now());
+  if (id) {
+    journal_.set_moving(received.topic.gimbal, *id);
+    outbox_.has_begun();
+  }
+  const std::scoped_lock lock(received.stop->mutex);
+  received.stop->id = id;
+  received.stop->is_settled = true;
+}
+
+/// The result of a stop that is not in the journal may give way to others.
+void Admission::finish_stop(const std::string& gimbal, Stop& stop) {
+  const std::scoped_lock lock(stop.mutex);
+  if (!stop.is_settled || !stop.result) return;
+  Json result = *std::exchange(stop.result, {});
+  if (stop.id) {
+    outbox_.finish(*stop.id, gimbal, result);
+  } else {
+    outbox_.notify(answer_to(topics_, gimbal, stop.reply, std::move(result)));
+  }
 }
 
 std::optional<Admission::Admitted> Admission::settle_one(const Received& received) {
@@ -240,7 +286,8 @@ std::optional<Admission::Admitted> Admission::admit(const Received& received,
   if (order.sets_in_motion()) journal_.set_moving(topic.gimbal, *id);
   outbox_.has_begun();
   const auto done = [this, id = *id, topic, key = payload.key](const TaskOutcome& outcome) {
-    outbox_.finish(id, topic, key, outcome);
+    outbox_.finish(id, topic.gimbal, result_json(topic.gimbal, topic.task, key, outcome));
+    outbox_.count(outcome.status);
   };
   std::optional<WallTime> deadline = payload.deadline;
   if (deadline) *deadline += settings_.clock_skew;

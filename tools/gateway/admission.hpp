@@ -85,8 +85,17 @@ class Admission {
   void close() noexcept { is_closing_ = true; }
 
  private:
+  /// A stop that its gimbal has got, and that is not in the journal yet. Its end may come first.
+  struct Stop {
+    ReplyAddress reply{};
+    std::mutex mutex{};
+    bool is_settled = false;           // it is in the journal, or never will be
+    std::optional<std::int64_t> id{};  // there
+    std::optional<Json> result{};
+  };
   /// A command, or a stop that is refused, on its way to the disk.
   struct Received {
+    std::shared_ptr<Stop> stop{};  // then only the topic counts
     MqttMessage message{};
     CommandTopic topic{};
     GimbalTasks::Clock::time_point arrived{};
@@ -107,6 +116,8 @@ class Admission {
   bool see_fence(const MqttMessage& message);
   bool stop_at_once(const CommandTopic& topic, const MqttMessage& message);
   GimbalTasks::Done answer_of_stop(const CommandTopic& topic, const MqttMessage& message);
+  void finish_stop(const std::string& gimbal, Stop& stop);
+  void record_stop(const Received& received);
   void queue(CommandTopic topic, MqttMessage message, GimbalTasks::Clock::time_point arrived);
   std::optional<Admitted> settle_one(const Received& received);
   CommandPayload addressed_payload(const MqttMessage& message,

@@ -1,7 +1,9 @@
 #include "gateway/broker.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -24,6 +26,9 @@
 namespace sbgc::tools {
 
 namespace {
+
+/// For all gimbals; a service manager may kill the gateway soon after.
+constexpr std::chrono::seconds longest_stop{8};
 
 BrokerSettings with_client_id(const Fleet& fleet) {
   BrokerSettings settings = *fleet.broker;
@@ -50,6 +55,7 @@ class Broker::Impl {
   Statistics statistics() const;
   std::string failure() const;
   bool has_rival() const noexcept { return has_rival_; }
+  bool has_left_moving() const noexcept { return has_left_moving_; }
 
  private:
   MqttConnection::Handlers mqtt_handlers();
@@ -77,6 +83,7 @@ class Broker::Impl {
   Admission admission_;
   std::atomic<bool> is_connected_{false};
   std::atomic<bool> has_rival_{false};
+  bool has_left_moving_ = false;
   mutable std::mutex mutex_{};
   std::string failure_{};
   std::string last_problem_{};  // of the connection, on its thread
@@ -140,13 +147,19 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
   };
   const auto at_rest = [this, name](std::int64_t command) { outbox_.set_at_rest(name, command); };
   auto tasks = std::make_shared<GimbalTasks>(
-      gimbal, GimbalTasks::Hooks{[this] { return is_there(); }, notify, at_rest}, moved_by);
+      gimbal,
+      GimbalTasks::Hooks{[this] { return is_there(); }, notify, at_rest, settings_.stop_after},
+      moved_by);
+  gimbal.on_event([tasks](const GimbalEvent& event, Gimbal::Time) {
+    if (event.kind == board_reset_event) tasks->board_restarted();
+  });
   gimbal.on_status([this, tasks, topic = topics_.of(name, "state"),
                     allow = gimbal.settings().allow](const GimbalStatus& state) {
     tasks->link_changed(state.link == GimbalLink::online);
     Json json = stamped();
     json["state"] = sbgc::tools::name(state.link);
     if (!state.reason.empty()) json["reason"] = state.reason;
+    if (state.is_stopping) json["stopping"] = true;
     json["firmware"] = state.firmware;
     json["board"] = state.board;
     json["serial_number"] = state.serial_number;
@@ -220,15 +233,28 @@ void Broker::Impl::close() {
       std::this_thread::sleep_for(interval);
     }
   };
-  const auto at_rest = std::make_shared<std::atomic<std::size_t>>(0);
-  for (auto& [name, station] : stations_) station.tasks->shut_down([at_rest] { ++*at_rest; });
-  const StopOptions stopping;
+  std::map<std::string, std::shared_ptr<std::atomic<bool>>> at_rest;
+  for (auto& [name, station] : stations_) {
+    const auto rests = at_rest[name] = std::make_shared<std::atomic<bool>>(false);
+    station.tasks->shut_down([rests] { *rests = true; });
+  }
   const bool has_failed = !failure().empty();  // then nobody counts what ends
-  wait_until([&] { return *at_rest == stations_.size() && (has_failed || outbox_.running() == 0); },
-             stopping.timeout + std::chrono::seconds(1));
+  wait_until(
+      [&] {
+        return (has_failed || outbox_.running() == 0) &&
+               std::ranges::all_of(at_rest, [](const auto& one) { return one.second->load(); });
+      },
+      longest_stop);
+  for (const auto& [name, rests] : at_rest) {
+    if (*rests) continue;
+    has_left_moving_ = true;
+    remark("sbgc: {} may still turn: its stop has not succeeded; the next gateway tries again\n",
+           name);
+    stations_[name].tasks->give_up();
+  }
   outbox_.set_state(state_topic_, outbox_.gateway_state("offline"));
   wait_until([&] { return !is_connected_ || outbox_.statistics().waiting == 0; },
-             std::chrono::seconds(2));
+             std::chrono::seconds(1));
   mqtt_.close();
   disk_.finish();
 }
@@ -254,6 +280,8 @@ void Broker::close() { impl_->close(); }
 Broker::Statistics Broker::statistics() const { return impl_->statistics(); }
 
 std::string Broker::failure() const { return impl_->failure(); }
+
+bool Broker::has_left_moving() const { return impl_->has_left_moving(); }
 
 bool Broker::has_rival() const { return impl_->has_rival(); }
 

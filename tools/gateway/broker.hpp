@@ -30,9 +30,11 @@ class Broker {
   ~Broker();
 
   void start();
-  /// Stops what commands have set in motion, and reports that the gateway is offline. Takes a few
-  /// seconds at most.
+  /// Stops what commands have set in motion, for which it tries for at most 8 seconds, and reports
+  /// that the gateway is offline.
   void close();
+  /// True if it could not stop a gimbal. The journal keeps that.
+  bool has_left_moving() const;
 
   Statistics statistics() const;
   /// Why this half cannot go on, such as a full disk; without metrics, it has asked the process to

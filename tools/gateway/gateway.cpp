@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,12 +36,13 @@ struct GatewayOptions {
 };
 
 void report_on(Gimbal& gimbal) {
-  gimbal.on_status([&gimbal](const GimbalStatus& status) {
+  gimbal.on_status([&gimbal, last = std::string()](const GimbalStatus& status) mutable {
     const std::string details =
         status.link == GimbalLink::online
             ? fmt::format("board {}, firmware {}", status.board, status.firmware)
             : status.reason;
-    remark("sbgc: {} is {}: {}\n", gimbal.name(), name(status.link), details);
+    const std::string text = fmt::format("{}: {}", name(status.link), details);
+    if (std::exchange(last, text) != text) remark("sbgc: {} is {}\n", gimbal.name(), text);
   });
   gimbal.on_event([&gimbal](const GimbalEvent& event, Gimbal::Time) {
     remark("sbgc: {}: {}: {}\n", gimbal.name(), event.kind, event.message);
@@ -76,7 +78,7 @@ int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gi
   io.finish();  // what still completes uses the broker and the gimbals
   // Which gateway it should be, people decide, not a service manager that starts this one again.
   if (broker && broker->has_rival()) return wrong_usage;
-  return broker && !broker->failure().empty() ? failure : success;
+  return broker && (!broker->failure().empty() || broker->has_left_moving()) ? failure : success;
 }
 
 int run_gateway(const GatewayOptions& options) {
@@ -112,10 +114,13 @@ void add_gateway(CLI::App& app, CommandContext& context) {
   command->footer(
       "Connects to the gimbals that the file names, and connects again as long as it runs. "
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
-      "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
+      "another signal, ends it, after it has stopped what commands have set in motion, for which "
+      "it "
+      "tries for at most 8 seconds. docs/21-many-gimbals.md has the details.\n"
       "\n"
-      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or "
-      "the broker's half has failed, 2 for wrong usage or if another gateway serves the fleet.");
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin, the "
+      "broker's half has failed or a gimbal may still turn, 2 for wrong usage or if another "
+      "gateway serves the fleet.");
   command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);
 }

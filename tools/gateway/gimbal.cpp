@@ -46,7 +46,7 @@ ReconnectOptions options_of(const NamedGimbal& line) {
 
 std::string event_kind(NoticeKind kind) {
   switch (kind) {
-    case NoticeKind::board_reset: return "board_reset";
+    case NoticeKind::board_reset: return board_reset_event;
     case NoticeKind::board_error: return "board_error";
     case NoticeKind::link_lost: break;
     case NoticeKind::unreadable: return "unreadable";
@@ -111,6 +111,12 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   GimbalStatus status() const {
     const std::lock_guard lock(mutex_);
     return status_;
+  }
+
+  void set_stopping(bool is_stopping) {
+    GimbalStatus status = this->status();
+    status.is_stopping = is_stopping;
+    enter(status);
   }
 
   GimbalCounters counters() {
@@ -340,6 +346,7 @@ void Gimbal::close() { impl_->close(); }
 
 GimbalStatus Gimbal::status() const { return impl_->status(); }
 GimbalCounters Gimbal::counters() const { return impl_->counters(); }
+void Gimbal::set_stopping(bool is_stopping) { impl_->set_stopping(is_stopping); }
 AsyncReconnectingClient& Gimbal::client() noexcept { return *impl_->client_; }
 
 }  // namespace sbgc::tools

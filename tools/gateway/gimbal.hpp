@@ -63,6 +63,7 @@ struct GimbalStatus {
   std::string board{};
   std::string serial_number{};
   std::uint64_t connections{};  ///< made since the start
+  bool is_stopping{};           ///< a stop has not succeeded for seconds: nothing may move it
 
   bool operator==(const GimbalStatus&) const = default;
 };
@@ -73,6 +74,9 @@ struct GimbalCounters {
   std::map<std::string, std::uint64_t> telemetry{};     ///< messages by name
   std::map<std::string, std::uint64_t> board_errors{};  ///< those outside of calls, by name
 };
+
+/// The kind of an event: the board has restarted.
+inline constexpr const char* board_reset_event = "board_reset";
 
 /// What has happened to a gimbal outside of telemetry and commands.
 struct GimbalEvent {
@@ -110,6 +114,9 @@ class Gimbal {
   /// until Io::finish() returns. Any thread but those of Io, as for the destructor, which also
   /// waits for a line that is being opened.
   void close();
+
+  /// On the strand.
+  void set_stopping(bool is_stopping);
 
   // On any thread.
 

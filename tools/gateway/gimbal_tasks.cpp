@@ -10,6 +10,7 @@
 #include <asio/post.hpp>
 
 #include <sbgc/client/calibration.hpp>
+#include <sbgc/messages/realtime.hpp>
 
 #include "gateway/parameter_tasks.hpp"
 #include "motion/axis_values.hpp"
@@ -53,11 +54,16 @@ const char* calibration_text(CalibrationEnd end) {
 }  // namespace
 
 GimbalTasks::GimbalTasks(Gimbal& gimbal, Hooks hooks, std::optional<std::int64_t> moved_by)
-    : gimbal_(gimbal), hooks_(std::move(hooks)), timer_(gimbal.executor()) {
+    : gimbal_(gimbal),
+      hooks_(std::move(hooks)),
+      timer_(gimbal.executor()),
+      stops_(gimbal,
+             {[this] { return shared_from_this(); }, hooks_.notify,
+              [this] { return !speed_ || speed_->has_settled(); }, [this] { stops_changed(); }}),
+      was_left_moving_(moved_by.has_value()) {
   if (!moved_by) return;
   last_motion_ = *moved_by;
   moves_until_ = Clock::time_point::max();
-  must_halt("the gateway ended while the camera could move");
 }
 
 void GimbalTasks::run(Job job) {
@@ -67,18 +73,33 @@ void GimbalTasks::run(Job job) {
   });
 }
 
+void GimbalTasks::recorded(std::int64_t stop) {
+  asio::post(gimbal_.executor(), [self = shared_from_this(), stop] {
+    self->last_motion_ = std::max(self->last_motion_, stop);
+    self->report_rest();
+  });
+}
+
 void GimbalTasks::link_changed(bool is_online) {
   asio::post(gimbal_.executor(), [self = shared_from_this(), is_online] {
-    self->is_online_ = is_online;
+    if (std::exchange(self->was_left_moving_, false)) {
+      self->halt("the gateway ended while the camera could move", true);
+    }
+    if (std::exchange(self->is_online_, is_online) == is_online) return;
+    self->heard_ = Clock::now();
     if (!is_online) {
       // Nothing that waits moves the camera when the line is back.
       self->end_waiting_motions("link_lost", "the line to the gimbal was lost");
-      if (self->is_moving()) self->must_halt("the line was lost while the camera could move");
+      if (self->is_moving()) self->halt("the line was lost while the camera could move");
       self->report_rest();
-    } else if (!self->halt_reason_.empty()) {
-      self->halt();
     }
+    self->stops_.link_changed(is_online);
+    if (is_online) self->watch();
   });
+}
+
+void GimbalTasks::board_restarted() {
+  asio::post(gimbal_.executor(), [self = shared_from_this()] { self->stops_.board_restarted(); });
 }
 
 void GimbalTasks::shut_down(std::function<void()> done) {
@@ -97,12 +118,14 @@ void GimbalTasks::shut_down(std::function<void()> done) {
     if (self->current_ && self->cancel_ && !writes) {
       self->cancel_->emit(asio::cancellation_type::terminal);
     }
-    const auto end = [self, done](const TaskOutcome&) {
-      self->speed_.reset();
-      done();
-    };
-    was_moving ? self->stop(end) : end({});
+    self->shut_down_ = done;
+    if (was_moving) self->stop([](const TaskOutcome&) {});
+    if (!self->stops_.is_owed()) self->stops_changed();
   });
+}
+
+void GimbalTasks::give_up() {
+  asio::post(gimbal_.executor(), [self = shared_from_this()] { self->stops_.close(); });
 }
 
 void GimbalTasks::add(Job job) {
@@ -124,7 +147,7 @@ void GimbalTasks::add(Job job) {
 }
 
 void GimbalTasks::begin_next() {
-  while (!current_ && stops_.empty() && !waiting_.empty()) {
+  while (!current_ && !stops_.is_stopping() && !waiting_.empty()) {
     Job job = std::move(waiting_.front());
     waiting_.pop_front();
     const Order& order = job.order;
@@ -134,6 +157,8 @@ void GimbalTasks::begin_next() {
       end(job, {"refused", "expired", "its deadline passed before it could begin", {}});
     } else if (is_speed && Clock::now() > job.arrived + longest_silence) {
       end(job, {"refused", "expired", "a speed that could not begin at once is not wanted", {}});
+    } else if (order.must_not_wait && stops_.is_late()) {
+      end(job, {"refused", "stopping", "a stop of the camera has not succeeded yet", {}});
     } else if (order.must_not_wait && !hooks_.is_broker_there()) {
       end(job, {"refused", "no_broker", "the broker is gone, so nothing would stop it", {}});
     } else if (order.sets_in_motion() && !is_online_) {
@@ -149,7 +174,7 @@ void GimbalTasks::begin_next() {
 void GimbalTasks::begin_after_speed() {
   is_preparing_ = true;
   end_motion();
-  confirm_stop([self = shared_from_this()](const Result<void>& stopped) {
+  stops_.stop([self = shared_from_this()](const Result<void>& stopped) {
     // Another stop has ended the wait.
     const bool is_cancelled = !std::exchange(self->is_preparing_, false) || self->is_shut_down_;
     if (is_cancelled) {
@@ -258,7 +283,7 @@ TaskOutcome GimbalTasks::set_speed(const SpeedOrder& order) {
 void GimbalTasks::stop(Done done) {
   end_motion();
   is_preparing_ = false;
-  confirm_stop([done = std::move(done)](const Result<void>& stopped) {
+  stops_.stop([done = std::move(done)](const Result<void>& stopped) {
     done(stopped ? TaskOutcome() : failed_outcome(stopped.error()));
   });
 }
@@ -267,20 +292,13 @@ void GimbalTasks::turn_motors_off(Job job) {
   end_waiting_motions("superseded", "a later command turns the motors off");
   end_motion();
   is_preparing_ = false;
-  CallOptions options;
-  options.expect_confirmation = true;
-  const AnyMessage& request = std::get<CallOrder>(job.order.what).request;
-  gimbal_.client().async_call(
-      request, options,
-      asio::bind_executor(
-          gimbal_.executor(),
-          [self = shared_from_this(), job](const Result<std::optional<AnyMessage>>& response) {
-            self->end(job, response ? TaskOutcome{.result = response_json(*response)}
-                                    : failed_outcome(response.error()));
-          }));
+  const AnyMessage request = std::get<CallOrder>(job.order.what).request;
+  stops_.turn_motors_off(request, [self = shared_from_this(), job](const Result<void>& ended) {
+    self->end(job, ended ? TaskOutcome() : failed_outcome(ended.error()));
+  });
 }
 
-/// Begins to end what runs. Whether the camera stops, only confirm_stop() finds out.
+/// Begins to end what runs. Whether the camera stops, only a stop finds out.
 void GimbalTasks::end_motion() {
   if (std::exchange(is_turning_, false)) moves_until_ = Clock::time_point::max();
   if (speed_) static_cast<void>(speed_->stop());
@@ -290,45 +308,23 @@ void GimbalTasks::end_motion() {
   }
 }
 
-/// Stops that come together, or while one runs, are one: nothing has begun since it did.
-void GimbalTasks::confirm_stop(std::function<void(const Result<void>&)> then) {
-  stops_.push_back(std::move(then));
-  if (stops_.size() == 1) run_stop();
-}
-
-void GimbalTasks::run_stop() {
-  gimbal_.client().async_run(
-      tasks::stop(), asio::bind_executor(gimbal_.executor(), [self = shared_from_this()](
-                                                                 const Result<void>& stopped) {
-        // What the speed was sending can have come after this stop, or can still come.
-        if (stopped && self->speed_ && !self->speed_->has_settled()) return self->run_stop();
-        if (stopped) {
-          self->moves_until_.reset();
-          self->halt_reason_.clear();
-        }
-        for (const auto& then : std::exchange(self->stops_, {})) then(stopped);
-        self->report_rest();
-        self->begin_next();
-      }));
-}
-
-/// The first reason counts.
-void GimbalTasks::must_halt(const char* reason) {
-  if (halt_reason_.empty()) halt_reason_ = reason;
-}
-
-void GimbalTasks::halt() {
-  if (is_halting_) return;
-  is_halting_ = true;
+/// Stops a camera that nobody has commanded to stop.
+void GimbalTasks::halt(const char* reason, bool late) {
   end_waiting_motions("stopped", "the camera was stopped");
-  stop([self = shared_from_this(), reason = halt_reason_](const TaskOutcome& outcome) {
-    self->is_halting_ = false;
-    self->hooks_.notify("stopped",
-                        outcome.code.empty()
-                            ? reason + "; the camera has stopped"
-                            : reason + "; the camera may still turn: " + outcome.message);
-    if (!self->halt_reason_.empty()) self->watch();  // to try again
-  });
+  end_motion();
+  is_preparing_ = false;
+  stops_.stop_because(reason, late);
+}
+
+/// What turns the camera after a stop, if anything, is no command.
+void GimbalTasks::stops_changed() {
+  if (!stops_.is_owed()) moves_until_.reset();
+  report_rest();
+  if (shut_down_ && !stops_.is_owed()) {
+    speed_.reset();
+    std::exchange(shut_down_, {})();
+  }
+  asio::post(gimbal_.executor(), [self = shared_from_this()] { self->begin_next(); });
 }
 
 void GimbalTasks::end_waiting_motions(const char* code, const char* message) {
@@ -342,7 +338,7 @@ void GimbalTasks::end_waiting_motions(const char* code, const char* message) {
 bool GimbalTasks::may_go_on() const { return moves_until_ && Clock::now() < *moves_until_; }
 
 bool GimbalTasks::is_moving() const {
-  return is_turning_ || may_go_on() || !halt_reason_.empty() ||
+  return is_turning_ || may_go_on() || stops_.is_owed() ||
          (current_ && current_->order.sets_in_motion());
 }
 
@@ -372,11 +368,42 @@ void GimbalTasks::look() {
                               : "the speed could not be held");
   }
   if (!is_moving()) return report_rest();
-  // Offline, link_changed() does it later.
+  // Offline, link_changed() goes on.
   if (!is_online_) return;
-  if (!hooks_.is_broker_there()) must_halt("the broker is gone");
-  if (!halt_reason_.empty()) halt();
+  if (!stops_.is_owed() && !hooks_.is_broker_there()) halt("the broker is gone");
+  watch_silence();
   watch();
+}
+
+/// Asks a gimbal that may move for its angles when the line carries nothing. Our own calls end in
+/// their own time.
+void GimbalTasks::watch_silence() {
+  constexpr std::chrono::milliseconds longest_unreported{1'500};
+  const auto now = Clock::now();
+  const bool is_called =
+      current_ && !is_preparing_ && !std::holds_alternative<MoveOrder>(current_->order.what);
+  const std::uint64_t frames = gimbal_.client().statistics().session.parser.frames;
+  if (std::exchange(frames_, frames) != frames || is_called) {
+    heard_ = now;
+    is_silent_ = false;
+  }
+  const auto silence = now - heard_;
+  if (silence < longest_silence) return;
+  if (!std::exchange(is_asking_, true)) {
+    gimbal_.client().async_call(
+        msg::GetAnglesRequest{}, {.retries = 0},
+        asio::bind_executor(gimbal_.executor(),
+                            [self = shared_from_this()](const Result<msg::GetAngles>&) {
+                              self->is_asking_ = false;
+                            }));
+  }
+  if (silence >= longest_unreported && !std::exchange(is_silent_, true)) {
+    hooks_.notify("silent", "the gimbal may move, and has not answered for 1.5 s");
+  }
+  if (silence < std::max(hooks_.stop_after, longest_unreported)) return;
+  heard_ = now;
+  if (!stops_.is_owed()) halt("the gimbal was silent while the camera could move");
+  gimbal_.client().check();
 }
 
 }  // namespace sbgc::tools

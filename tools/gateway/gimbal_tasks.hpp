@@ -18,6 +18,7 @@
 #include <sbgc/json_dom.hpp>
 
 #include "gateway/gimbal.hpp"
+#include "gateway/gimbal_stops.hpp"
 #include "gateway/orders.hpp"
 
 namespace sbgc::tools {
@@ -35,16 +36,16 @@ struct TaskOutcome {
 /// off before what waits, too.
 ///
 /// A speed ends after `longest_silence` without the next one. A camera that commands may have set
-/// in motion is stopped when the broker is gone, when its line is back after a loss, and at the end
-/// of the gateway; or else by the next gateway. It counts as in motion until the board has
-/// confirmed a stop, or until its last motion has ended well.
+/// in motion is stopped when the broker is gone, when its line is back after a loss or silence, and
+/// at the end of the gateway; or else by the next gateway. It counts as in motion until a stop has
+/// ended, or until its last motion has ended well. While a stop is owed for long, nothing moves it.
 class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
  public:
   using Clock = std::chrono::steady_clock;
   using Time = std::chrono::system_clock::time_point;
   using Done = std::function<void(TaskOutcome)>;
 
-  /// How long a speed lasts.
+  /// How long a speed lasts, and how long a line may carry nothing while the camera may move.
   static constexpr std::chrono::milliseconds longest_silence{500};
 
   struct Hooks {
@@ -53,6 +54,8 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
     std::function<void(const std::string& kind, const std::string& message)> notify{};
     /// No command up to this one has left the camera in motion.
     std::function<void(std::int64_t command)> at_rest{};
+    /// A moving gimbal that is silent for so long is lost.
+    std::chrono::milliseconds stop_after{2'000};
   };
 
   struct Job {
@@ -72,12 +75,17 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
 
   /// Calls `done` exactly once, on the strand.
   void run(Job job);
+  /// A stop that run() has got is this command of the journal.
+  void recorded(std::int64_t stop);
   /// How many stops run() has got.
   std::uint64_t stops() const noexcept { return stop_count_; }
   void link_changed(bool is_online);
+  void board_restarted();
   /// Stops the camera if a command has moved it, and ends what runs or waits. `done` is called when
   /// nothing is left to do.
   void shut_down(std::function<void()> done);
+  /// Makes no further attempt to stop the camera.
+  void give_up();
 
  private:
   void add(Job job);
@@ -89,10 +97,9 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   void stop(Done done);
   void turn_motors_off(Job job);
   void end_motion();
-  void confirm_stop(std::function<void(const Result<void>&)> then);
-  void run_stop();
-  void must_halt(const char* reason);
-  void halt();
+  void halt(const char* reason, bool late = false);
+  void stops_changed();
+  void watch_silence();
   void end_waiting_motions(const char* code, const char* message);
   void watch();
   void look();
@@ -117,10 +124,13 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   bool is_turning_ = false;                         // speed_ holds a speed
   std::optional<Clock::time_point> moves_until_{};  // if no stop is confirmed before
   bool moved_before_ = false;                       // the current command
-  std::string halt_reason_{};                       // of a stop as soon as the gimbal is online
-  bool is_halting_ = false;
-  /// Of all that wait for the stop that runs; nothing begins meanwhile.
-  std::vector<std::function<void(const Result<void>&)>> stops_{};
+  GimbalStops stops_;
+  std::function<void()> shut_down_{};  // called when nothing is owed
+  bool was_left_moving_;               // by an earlier gateway
+  Clock::time_point heard_{};          // the last time that the line has carried something
+  std::uint64_t frames_ = 0;           // then
+  bool is_asking_ = false;
+  bool is_silent_ = false;
   bool is_preparing_ = false;     // the current command waits until the speed has ended
   std::int64_t last_motion_ = 0;  // the last command that may have moved the camera
   std::int64_t reported_ = 0;     // of these, at rest

@@ -209,6 +209,9 @@ std::vector<ReplyAddress> Journal::finish(std::int64_t id, std::string_view resu
   while (replies.next()) addresses.push_back({replies.text(0), replies.text(1)});
   expected_ -= addresses.size();
   Statement(*this, "DELETE FROM replies WHERE command = ?").add(id).run();
+  // No copy of it is looked for.
+  Statement(*this, "DELETE FROM commands WHERE id = ? AND key IS NULL").add(id).run();
+  finished_ -= static_cast<std::size_t>(sqlite3_changes(database_.get()));
   return addresses;
 }
 

@@ -159,6 +159,9 @@ class Metrics::Collector : public prometheus::Collectable {
     const bool is_online = status.link == GimbalLink::online;
     families.add_gauge("sbgc_gimbal_up", "1 if the gimbal is connected.", {gimbal},
                        is_online ? 1 : 0);
+    families.add_gauge("sbgc_gimbal_stopping",
+                       "1 if a stop has not succeeded for seconds: the camera may still turn.",
+                       {gimbal}, status.is_stopping ? 1 : 0);
     if (!status.firmware.empty()) {
       families.add_gauge(
           "sbgc_gimbal_info", "What the board says of itself. Always 1.",

@@ -55,11 +55,8 @@ void Outbox::settle_unfinished() {
 
 void Outbox::notify(WaitingMessage notice) { happen(std::move(notice)); }
 
-void Outbox::finish(std::int64_t command, const CommandTopic& topic, const std::string& key,
-                    const TaskOutcome& outcome) {
-  happen(Ended{command, topic.gimbal,
-               payload_text(result_json(topic.gimbal, topic.task, key, outcome))});
-  count(outcome.status);
+void Outbox::finish(std::int64_t command, const std::string& gimbal, const Json& result) {
+  happen(Ended{command, gimbal, payload_text(result)});
 }
 
 void Outbox::set_at_rest(const std::string& gimbal, std::int64_t command) {

@@ -55,8 +55,7 @@ class Outbox {
   /// An event, or the result of a command that is not in the journal.
   void notify(WaitingMessage notice);
   /// A command of the journal has ended.
-  void finish(std::int64_t command, const CommandTopic& topic, const std::string& key,
-              const TaskOutcome& outcome);
+  void finish(std::int64_t command, const std::string& gimbal, const Json& result);
   /// No command up to this one has left the gimbal in motion.
   void set_at_rest(const std::string& gimbal, std::int64_t command);
   void put_sample(std::string topic, std::string payload);

@@ -249,6 +249,8 @@ Json state_schema() {
     properties[name] = text_schema();
   }
   properties["connections"] = {{"type", "integer"}};
+  properties["stopping"] = {
+      {"const", true}, {"description", "A stop has not succeeded for seconds; motion is refused"}};
   std::vector<std::string> tasks(gateway_tasks.begin(), gateway_tasks.end());
   properties["allow"] = {{"type", "array"}, {"items", one_of_texts(tasks)}};
   return object_schema(std::move(properties), {"version", "time", "state"});

@@ -1,5 +1,7 @@
 #include "share/bridge_client.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +30,10 @@ BridgeClient::BridgeClient(asio::any_io_executor executor, ReconnectingClient cl
                            LineGate& gate)
     : executor_(std::move(executor)), gate_(gate), client_(std::move(client)) {}
 
-BridgeClient::~BridgeClient() { client_.close(); }
+BridgeClient::~BridgeClient() {
+  stopper_.request_stop();
+  client_.close();
+}
 
 void BridgeClient::begin(BridgePorts& ports, std::function<void(const LinkChange&)> on_change) {
   ports_ = &ports;
@@ -55,6 +60,38 @@ void BridgeClient::send(std::uint64_t tag, RawRequest request) {
     const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
     asio::post(executor_, [this, tag, failure] { ports_->ended(tag, failure); });
   });
+}
+
+void BridgeClient::take_over(OwedStop stop) {
+  {
+    const std::lock_guard lock(stops_mutex_);
+    const auto is_same = [&](const OwedStop& one) {
+      return one.turns_motors_off() == stop.turns_motors_off();
+    };
+    if (std::ranges::none_of(stops_, is_same)) stops_.push_back(std::move(stop));
+  }
+  stops_changed_.notify_one();
+  if (stopper_.joinable()) return;
+  stopper_ = std::jthread([this](const std::stop_token& end) { go_on_with_stops(end); });
+}
+
+void BridgeClient::go_on_with_stops(const std::stop_token& end) {
+  constexpr std::chrono::milliseconds pause{100};
+  std::unique_lock lock(stops_mutex_);
+  while (stops_changed_.wait(lock, end, [&] { return !stops_.empty(); })) {
+    std::vector<OwedStop> now = std::exchange(stops_, {});
+    lock.unlock();
+    for (OwedStop& stop : now) {
+      const auto began = OwedStop::Clock::now();
+      const Result<void> ended = client_.run(stop.attempt());
+      if (stop.take(ended, began) != OwedStop::State::owed) continue;
+      const std::lock_guard again(stops_mutex_);
+      stops_.push_back(std::move(stop));
+    }
+    std::this_thread::sleep_for(pause);
+    lock.lock();
+    if (end.stop_requested()) return;
+  }
 }
 
 }  // namespace sbgc::tools

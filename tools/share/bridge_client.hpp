@@ -1,10 +1,13 @@
 /// The connection of a bridge to its board.
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -38,10 +41,13 @@ class BridgeClient final : public BridgeLine {
   void give_line_back() override { gate_.give_back(); }
   void release_line() override { gate_.release(); }
   void check() override { client_.check(); }
+  void take_over(OwedStop stop) override;
 
   ReconnectingClient& client() { return client_; }
 
  private:
+  void go_on_with_stops(const std::stop_token& end);
+
   asio::any_io_executor executor_;
   LineGate& gate_;
   BridgePorts* ports_ = nullptr;
@@ -49,6 +55,11 @@ class BridgeClient final : public BridgeLine {
   ReconnectingClient client_;
   Subscription frames_;
   Subscription changes_;
+
+  std::mutex stops_mutex_;
+  std::condition_variable_any stops_changed_;
+  std::vector<OwedStop> stops_;
+  std::jthread stopper_;  // waits for the attempts
 };
 
 }  // namespace sbgc::tools

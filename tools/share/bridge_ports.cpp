@@ -98,6 +98,10 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
 void BridgePorts::disconnect(std::size_t port) {
   hosts_[port].reset();
   askers_.left(port);
+  for (OwedStop& stop : stops_.left(port)) {
+    log(fmt::format("host {} has left before its stop was done: the bridge goes on with it", port));
+    line_.take_over(std::move(stop));
+  }
   std::erase_if(calls_, [&](const auto& one) { return one.second.asker.port == port; });
   for (auto place = streams_.begin(); place != streams_.end();) {
     Stream& stream = place->second;
@@ -475,6 +479,7 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
     const bool is_due_soon = !request.policy.is_answered_at_end();
     calls_[tag] = {.asker = asker, .id = request.id, .is_due_soon = is_due_soon};
     askers_.asked(tag, asker, request, now());
+    stops_.asked(*port, tag, request);
     ++host.pending;
     request.host = host.id;
   }
@@ -486,6 +491,7 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
 
 void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
   askers_.answered(tag, frame, now());
+  stops_.answered(tag, frame);
   const auto place = calls_.find(tag);
   if (place == calls_.end()) return;
   Call& call = place->second;
@@ -567,6 +573,7 @@ void BridgePorts::arrived(const BoardFrame& message) {
   const Frame& frame = message.frame;
   heard_ = now();
   unanswered_ = 0;
+  stops_.arrived(frame, now());
   if (message.belongs_to_call) {
     if (message.sample == sbgc::Sample::yes) give_sample(frame);
     return;

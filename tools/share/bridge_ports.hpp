@@ -23,6 +23,7 @@
 
 #include "hosts/host_ports.hpp"
 #include "share/askers.hpp"
+#include "share/host_stops.hpp"
 
 namespace sbgc::tools {
 
@@ -51,6 +52,9 @@ class BridgeLine {
 
   /// Asks the board for a sign of life; without one, connects again.
   virtual void check() = 0;
+
+  /// Goes on with a stop until it is done.
+  virtual void take_over(OwedStop stop) = 0;
 };
 
 /// Gives each host the responses to its own requests, the samples of the data streams that it has
@@ -71,6 +75,8 @@ class BridgeLine {
 /// - A host that sends faster than the board executes is read more slowly. A host that does not
 ///   read loses samples and unsolicited messages, and disturbs no other.
 /// - A stop drops the motion of all hosts that waits to be sent; they get an error (WRONG_STATE).
+/// If
+///   its host leaves before it is done, the bridge goes on with it.
 /// - Another request that fails has no response, as on a line to the board.
 /// - After a request that restarts the board, its host has the line for itself, with all bytes as
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
@@ -268,6 +274,7 @@ class BridgePorts final : public hosts::HostPorts {
   std::unordered_map<std::uint64_t, Call> calls_;
   std::uint16_t last_host_ = 0;
   Askers askers_;
+  HostStops stops_;
   Streams streams_;
   std::map<std::uint8_t, Instant> ended_streams_{};  // when the last host left, by message
   Instant heard_{};                                  // the last frame of the board

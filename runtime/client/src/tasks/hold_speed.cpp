@@ -184,7 +184,10 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
       const Instant not_after = yields ? task.now() + patience : Instant::never;
       if (result) result = co_await motion.turn(next.speed, not_after);
     }
-    if (!result && is_in_other_hands(result.error().code)) {
+    // A stop that fails keeps the timeout, which ends what may be this motion.
+    const bool has_failed_to_stop =
+        next.action == Action::stop && !result && result.error().code == ErrorCode::interrupted;
+    if (!result && is_in_other_hands(result.error().code) && !has_failed_to_stop) {
       static_cast<void>(co_await motion.let_go());
     }
     speed->done(next, std::move(result), task.now());

@@ -357,14 +357,18 @@ Task<Result<void>> stop(StopOptions options) {
   const detail::Deadline deadline(task, options.timeout);
   detail::Refusals refusals(task, msg::CommandToBoard::control);
   Instant still_since = Instant::never;
-  std::string turned;  // what turned last
+  std::optional<std::string> turns;  // as far as is known
+  std::string turned;                // what turned last
+  bool was_silent = false;
+  bool must_send = !options.reads_first;
   while (true) {
     // The board need not confirm the command, so a loss may go unnoticed, and somebody else may
     // turn the camera: repeat it while the camera turns.
-    if (still_since == Instant::never) {
+    if (must_send && still_since == Instant::never) {
       const Result<void> sent = co_await call(halt, detail::options_within(deadline));
       if (!sent) co_return sent;
     }
+    const Instant asked = task.now();
     const Result<msg::GetAngles> state =
         co_await call(msg::GetAnglesRequest{}, detail::options_within(deadline));
     if (!state && state.error().code == ErrorCode::superseded) co_return state.error();
@@ -372,15 +376,21 @@ Task<Result<void>> stop(StopOptions options) {
       return detail::during("checking whether the camera has stopped", state.error());
     };
     if (!state && state.error().code != ErrorCode::timeout) co_return unknown();
-    const std::string still = state ? turning(*state) : "";
-    const bool is_still = state && still.empty();
+    // At the end, an answer has less time than it may take.
+    const bool is_cut = deadline.is_over() && task.now() - asked < repetition;
+    was_silent = was_silent || (!state && !is_cut);
+    if (state) turns = turning(*state);
+    const bool is_still = state && turns->empty();
     still_since = is_still ? earlier(still_since, task.now()) : Instant::never;
     if (is_still && task.now() - still_since >= detail::duration_of(options.rest))
       co_return Result<void>();
     if (is_still && options.goes_on && !options.goes_on()) co_return Result<void>();
-    if (!still.empty()) turned = still;
+    if (state && !is_still) {
+      must_send = true;
+      turned = *turns;
+    }
     if (auto refused = refusals.take(); refused && !is_still) {
-      refused->message += "; the camera still turns: " + still;
+      refused->message += "; the camera still turns: " + turned;
       co_return *std::move(refused);
     }
     const Instant next = task.now() + detail::duration_of(options.interval);
@@ -388,10 +398,12 @@ Task<Result<void>> stop(StopOptions options) {
     if (!waited && waited.error().code == ErrorCode::superseded) co_return waited;
     if (!waited) co_return detail::cancelled_error("stopping the camera");
     if (!deadline.is_over()) continue;
-    if (!state) co_return unknown();
+    if (!turns || (!state && !is_cut)) co_return unknown();
     const std::string seen = turned.empty() ? "" : "; at last: " + turned;
-    co_return ClientError{ErrorCode::timeout, is_still ? "the camera has not come to rest" + seen
-                                                       : "the camera still turns: " + still};
+    // What a board that always answers does not stop, somebody else turns.
+    co_return ClientError{was_silent ? ErrorCode::timeout : ErrorCode::interrupted,
+                          turns->empty() ? "the camera has not come to rest" + seen
+                                         : "the camera still turns: " + *turns};
   }
 }
 

@@ -48,6 +48,8 @@ struct StopOptions {
   std::chrono::milliseconds rest{500};
   /// How often to poll the speed, and to repeat the command while the camera turns.
   std::chrono::milliseconds interval{50};
+  /// Send nothing to a camera that stands: serial control would take it from RC.
+  bool reads_first = false;
   /// Called after each poll that shows a still camera. Returning false ends the wait for its rest.
   std::function<bool()> goes_on{};
 };
@@ -77,7 +79,8 @@ Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {
 
 /// Stops all axes where they are, and succeeds when the board has reported speed 0 for each for
 /// StopOptions::rest; until then, it stops again what turns. A later motion of this client ends it
-/// with ErrorCode::superseded. Serial control remains active, with speed 0; see release().
+/// with ErrorCode::superseded. If the board has answered all the time and the camera still turns,
+/// somebody else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0; see release().
 Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control and returns control to RC.
