@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <optional>
 #include <span>
 #include <utility>
@@ -37,6 +38,7 @@ ClientError to_client_error(const io::Error& error) {
     code = ErrorCode::bad_file;
   }
   const bool is_from_system = error.code.category() == std::system_category();
+  if (code == ErrorCode::not_found) return {code, without_period(error.message), ENOENT};
   return {code, without_period(error.message), is_from_system ? error.code.value() : 0};
 }
 

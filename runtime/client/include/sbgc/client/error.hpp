@@ -20,7 +20,7 @@ enum class ErrorCode : std::uint8_t {
   overload,       ///< too many calls in the queue, or too many data streams for the line
   cancelled,      ///< cancelled by the caller
   io,             ///< the operating system refused; ClientError::detail is its error number
-  not_found,      ///< no such board, port, file or name
+  not_found,      ///< no such board, port, file or name; for a port, ClientError::detail is ENOENT
   mismatch,       ///< the data read differ from the data written, or have another origin
   bad_response,   ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
