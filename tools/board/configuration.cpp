@@ -7,15 +7,17 @@
 
 #include <sbgc/client/own_file.hpp>
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/io/open.hpp>
 
 #include "command/command_error.hpp"
+#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
 constexpr std::size_t largest_configuration = std::size_t{1} << 16U;
-constexpr double most_attempts = 100;
+constexpr std::size_t most_attempts = 100;
 
 }  // namespace
 
@@ -43,8 +45,10 @@ NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
                         const std::filesystem::path& folder) {
   NamedGimbal gimbal{.name = name};
   gimbal.port = section.required_text("port", "port = \"/dev/ttyUSB0\"");
+  const io::AddressResult address = io::parse_address(gimbal.port);
+  if (!gimbal.port.empty() && !address) section.reject("port", as_message(address.error.message));
   gimbal.timeout = section.duration("timeout");
-  if (const auto attempts = section.number("attempts", 1, most_attempts)) {
+  if (const auto attempts = section.count("attempts", 1, most_attempts)) {
     gimbal.attempts = static_cast<unsigned>(*attempts);
   }
   gimbal.attempt_timeout = section.duration("attempt-time");
