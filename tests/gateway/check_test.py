@@ -81,6 +81,7 @@ def checked(folder: Path, text: str) -> str:
 
 
 def starts(folder: Path, text: str) -> None:
+    before = set(folder.iterdir())
     gateway = Gateway(folder, text)
     try:
         eventually(
@@ -89,8 +90,8 @@ def starts(folder: Path, text: str) -> None:
         assert gateway.process.poll() is None, gateway.log.read_text()
     finally:
         gateway.kill()
-        for made in [gateway.log, *folder.glob("fleet.db*"), *folder.glob("nnn*")]:
-            made.unlink(missing_ok=True)
+        for made in set(folder.iterdir()) - before:
+            made.unlink()
 
 
 def check_against_start(folder: Path, changes: list[tuple[str, str, str]]) -> None:

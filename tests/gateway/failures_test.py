@@ -6,7 +6,7 @@ import resource
 import signal
 import sqlite3
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
@@ -174,12 +174,18 @@ def test_a_journal_that_is_gone_or_damaged(tmp_path: Path) -> None:
         with running_gateway(tmp_path, fleet) as gateway:
             eventually(lambda: "New client connected" in broker.log.read_text())
             assert gateway.end() == 0
-            with sqlite3.connect(tmp_path / "fleet.db") as journal:
-                journal.execute("INSERT INTO waiting VALUES (77, 1, 't', '{\"event', x'')")
-            journal.close()
-            gateway.restart()
-            assert gateway.process.wait(timeout=60) == 1
-            assert "fleet.db is damaged: row 77 of the table 'waiting'" in gateway.log.read_text()
+            for change, row in (
+                ("waiting VALUES (77, 1, 't', '{\"event', x'')", "row 77 of the table 'waiting'"),
+                (
+                    "commands VALUES (78, CAST(x'FF' AS TEXT), null, 'get {}', 0, null)",
+                    "row 78 of the table 'commands'",
+                ),
+            ):
+                with closing(sqlite3.connect(tmp_path / "fleet.db")) as journal, journal:
+                    journal.execute(f"INSERT INTO {change}")
+                gateway.restart()
+                assert gateway.process.wait(timeout=60) == 1
+                assert f"fleet.db is damaged: {row}" in gateway.log.read_text()
             (tmp_path / "fleet.db").unlink()
             broker.log.write_text("")
             gateway.restart()

@@ -7,10 +7,8 @@
 
 #include <sbgc/client/own_file.hpp>
 #include <sbgc/detail/suggestions.hpp>
-#include <sbgc/io/open.hpp>
 
 #include "command/command_error.hpp"
-#include "command/wording.hpp"
 
 namespace sbgc::tools {
 
@@ -45,8 +43,6 @@ NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
                         const std::filesystem::path& folder) {
   NamedGimbal gimbal{.name = name};
   gimbal.port = section.required_text("port", "port = \"/dev/ttyUSB0\"");
-  const io::AddressResult address = io::parse_address(gimbal.port);
-  if (!gimbal.port.empty() && !address) section.reject("port", as_message(address.error.message));
   gimbal.timeout = section.duration("timeout");
   if (const auto attempts = section.count("attempts", 1, most_attempts)) {
     gimbal.attempts = static_cast<unsigned>(*attempts);

@@ -8,10 +8,12 @@
 
 #include <sbgc/detail/characters.hpp>
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/io/open.hpp>
 #include <sbgc/meta/realtime.hpp>
 
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
+#include "command/wording.hpp"
 #include "line/field_patterns.hpp"
 #include "line/stream_type.hpp"
 #include "values/effect_text.hpp"
@@ -317,6 +319,10 @@ FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection
   }
   FleetGimbal gimbal;
   gimbal.line = read_gimbal(section, name, folder);
+  const io::AddressResult address = io::parse_address(gimbal.line.port);
+  if (!gimbal.line.port.empty() && !address) {
+    section.reject("port", as_message(address.error.message));
+  }
   gimbal.allow = read_allowed(section);
   gimbal.raw_effects = read_effects(section, gimbal.raw_effects);
   gimbal.telemetry = read_all_telemetry(section);

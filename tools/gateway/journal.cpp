@@ -194,7 +194,8 @@ void Journal::check_header(const std::filesystem::path& file) {
   std::ifstream(file, std::ios::binary).read(header.data(), header.size());
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;
-    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | std::uint8_t(header[i]);
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = value << 8U | static_cast<std::uint8_t>(header[i]);
     return value;
   };
   // A new one has its mark and its tables in the file beside it at first.
