@@ -6,6 +6,7 @@ import os
 import random
 import re
 import subprocess
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -58,7 +59,7 @@ def text_with(section: str = "", key: str = "", value: str = "") -> str:
 
 @pytest.fixture(name="folder", scope="module")
 def the_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """The files that the configuration names, readable for everybody."""
+    """With the files that the configuration names."""
     folder = tmp_path_factory.mktemp("fleet")
     certificates(folder)
     (folder / "empty").touch(mode=0o600)
@@ -145,19 +146,19 @@ def test_beside_a_running_gateway(folder: Path) -> None:
         gateway.kill()
 
 
-def test_a_file_of_another_user(folder: Path) -> None:
-    """Root may read everything."""
-    for parent in [folder, *folder.parents]:
-        if parent.owner() == "root" and parent.stat().st_mode & 0o5 != 0o5:
-            parent.chmod(0o755)
-    (folder / "fleet.toml").write_text(text_with())
-    (folder / "fleet.toml").chmod(0o644)
-    (folder / "secret").chmod(0o200)
-    user = {"user": "nobody"} if os.geteuid() == 0 else {}
-    command = [PROGRAM, "gateway", "--config", str(folder / "fleet.toml"), "--check"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, **user)
-    name = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True, **user)
-    (folder / "secret").chmod(0o600)
-    assert f"secret as the user {name.stdout.strip()}: Permission denied" in " ".join(
-        done.stderr.split()
-    )
+def test_a_file_that_this_user_may_not_read() -> None:
+    """Root may read everything, so that another user looks."""
+    user = "nobody" if os.geteuid() == 0 else None
+    with tempfile.TemporaryDirectory() as folder, open(PROGRAM, "rb") as program:
+        os.chmod(folder, 0o755)
+        file, secret = Path(folder) / "fleet.toml", Path(folder) / "secret"
+        gimbal = '[gimbal.a]\nport = "tcp:a:1"\npassword-file = "secret"\n'
+        file.write_text(f'[fleet]\nname = "a"\n[metrics]\n{gimbal}')
+        secret.touch(mode=0o200)
+        number = program.fileno()  # its own folder may be closed to others
+        command = [f"/proc/self/fd/{number}", "gateway", "--config", str(file), "--check"]
+        done = subprocess.run(
+            command, stderr=-1, text=True, pass_fds=[number], check=False, user=user
+        )
+    name = subprocess.run(["id", "-un"], stdout=-1, text=True, check=True, user=user).stdout.strip()
+    assert f"{secret} as the user {name}: Permission denied" in " ".join(done.stderr.split())

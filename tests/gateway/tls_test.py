@@ -50,7 +50,7 @@ def test_each_failure_has_its_sentence(tmp_path: Path) -> None:
             return stack.enter_context(running_gateway(tmp_path / name, fleet(addresses, more)))
 
         ca = f'ca-file = "{ours}/ca.crt"\n'
-        places = [expired, f"localhost:{good}", unknown, broker.port, strict]
+        places: list[int | str] = [expired, f"localhost:{good}", unknown, broker.port, strict]
         theirs_too = f'certificate-file = "{theirs}/server.crt"\nkey-file = "{theirs}/server.key"'
         of_versions = [run("three", places, ca), run("five", places, ca + 'mqtt = "5"')]
         without_tls = run("without", [good], "")

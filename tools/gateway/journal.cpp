@@ -186,7 +186,7 @@ void Journal::commit() {
 }
 
 void Journal::check_header(const std::filesystem::path& file) {
-  constexpr std::string_view beginning("SQLite format 3", 16);
+  constexpr std::string_view beginning = "SQLite format 3";
   constexpr std::size_t schema_at = 40;
   constexpr std::size_t version_at = 60;
   constexpr std::size_t mark_at = 68;

@@ -350,7 +350,7 @@ std::string MqttConnection::problem_of(int status) const {
   const int number = status == MOSQ_ERR_ERRNO ? errno : 0;
   const bool is_closed = status == MOSQ_ERR_CONN_LOST || status == MOSQ_ERR_PROTOCOL ||
                          number == ECONNRESET || number == EPIPE || number == EPROTO;
-  const std::string known = is_connected_ ? "" : tls_.reason(address_, settings_, is_closed);
+  std::string known = is_connected_ ? "" : tls_.reason(address_, settings_, is_closed);
   if (!known.empty()) return known;
   return number != 0 ? std::strerror(number) : mosquitto_strerror(status);
 }
