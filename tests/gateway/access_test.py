@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from brokers import Commander, Mosquitto, Subscriber, client, program
+from certificates import certificates
 from emulated_gimbal import emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
 
@@ -113,22 +114,6 @@ def test_a_wrong_password_is_reported(tmp_path: Path) -> None:
         assert gateway.end() == 0
 
 
-def certificates(folder: Path) -> None:
-    """Makes a CA, and a key and a certificate of the broker and of the gateway."""
-
-    def openssl(*arguments: str) -> None:
-        subprocess.run(["openssl", *arguments], cwd=folder, check=True, capture_output=True)
-
-    openssl("req", "-x509", "-newkey", "ed25519", "-nodes", "-keyout", "ca.key", "-out", "ca.crt",
-            "-days", "2", "-subj", "/CN=test")  # fmt: skip
-    for name in ("server", "sbgc-gateway"):
-        openssl("req", "-newkey", "ed25519", "-nodes", "-keyout", f"{name}.key", "-out", f"{name}.csr",
-                "-subj", f"/CN={name}")  # fmt: skip
-        (folder / "names").write_text("subjectAltName=IP:127.0.0.1\n")
-        openssl("x509", "-req", "-in", f"{name}.csr", "-CA", "ca.crt", "-CAkey", "ca.key",
-                "-CAcreateserial", "-days", "2", "-extfile", "names", "-out", f"{name}.crt")  # fmt: skip
-
-
 def tls(folder: Path) -> str:
     return (
         f"cafile {folder}/ca.crt\ncertfile {folder}/server.crt\nkeyfile {folder}/server.key\n"
@@ -155,17 +140,6 @@ def test_tls_with_certificates(tmp_path: Path) -> None:
             wait_until_online(seen)
         finally:
             seen.close()
-
-
-def test_another_ca_is_refused(tmp_path: Path) -> None:
-    certificates(tmp_path)
-    other = tmp_path / "other"
-    other.mkdir()
-    certificates(other)
-    own = 'ca-file = "other/ca.crt"\ncertificate-file = "sbgc-gateway.crt"\nkey-file = "sbgc-gateway.key"'
-    with running(tmp_path, tls(tmp_path), own) as (broker, gateway):
-        eventually(lambda: "no connection to the broker" in gateway.log.read_text())
-        assert "New client connected" not in broker.log.read_text()
 
 
 def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:

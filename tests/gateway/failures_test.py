@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import resource
 import signal
+import sqlite3
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
@@ -117,12 +118,16 @@ def test_a_result_that_the_broker_refuses_is_kept(tmp_path: Path) -> None:
         ) as gateway:
             wait_until_online(seen)
             key = say.command("front", "get", {"names": ["pitch.p"]})
-            eventually(lambda: "the broker refuses messages" in gateway.log.read_text())
+            said = "the broker refuses messages to sbgc/studio/reply/test: Not authorized"
+            eventually(lambda: said in gateway.log.read_text())
             assert not seen.results()
+            second = say.command("front", "get", {"names": ["pitch.i"]})
             with (tmp_path / "acl").open("a") as acl:
                 acl.write("topic write sbgc/studio/reply/#\n")
             broker.signal(signal.SIGHUP)
             assert seen.result(key)["status"] == "done"
+            assert seen.result(second)["status"] == "done"
+            assert gateway.log.read_text().count("refuses messages") == 1
         seen.close()
 
 
@@ -149,13 +154,45 @@ def test_a_fence_that_does_not_come_back_is_reported(tmp_path: Path) -> None:
         say = Commander(broker.port, "studio", "-u", "tester")
         with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
             wait_until_online(seen)
-            assert seen.result(say.command("front", "home"))["error"]["code"] == "queued"
             topic = "sbgc/studio/gateway/cmd/fence"
+            error = seen.result(say.command("front", "home"))["error"]
+            assert (
+                error["code"] == "queued"
+                and f"not yet returned a message to {topic}" in error["message"]
+            )
             eventually(
                 lambda: f"not returned a message to {topic}"
                 in " ".join(gateway.log.read_text().split())
             )
         seen.close()
+
+
+def test_a_journal_that_is_gone_or_damaged(tmp_path: Path) -> None:
+    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker:
+        fleet = HEAD.format(port=broker.port, broker='user = "gateway"')
+        fleet += GIMBAL.format(name="front", address="tcp:127.0.0.1:1", more="")
+        with running_gateway(tmp_path, fleet) as gateway:
+            eventually(lambda: "New client connected" in broker.log.read_text())
+            assert gateway.end() == 0
+            for change, row in (
+                ("waiting VALUES (77, 1, 't', '{\"event', x'')", "row 77 of the table 'waiting'"),
+                (
+                    "commands VALUES (78, CAST(x'FF' AS TEXT), null, 'get {}', 0, null)",
+                    "row 78 of the table 'commands'",
+                ),
+            ):
+                with closing(sqlite3.connect(tmp_path / "fleet.db")) as journal, journal:
+                    journal.execute(f"INSERT INTO {change}")
+                gateway.restart()
+                assert gateway.process.wait(timeout=60) == 1
+                assert f"fleet.db is damaged: {row}" in gateway.log.read_text()
+            (tmp_path / "fleet.db").unlink()
+            broker.log.write_text("")
+            gateway.restart()
+            eventually(lambda: "New client connected" in broker.log.read_text())
+            (tmp_path / "fleet.db").unlink()
+            assert gateway.process.wait(timeout=60) == 1
+            assert "fleet.db was removed or replaced" in gateway.log.read_text()
 
 
 def most_memory(gateway: Gateway) -> int:

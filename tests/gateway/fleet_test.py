@@ -17,8 +17,10 @@ port = "tcp:127.0.0.1:1"
 SAMPLE = Path(__file__).parents[2] / "tools/gateway/deploy/fleet.toml"
 
 
-def test_the_sample_is_a_fleet() -> None:
-    result = run("gateway", "--config", str(SAMPLE), "--check")
+def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(SAMPLE.read_text().replace("/var/lib/sbgc-gateway", str(tmp_path)))
+    result = run("gateway", "--config", str(file), "--check")
     assert result.status == 0 and "studio: 2 gimbals" in result.error
 
 
@@ -26,7 +28,7 @@ def test_the_sample_is_a_fleet() -> None:
     "text, place, reason",
     [
         ("", "1:1", "[fleet] with its name"),
-        ('[fleet]\nname = "Studio"\n', "2:1", "'Studio' cannot be a part of a topic"),
+        ('[fleet]\nname = "Studio"\n', "2:8", "'Studio' cannot be a part of a topic"),
         (
             '[fleet]\nname = "a"\n[metrics]\n',
             "1:1",
@@ -56,16 +58,16 @@ def test_the_sample_is_a_fleet() -> None:
             "6:33",
             "RealtimeData4 is there twice",
         ),
-        (FLEET + 'password-file = "-"\n', "6:1", "nobody to ask"),
+        (FLEET + 'password-file = "-"\n', "6:17", "nobody to ask"),
         (FLEET + "[broker]\n", "6:1", "[broker] has no address"),
         (FLEET + '[broker]\naddress = "a:b"\n', "7:11", "'a:b' is not an address"),
-        (FLEET + '[broker]\naddress = "a"\nmqtt = "4"\n', "8:1", 'must be "3.1.1" or "5"'),
-        (FLEET + '[broker]\naddress = "a"\nkeep-alive = "100000s"\n', "8:1", "at most 65535 s"),
-        (FLEET + '[broker]\naddress = "a"\nstop-after = "100h"\n', "8:1", "at most 60 s"),
-        (FLEET + '[broker]\naddress = "a"\nclock-skew = "2m"\n', "8:1", "at most 60 s"),
-        (FLEET + '[broker]\naddress = "a"\nlongest-deadline = "25h"\n', "8:1", "at most 86400 s"),
-        (FLEET + '[broker]\naddress = "a"\nkey-file = "k"\n', "8:1", "belong together"),
-        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:1", "an address and a port"),
+        (FLEET + '[broker]\naddress = "a"\nmqtt = "4"\n', "8:8", 'must be "3.1.1" or "5"'),
+        (FLEET + '[broker]\naddress = "a"\nkeep-alive = "100000s"\n', "8:14", "at most 65535 s"),
+        (FLEET + '[broker]\naddress = "a"\nstop-after = "100h"\n', "8:14", "at most 60 s"),
+        (FLEET + '[broker]\naddress = "a"\nclock-skew = "2m"\n', "8:14", "at most 60 s"),
+        (FLEET + '[broker]\naddress = "a"\nlongest-deadline = "25h"\n', "8:20", "at most 86400 s"),
+        (FLEET + '[broker]\naddress = "a"\nkey-file = "k"\n', "8:12", "belong together"),
+        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:10", "and a port"),
         (FLEET + 'allow = ["move\n', "6:10", "this text has no end"),
         (FLEET + "allow = [move]\n", "6:10", 'texts stand in quotes: "move"'),
         (FLEET + 'allow = ["move" "stop"]\n', "6:17", "here ',' or ']' is missing"),

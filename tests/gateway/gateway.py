@@ -37,7 +37,8 @@ class Gateway:
 
     def __init__(self, folder: Path, text: str) -> None:
         self.file = folder / "fleet.toml"
-        self.file.write_text(text.replace("LISTEN", "127.0.0.1:0"))
+        text = text.replace("LISTEN", "127.0.0.1:0")
+        self.file.write_bytes(text.encode(errors="surrogateescape"))
         self.log = folder / "gateway.log"
         self.restart()
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import socket
 import subprocess
+import time
+from contextlib import ExitStack
 from pathlib import Path
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
@@ -66,6 +69,26 @@ def test_a_gimbal_that_comes_late(tmp_path: Path) -> None:
         assert not gateway.is_up("front")
         with emulated_gimbal("--tcp", port):
             eventually(lambda: gateway.is_up("front"), 60)
+
+
+def test_a_scrape_beside_those_that_say_nothing(tmp_path: Path) -> None:
+    text = HEAD + '[gimbal.front]\nport = "tcp:127.0.0.1:1"\n'
+    with running_gateway(tmp_path, text) as gateway, ExitStack() as stack:
+        host, port = gateway.metrics_address.split("/")[2].split(":")
+        lines = [
+            stack.enter_context(socket.create_connection((host, int(port)))) for _ in range(100)
+        ]
+        for line in lines:
+            line.settimeout(30)
+        request = b"GET /metrics"
+        for byte in request[:3]:
+            for line in lines[:50]:
+                line.send(bytes([byte]))
+            begun = time.monotonic()
+            assert "sbgc_gimbal_up" in gateway.metrics_text()
+            assert time.monotonic() - begun < 2
+            time.sleep(0.5)
+        assert lines[-1].recv(1) == b""  # nobody keeps a place
 
 
 def test_a_port_in_use(tmp_path: Path) -> None:

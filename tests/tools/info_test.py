@@ -146,7 +146,7 @@ def test_named_gimbals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
             ":3:1: unknown key 'attempt' of [gimbal.front]",
         ),
         ('[gimbal.front]\nport = "x"\nattempts = many\n', 'texts stand in quotes: "many"'),
-        ('[gimbal.front]\nport = "x"\nattempts = 0\n', "it must be a number from 1 to 100"),
+        ('[gimbal.front]\nport = "x"\nattempts = 0\n', "it must be a whole number from 1 to 100"),
         ('[gimbal.front]\nport = "x"\ntimeout = 0\n', ":3:11: 'timeout' is '0'; it must be a time"),
         ('port = "x"\n', "'port' is not in a section [gimbal.NAME]"),
         ('[camera.front]\nport = "x"\n', "is not in a section [gimbal.NAME]"),

@@ -15,7 +15,7 @@ namespace sbgc::tools {
 namespace {
 
 constexpr std::size_t largest_configuration = std::size_t{1} << 16U;
-constexpr double most_attempts = 100;
+constexpr std::size_t most_attempts = 100;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
   NamedGimbal gimbal{.name = name};
   gimbal.port = section.required_text("port", "port = \"/dev/ttyUSB0\"");
   gimbal.timeout = section.duration("timeout");
-  if (const auto attempts = section.number("attempts", 1, most_attempts)) {
+  if (const auto attempts = section.count("attempts", 1, most_attempts)) {
     gimbal.attempts = static_cast<unsigned>(*attempts);
   }
   gimbal.attempt_timeout = section.duration("attempt-time");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -20,6 +21,8 @@ namespace {
 
 // The name of a section is handled for each of its keys.
 constexpr std::size_t longest_configuration_name = 256;
+// Errors, and the names of other programs, hold values.
+constexpr std::size_t longest_configuration_value = 4096;
 constexpr std::size_t most_configuration_levels = 16;
 
 bool is_configuration_space(char c) { return c == ' ' || c == '\t'; }
@@ -248,6 +251,9 @@ class ConfigurationText::Parser {
       }
     }
     if (is_at_end() || peek() == '\n') into_.reject(start, "this text has no end");
+    if (result.size() > longest_configuration_value) {
+      into_.reject(start, fmt::format("a text longer than {} bytes", longest_configuration_value));
+    }
     take();
     return result;
   }
@@ -266,7 +272,7 @@ class ConfigurationText::Parser {
     constexpr int base = 16;
     const auto read = std::from_chars(hex.data(), hex.data() + hex.size(), code, base);
     const bool is_code = digits != 0 && hex.size() == digits &&
-                         read.ptr == hex.data() + hex.size() && code <= 0x10FFFF &&
+                         read.ptr == hex.data() + hex.size() && code != 0 && code <= 0x10FFFF &&
                          (code < 0xD800 || code > 0xDFFF);
     if (!is_code) reject("no such escape; in '…', a backslash is a backslash");
     at_ += digits;
@@ -293,8 +299,13 @@ ConfigurationText::ConfigurationText(std::string_view text, std::string file)
   Parser(*this, text).parse();
 }
 
+void reject_configuration(const std::string& file, ConfigurationPlace place,
+                          const std::string& reason) {
+  throw CommandError(fmt::format("{}:{}:{}: {}", file, place.line, place.column, reason));
+}
+
 void ConfigurationText::reject(ConfigurationPlace place, const std::string& reason) const {
-  throw CommandError(fmt::format("{}:{}:{}: {}", file_, place.line, place.column, reason));
+  reject_configuration(file_, place, reason);
 }
 
 const ConfigurationKey* SectionReader::find(std::string_view key) {
@@ -345,17 +356,19 @@ const std::vector<ConfigurationValue>& SectionReader::required_texts(std::string
   return found == nullptr ? none : *found;
 }
 
-std::optional<double> SectionReader::number(std::string_view key, double least, double most) {
+std::optional<std::size_t> SectionReader::count(std::string_view key, std::size_t least,
+                                                std::size_t most) {
   const ConfigurationValue* const value = one(key);
   if (value == nullptr) return std::nullopt;
   double result{};
   const auto read =
       std::from_chars(value->text.data(), value->text.data() + value->text.size(), result);
-  if (value->kind != ConfigurationValue::Kind::number || read.ec != std::errc{} ||
-      !(result >= least && result <= most)) {
-    reject_kind(*value, key, fmt::format("a number from {} to {}", least, most));
+  const bool is_whole = value->kind == ConfigurationValue::Kind::number && read.ec == std::errc{} &&
+                        std::floor(result) == result;
+  if (!is_whole || result < static_cast<double>(least) || result > static_cast<double>(most)) {
+    reject_kind(*value, key, fmt::format("a whole number from {} to {}", least, most));
   }
-  return result;
+  return static_cast<std::size_t>(result);
 }
 
 std::optional<std::chrono::milliseconds> SectionReader::duration(std::string_view key) {
@@ -377,9 +390,14 @@ const std::vector<ConfigurationValue>* SectionReader::texts(std::string_view key
   return &found->values;
 }
 
-void SectionReader::reject(std::string_view key, const std::string& reason) const {
+ConfigurationPlace SectionReader::place_of(std::string_view key) const {
   const auto found = std::ranges::find(section_.keys, key, &ConfigurationKey::name);
-  text_.reject(found == section_.keys.end() ? section_.place : found->place, reason);
+  if (found == section_.keys.end()) return section_.place;
+  return found->values.empty() ? found->place : found->values.front().place;
+}
+
+void SectionReader::reject(std::string_view key, const std::string& reason) const {
+  text_.reject(place_of(key), reason);
 }
 
 void SectionReader::reject(const ConfigurationValue& value, const std::string& reason) const {

@@ -19,6 +19,10 @@ struct ConfigurationPlace {
   std::size_t column = 1;
 };
 
+/// Throws CommandError with "file:line:column: reason".
+[[noreturn]] void reject_configuration(const std::string& file, ConfigurationPlace place,
+                                       const std::string& reason);
+
 struct ConfigurationValue {
   enum class Kind : unsigned char { text, number, truth };
 
@@ -72,7 +76,7 @@ class SectionReader {
   /// The same, but finish() rejects a section without it. `example` completes the hint, such as
   /// "port = \"/dev/ttyS0\"".
   std::string required_text(std::string_view key, std::string_view example);
-  std::optional<double> number(std::string_view key, double least, double most);
+  std::optional<std::size_t> count(std::string_view key, std::size_t least, std::size_t most);
   std::optional<std::chrono::milliseconds> duration(std::string_view key);
   /// A list of texts, or one text. Null if there is none.
   const std::vector<ConfigurationValue>* texts(std::string_view key);
@@ -81,7 +85,9 @@ class SectionReader {
   const std::vector<ConfigurationValue>& required_texts(std::string_view key,
                                                         std::string_view example);
 
-  /// Rejects a key, or without it the section, for this reason.
+  /// Where the value of a key stands, or without the key, its section.
+  ConfigurationPlace place_of(std::string_view key) const;
+  /// Rejects the value of a key, or without it the section, for this reason.
   [[noreturn]] void reject(std::string_view key, const std::string& reason) const;
   [[noreturn]] void reject(const ConfigurationValue& value, const std::string& reason) const;
 

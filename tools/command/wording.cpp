@@ -21,6 +21,13 @@ std::string clipped(std::string_view message) {
   return message.size() > longest ? result + "..." : result;
 }
 
+std::string abridged(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  constexpr std::string_view gap = "...";
+  const std::size_t half = (longest - gap.size()) / 2;
+  return fmt::format("{}{}{}", text.substr(0, half), gap, text.substr(text.size() - half));
+}
+
 std::string printable(std::string_view text) { return detail::without_controls(text, "\n"); }
 
 std::string quoted_for_shell(const std::string& word) {

@@ -1,6 +1,7 @@
 /// Wording of messages.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ std::string counted(std::uint64_t number, const char* thing);
 /// Returns a message that quotes its input on one line, as printable() does otherwise, and
 /// truncated if it is long.
 std::string clipped(std::string_view message);
+
+/// Returns the text with "..." in place of its middle if it is longer than this.
+std::string abridged(std::string_view text, std::size_t longest);
 
 /// Returns a text in which '?' stands for each character but the line break that does not belong on
 /// a terminal, and for each byte that is not UTF-8.

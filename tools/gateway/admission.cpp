@@ -91,10 +91,11 @@ bool Admission::stop_at_once(const CommandTopic& topic, const MqttMessage& messa
 void Admission::queue(CommandTopic topic, MqttMessage message,
                       GimbalTasks::Clock::time_point arrived) {
   const auto station = stations_.find(topic.gimbal);
+  const Fence& fence = fences_[topic.task == "raw" ? 1 : 0];
   Received received{.arrived = arrived,
                     .time = std::chrono::system_clock::now(),
                     .connected_at = connected_at_,
-                    .was_queued = !fences_[topic.task == "raw" ? 1 : 0].is_open(),
+                    .fence = fence.is_open() ? nullptr : &fence,
                     .may_be_old = arrived < speeds_from_ || !echo_.is_open(),
                     .stops = station == stations_.end() ? 0 : station->second.tasks->stops()};
   received.topic = std::move(topic);
@@ -267,7 +268,8 @@ std::optional<Admission::Admitted> Admission::admit(const Received& received,
     case Recognition::unknown: break;
     case Recognition::running: return {};
     case Recognition::finished: {
-      Json result = Json::parse(recognized.result);
+      Json result = Json::parse(recognized.result, nullptr, false);
+      if (!result.is_object()) journal_.reject_row("commands", recognized.id);
       result["repeated"] = true;
       outbox_.answer(WaitingKind::notice, topic.gimbal, command.reply, std::move(result));
       return {};
@@ -320,8 +322,15 @@ void Admission::check_freshness(const Received& received, const CommandPayload& 
   if (*payload.sent > received.time + settings_.clock_skew) {
     throw Refusal("sent_in_future", "the clock of its sender is ahead");
   }
-  if (*payload.sent < received.connected_at - settings_.clock_skew || received.was_queued) {
+  if (*payload.sent < received.connected_at - settings_.clock_skew) {
     throw Refusal("queued", "it was published while the gateway was not connected");
+  }
+  if (received.fence != nullptr) {
+    throw Refusal(
+        "queued",
+        fmt::format("it may have waited: the broker has not yet returned a message to {}, "
+                    "which the gateway must be allowed to write and to read",
+                    received.fence->topic()));
   }
 }
 

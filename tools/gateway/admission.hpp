@@ -101,7 +101,7 @@ class Admission {
     GimbalTasks::Clock::time_point arrived{};
     std::chrono::system_clock::time_point time{};  // the same
     std::chrono::system_clock::time_point connected_at{};
-    bool was_queued{};      // it may have been published before the connection was made
+    const Fence* fence{};   // that was closed: it may be older than the connection
     bool may_be_old{};      // as a speed: something was suspended
     bool is_excess{};       // too much waits for the disk
     std::uint64_t stops{};  // see GimbalTasks::Job

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -86,7 +87,7 @@ class Broker::Impl {
   bool has_left_moving_ = false;
   mutable std::mutex mutex_{};
   std::string failure_{};
-  std::string last_problem_{};  // of the connection, on its thread
+  std::set<std::string> problems_{};  // of the addresses since the last connection, on its thread
 
   Worker disk_;
   MqttConnection mqtt_;  // last: its thread uses the others
@@ -186,8 +187,8 @@ void Broker::Impl::take(std::vector<MqttMessage> messages) {
 
 void Broker::Impl::connected() {
   is_connected_ = true;
-  if (!last_problem_.empty()) remark("sbgc: connected to the broker\n");
-  last_problem_.clear();
+  if (!problems_.empty()) remark("sbgc: connected to the broker\n");
+  problems_.clear();
   mqtt_.subscribe({state_topic_}, 0);
   admission_.connected();
   outbox_.connected();
@@ -196,8 +197,9 @@ void Broker::Impl::connected() {
 void Broker::Impl::lost(const std::string& reason) {
   is_connected_ = false;
   admission_.lost();
-  if (reason != last_problem_) remark("sbgc: no connection to the broker: {}\n", reason);
-  last_problem_ = reason;
+  constexpr std::size_t longest_reason = 450;
+  if (!problems_.insert(reason).second) return;
+  remark("sbgc: no connection to the broker: {}\n", abridged(reason, longest_reason));
 }
 
 bool Broker::Impl::idle() {

@@ -3,40 +3,46 @@
 #include <algorithm>
 #include <charconv>
 
+#include <asio/ip/address.hpp>
 #include <fmt/format.h>
 
-#include <sbgc/client/own_file.hpp>
+#include <sbgc/detail/characters.hpp>
 #include <sbgc/detail/suggestions.hpp>
+#include <sbgc/io/open.hpp>
+#include <sbgc/meta/realtime.hpp>
 
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
+#include "command/wording.hpp"
+#include "line/field_patterns.hpp"
+#include "line/stream_type.hpp"
 #include "values/effect_text.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-constexpr std::size_t largest_fleet_file = std::size_t{1} << 22U;
 // Topics of the gateway itself have these in the place of a gimbal.
 constexpr std::array<std::string_view, 2> reserved_names{"gateway", "reply"};
 constexpr double slowest_telemetry = 0.02;
 constexpr double fastest_telemetry = 1000;
-constexpr double most_kept = 1e7;
+constexpr std::size_t most_kept = 10'000'000;
 constexpr std::chrono::seconds longest_keep_alive{65'535};  // of MQTT
 constexpr std::chrono::seconds longest_clock_skew{60};
 constexpr std::chrono::seconds longest_stop_after{60};
 constexpr std::chrono::hours farthest_deadline{24};
 constexpr std::uint16_t mqtt_port = 1883;
 constexpr std::uint16_t mqtt_tls_port = 8883;
+constexpr std::size_t longest_host = 253;  // of DNS
+/// Fields of live data that become metrics, as for `sbgc stream --fields`.
+constexpr const char* usual_fields =
+    "bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,i2c_error_count,"
+    "serial_error_cnt,system_error,angle";
 
 bool is_fleet_name(std::string_view name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-}
-
-std::string path_in(const std::filesystem::path& folder, const std::optional<std::string>& path) {
-  return path && !path->empty() ? (folder / *path).string() : "";
 }
 
 template <class Words>
@@ -125,45 +131,125 @@ std::vector<Telemetry> read_all_telemetry(SectionReader& section) {
   return result;
 }
 
-MetricsSettings read_metrics(SectionReader& section) {
-  MetricsSettings metrics;
-  if (auto listen = section.text("listen")) metrics.listen = *std::move(listen);
-  const std::size_t colon = metrics.listen.rfind(':');
-  if (colon == std::string::npos || colon == 0) {
-    section.reject("listen", "'listen' is an address and a port, such as \"127.0.0.1:9110\"");
+/// Returns the paths of live data that the patterns choose. Throws CommandError.
+std::set<std::string> live_paths(const std::string& patterns) {
+  const MessageInfo& info = Meta<msg::RealtimeData4>::info;
+  std::vector<std::string> paths;
+  for (const StreamField& field : StreamType::find(info.name).fields()) paths.push_back(field.path);
+  const std::vector<bool> chosen = chosen_fields(patterns, *find_message(info.name), paths);
+  std::set<std::string> result;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (chosen[i]) result.insert(paths[i]);
   }
-  if (const auto interval = section.duration("interval")) metrics.interval = *interval;
-  if (auto fields = section.text("fields")) metrics.fields = *std::move(fields);
-  return metrics;
+  return result;
 }
 
-/// Reads "HOST" or "HOST:PORT"; a numeric address of version 6 stands in brackets.
-BrokerAddress read_broker_address(const SectionReader& section, const ConfigurationValue& value,
-                                  std::uint16_t usual_port) {
-  const std::string& text = value.text;
+/// Reads "HOST:PORT", or with a usual port, "HOST"; a number of version 6 stands in brackets.
+std::optional<BrokerAddress> read_host_and_port(std::string_view text,
+                                                std::optional<std::uint16_t> usual_port) {
   const std::size_t colon = text.rfind(':');
-  const bool has_port = colon != std::string::npos && text.find(']', colon) == std::string::npos;
-  BrokerAddress address{text.substr(0, has_port ? colon : text.size()), usual_port};
-  bool is_port = true;
+  const bool has_port = colon != text.npos && text.find(']', colon) == text.npos;
+  if (!has_port && !usual_port) return {};
+  BrokerAddress address{std::string(text.substr(0, has_port ? colon : text.size())),
+                        usual_port.value_or(0)};
   if (has_port) {
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data() + colon + 1, end, address.port);
-    is_port = read.ec == std::errc{} && read.ptr == end && address.port != 0;
+    if (read.ec != std::errc{} || read.ptr != end) return {};
   }
-  if (address.host.starts_with('[') && address.host.ends_with(']')) {
-    address.host = address.host.substr(1, address.host.size() - 2);
+  std::string& host = address.host;
+  if (host.starts_with('[') && host.ends_with(']')) {
+    host = host.substr(1, host.size() - 2);
+    std::error_code error;
+    asio::ip::make_address_v6(host, error);
+    return error ? std::nullopt : std::optional(address);
   }
-  if (!is_port || address.host.empty()) {
-    section.reject(value, fmt::format("'{}' is not an address, such as \"127.0.0.1:1883\" or "
-                                      "\"broker.example:8883\"",
-                                      text));
-  }
+  const bool is_host = std::ranges::all_of(host, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '-' || c == '_';
+  });
+  if (!is_host || host.empty() || host.size() > longest_host) return {};
   return address;
 }
 
-BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& folder) {
+/// Of version 4: the library of the metrics has no other.
+std::string read_listen(const SectionReader& section, const std::string& text) {
+  auto address = read_host_and_port(text, {});
+  if (address && address->host == "localhost") address->host = "127.0.0.1";
+  std::error_code error;
+  if (address) asio::ip::make_address_v4(address->host, error);
+  if (!address || error) {
+    section.reject("listen", fmt::format("'{}' is not one number of version 4 and a port, such as "
+                                         "\"127.0.0.1:9110\"",
+                                         text));
+  }
+  return fmt::format("{}:{}", address->host, address->port);
+}
+
+MetricsSettings read_metrics(SectionReader& section) {
+  MetricsSettings metrics;
+  if (const auto listen = section.text("listen")) metrics.listen = read_listen(section, *listen);
+  if (const auto interval = section.duration("interval")) metrics.interval = *interval;
+  try {
+    metrics.paths = live_paths(section.text("fields").value_or(usual_fields));
+  } catch (const CommandError& error) {
+    section.reject("fields", error.what());
+  }
+  return metrics;
+}
+
+BrokerAddress read_broker_address(const SectionReader& section, const ConfigurationValue& value,
+                                  std::uint16_t usual_port) {
+  const auto address = read_host_and_port(value.text, usual_port);
+  if (!address || address->port == 0) {
+    section.reject(value, fmt::format("'{}' is not an address, such as \"127.0.0.1:1883\" or "
+                                      "\"broker.example:8883\"",
+                                      value.text));
+  }
+  return *address;
+}
+
+/// A text that can be in a packet of MQTT.
+std::string read_mqtt_text(SectionReader& section, const char* key) {
+  std::string text = section.text(key).value_or("");
+  bool is_allowed = true;
+  detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {
+    const char32_t code = is_utf8 ? detail::code_point(sequence) : 0;
+    const bool is_character = (code & 0xFFFEU) != 0xFFFE && (code < 0xFDD0 || code > 0xFDEF);
+    is_allowed = is_allowed && is_utf8 && is_character && !detail::is_control(code);
+  });
+  if (!is_allowed) {
+    section.reject(key, fmt::format("'{}' has characters that MQTT does not allow", key));
+  }
+  return text;
+}
+
+/// Reads the names of the files that a section has.
+class FileReader {
+ public:
+  FileReader(SectionReader& section, const std::filesystem::path& folder,
+             std::vector<FleetFile>& files)
+      : section_(section), folder_(folder), files_(files) {}
+
+  std::string read(FleetFile::Kind kind, const char* key) {
+    return add(kind, key, section_.text(key).value_or(""));
+  }
+  std::string add(FleetFile::Kind kind, const char* key, const std::string& name) {
+    if (name.empty()) return "";
+    files_.push_back({kind, folder_ / name, section_.place_of(key)});
+    return files_.back().path.string();
+  }
+
+ private:
+  SectionReader& section_;
+  const std::filesystem::path& folder_;
+  std::vector<FleetFile>& files_;
+};
+
+BrokerSettings read_broker(SectionReader& section, FileReader files) {
+  using Kind = FleetFile::Kind;
   BrokerSettings broker;
-  broker.ca_file = path_in(folder, section.text("ca-file"));
+  broker.ca_file = files.read(Kind::authorities, "ca-file");
   const std::uint16_t usual_port = broker.ca_file.empty() ? mqtt_port : mqtt_tls_port;
   for (const ConfigurationValue& value :
        section.required_texts("address", "address = \"127.0.0.1:1883\"")) {
@@ -176,11 +262,11 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
                      fmt::format("'mqtt' is '{}'; it must be \"3.1.1\" or \"5\"", *version));
     }
   }
-  broker.client_id = section.text("client-id").value_or("");
-  broker.user = section.text("user").value_or("");
-  broker.password_file = path_in(folder, section.text("password-file"));
-  broker.certificate_file = path_in(folder, section.text("certificate-file"));
-  broker.key_file = path_in(folder, section.text("key-file"));
+  broker.client_id = read_mqtt_text(section, "client-id");
+  broker.user = read_mqtt_text(section, "user");
+  broker.password_file = files.read(Kind::password, "password-file");
+  broker.certificate_file = files.read(Kind::certificate, "certificate-file");
+  broker.key_file = files.read(Kind::key, "key-file");
   if (broker.certificate_file.empty() != broker.key_file.empty()) {
     section.reject(broker.key_file.empty() ? "certificate-file" : "key-file",
                    "'certificate-file' and 'key-file' belong together");
@@ -208,21 +294,20 @@ BrokerSettings read_broker(SectionReader& section, const std::filesystem::path& 
   read_time("stop-after", longest_stop_after, broker.stop_after);
   read_time("longest-deadline", farthest_deadline, broker.longest_deadline);
   const auto read_count = [&](const char* key, std::size_t& into) {
-    if (const auto count = section.number(key, 1, most_kept)) {
-      into = static_cast<std::size_t>(*count);
-    }
+    if (const auto count = section.count(key, 1, most_kept)) into = *count;
   };
   read_count("most-waiting", broker.most_waiting);
   read_count("history", broker.history);
-  broker.journal = path_in(
-      folder, section.required_text("journal",
-                                    "journal = \"/var/lib/sbgc-gateway/studio.db\", a file of the "
-                                    "gateway for what must not be lost"));
+  broker.journal = files.add(
+      Kind::journal, "journal",
+      section.required_text("journal",
+                            "journal = \"/var/lib/sbgc-gateway/studio.db\", a file of the "
+                            "gateway for what must not be lost"));
   return broker;
 }
 
 FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection& where,
-                              const std::filesystem::path& folder) {
+                              const std::filesystem::path& folder, FileReader files) {
   const std::string& name = where.path.back();
   if (!is_fleet_name(name)) {
     section.reject("", fmt::format("'{}' cannot be a part of a topic: names of gimbals consist of "
@@ -234,12 +319,17 @@ FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection
   }
   FleetGimbal gimbal;
   gimbal.line = read_gimbal(section, name, folder);
+  const io::AddressResult address = io::parse_address(gimbal.line.port);
+  if (!gimbal.line.port.empty() && !address) {
+    section.reject("port", as_message(address.error.message));
+  }
   gimbal.allow = read_allowed(section);
   gimbal.raw_effects = read_effects(section, gimbal.raw_effects);
   gimbal.telemetry = read_all_telemetry(section);
   if (gimbal.line.password_file == "-") {
     section.reject("password-file", "a gateway has nobody to ask: name a file");
   }
+  files.add(FleetFile::Kind::password, "password-file", gimbal.line.password_file);
   return gimbal;
 }
 
@@ -247,15 +337,16 @@ FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection
 void read_section(const ConfigurationText& text, const ConfigurationSection& section, Fleet& fleet,
                   const std::filesystem::path& folder) {
   SectionReader reader(text, section);
+  const FileReader files(reader, folder, fleet.files);
   const std::vector<std::string>& path = section.path;
   if (path.size() == 2 && path.front() == "gimbal") {
-    fleet.gimbals.push_back(read_fleet_gimbal(reader, section, folder));
+    fleet.gimbals.push_back(read_fleet_gimbal(reader, section, folder, files));
   } else if (path == std::vector<std::string>{"fleet"}) {
     fleet.name = reader.required_text("name", "name = \"studio\"");
   } else if (path == std::vector<std::string>{"metrics"}) {
     fleet.metrics = read_metrics(reader);
   } else if (path == std::vector<std::string>{"broker"}) {
-    fleet.broker = read_broker(reader, folder);
+    fleet.broker = read_broker(reader, files);
   } else if (path.empty() && section.keys.empty()) {
     return;
   } else {
@@ -283,9 +374,10 @@ bool FleetGimbal::allows(std::string_view task) const {
 
 Fleet fleet_in(const std::string& text, const std::filesystem::path& file) {
   const ConfigurationText configuration(text, file.string());
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   Fleet fleet;
   for (const ConfigurationSection& section : configuration.sections()) {
-    read_section(configuration, section, fleet, file.parent_path());
+    read_section(configuration, section, fleet, folder);
   }
   const auto lack = [&](const char* what) {
     configuration.reject({}, fmt::format("{} is missing", what));
@@ -294,12 +386,6 @@ Fleet fleet_in(const std::string& text, const std::filesystem::path& file) {
   if (fleet.gimbals.empty()) lack("a section [gimbal.NAME] with a port");
   if (!fleet.metrics && !fleet.broker) lack("[metrics] or [broker], the reason for a gateway,");
   return fleet;
-}
-
-Fleet read_fleet(const std::filesystem::path& file) {
-  const Result<std::string> text = detail::read_text_file(file, largest_fleet_file);
-  if (!text) throw CommandError(text.error().message);
-  return fleet_in(*text, file);
 }
 
 }  // namespace sbgc::tools

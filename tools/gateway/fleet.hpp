@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,12 +56,9 @@ struct FleetGimbal {
 };
 
 struct MetricsSettings {
-  std::string listen{"127.0.0.1:9110"};
+  std::string listen{"127.0.0.1:9110"};       ///< a number, of version 4, and a port
   std::chrono::milliseconds interval{5'000};  ///< between two requests for live data
-  /// Fields of live data, as for `sbgc stream --fields`.
-  std::string fields{
-      "bat_level,current,motor_power,balance_error,imu_temperature,cycle_time,"
-      "i2c_error_count,serial_error_cnt,system_error,angle"};
+  std::set<std::string> paths{};              ///< of the fields of live data that become metrics
 };
 
 struct BrokerAddress {
@@ -86,18 +84,29 @@ struct BrokerSettings {
   std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
 };
 
+/// A file that the configuration names, and where.
+struct FleetFile {
+  enum class Kind : std::uint8_t { password, authorities, certificate, key, journal };
+
+  Kind kind{};
+  std::filesystem::path path{};
+  ConfigurationPlace place{};
+};
+
 struct Fleet {
   std::string name{};
   std::vector<FleetGimbal> gimbals{};
   std::optional<MetricsSettings> metrics{};
   std::optional<BrokerSettings> broker{};
+  std::vector<FleetFile> files{};
 };
 
 /// Returns the fleet in the text of a file. Throws CommandError, with "file:line:column: ", if it
-/// is invalid. Relative paths count from the folder of the file.
+/// is invalid. Relative paths count from the folder of the file. Looks at no file.
 Fleet fleet_in(const std::string& text, const std::filesystem::path& file);
 
-/// Reads the file. Throws CommandError.
+/// Reads the file, and looks at those that it names. Throws CommandError for what would keep a
+/// gateway from its start. Creates, locks and changes nothing.
 Fleet read_fleet(const std::filesystem::path& file);
 
 }  // namespace sbgc::tools

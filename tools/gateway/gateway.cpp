@@ -28,6 +28,8 @@ namespace sbgc::tools {
 namespace {
 
 constexpr unsigned most_io_threads = 8;
+/// With what the command puts before it, 500 bytes. What a file has can be longer.
+constexpr std::size_t longest_error = 480;
 
 struct GatewayOptions {
   std::string config{};
@@ -40,7 +42,7 @@ void report_on(Gimbal& gimbal) {
     const std::string details =
         status.link == GimbalLink::online
             ? fmt::format("board {}, firmware {}", status.board, status.firmware)
-            : status.reason;
+            : abridged(status.reason, longest_error);
     const std::string text = fmt::format("{}: {}", name(status.link), details);
     if (std::exchange(last, text) != text) remark("sbgc: {} is {}\n", gimbal.name(), text);
   });
@@ -81,24 +83,34 @@ int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gi
   return broker && (!broker->failure().empty() || broker->has_left_moving()) ? failure : success;
 }
 
-int run_gateway(const GatewayOptions& options) {
-  if (options.shows_schema) {
-    fmt::print("{}\n", detail::json_text(gateway_schema(), 1));
+int run_fleet(const GatewayOptions& options) {
+  const Fleet fleet = read_fleet(options.config);
+  if (options.only_checks) {
+    remark("{}: {}\n", fleet.name, counted(fleet.gimbals.size(), "gimbal"));
     return success;
   }
-  if (options.config.empty()) throw CommandError("--config is missing", wrong_usage);
-  const Fleet fleet = read_fleet(options.config);
   Io io(std::clamp(std::thread::hardware_concurrency(), 2U, most_io_threads));
   std::vector<std::unique_ptr<Gimbal>> gimbals;
   for (const FleetGimbal& one : fleet.gimbals) {
     gimbals.push_back(std::make_unique<Gimbal>(io, one));
     report_on(*gimbals.back());
   }
-  if (options.only_checks) {
-    remark("{}: {}\n", fleet.name, counted(gimbals.size(), "gimbal"));
+  return serve_fleet(io, fleet, gimbals);
+}
+
+int run_gateway(const GatewayOptions& options) {
+  if (options.shows_schema) {
+    fmt::print("{}\n", detail::json_text(gateway_schema(), 1));
     return success;
   }
-  return serve_fleet(io, fleet, gimbals);
+  if (options.config.empty()) throw CommandError("--config is missing", wrong_usage);
+  try {
+    return run_fleet(options);
+  } catch (const CommandError& error) {
+    throw CommandError(abridged(error.what(), longest_error), error.status());
+  } catch (const std::runtime_error& error) {
+    throw CommandError(abridged(error.what(), longest_error));
+  }
 }
 
 }  // namespace
@@ -108,7 +120,8 @@ void add_gateway(CLI::App& app, CommandContext& context) {
       app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
   auto& options = command.options();
   command->add_option("--config", options.config, "The fleet, in TOML")->type_name("FILE");
-  command->add_flag("--check", options.only_checks, "Only read the file, and say what is wrong");
+  command->add_flag("--check", options.only_checks,
+                    "Only read the file and those that it names, and say what is wrong");
   command->add_flag("--schema", options.shows_schema,
                     "Print the JSON Schema of what the broker carries");
   command->footer(

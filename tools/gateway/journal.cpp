@@ -1,11 +1,14 @@
 #include "gateway/journal.hpp"
 
+#include <array>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "gateway/payload.hpp"
 #include "gateway/unix_time.hpp"
 
 namespace sbgc::tools {
@@ -69,7 +72,9 @@ std::shared_ptr<sqlite3> open_database(const std::filesystem::path& file) {
 /// One SQL statement with its values.
 class Journal::Statement {
  public:
-  Statement(const Journal& journal, const char* sql) : database_(*journal.database_) {
+  /// What reads texts names the table, whose ids are the first column.
+  Statement(const Journal& journal, const char* sql, const char* table = "")
+      : journal_(journal), database_(*journal.database_), table_(table) {
     sqlite3_stmt* prepared = nullptr;
     if (sqlite3_prepare_v2(&database_, sql, -1, &prepared, nullptr) != SQLITE_OK) {
       fail_journal(database_);
@@ -108,6 +113,11 @@ class Journal::Statement {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
   }
   std::string text(int column) const {
+    std::string result = bytes(column);
+    if (!is_utf8(result)) journal_.reject_row(table_, integer(0));
+    return result;
+  }
+  std::string bytes(int column) const {
     const void* const bytes = sqlite3_column_blob(statement_.get(), column);
     const int size = sqlite3_column_bytes(statement_.get(), column);
     return bytes == nullptr
@@ -125,7 +135,9 @@ class Journal::Statement {
     return *this;
   }
 
+  const Journal& journal_;
   sqlite3& database_;
+  const char* table_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_{};
   int bound_ = 0;
 };
@@ -168,15 +180,60 @@ Journal::~Journal() = default;
 
 void Journal::begin() { run("BEGIN IMMEDIATE"); }
 
-void Journal::commit() { run("COMMIT"); }
+void Journal::commit() {
+  check_place();
+  run("COMMIT");
+}
+
+void Journal::check_header(const std::filesystem::path& file) {
+  constexpr std::string_view beginning = "SQLite format 3";
+  constexpr std::size_t schema_at = 40;
+  constexpr std::size_t version_at = 60;
+  constexpr std::size_t mark_at = 68;
+  std::array<char, 100> header{};
+  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = value << 8U | static_cast<std::uint8_t>(header[i]);
+    return value;
+  };
+  // A new one has its mark and its tables in the file beside it at first.
+  const bool is_new = number(mark_at) == 0 && number(schema_at) == 0;
+  const bool is_database = std::string_view(header.data(), beginning.size()) == beginning;
+  if (std::filesystem::file_size(file) == 0 || (is_database && is_new)) return;
+  if (!is_database || number(mark_at) != journal_mark) {
+    throw std::runtime_error(fmt::format("{} is no journal of a gateway", file.string()));
+  }
+  if (number(version_at) > journal_version) {
+    throw std::runtime_error(
+        fmt::format("the journal {} is of another version of sbgc", file.string()));
+  }
+}
+
+void Journal::check_place() const {
+  int has_moved = 0;
+  sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+  if (has_moved == 0) return;
+  throw std::runtime_error(fmt::format("the journal {} was removed or replaced",
+                                       sqlite3_db_filename(database_.get(), "main")));
+}
+
+void Journal::reject_row(const char* table, std::int64_t id) const {
+  throw std::runtime_error(
+      fmt::format("the journal {} is damaged: row {} of the table '{}'; move the file away to "
+                  "begin with an empty one",
+                  sqlite3_db_filename(database_.get(), "main"), id, table));
+}
 
 RecognizedCommand Journal::recognize(const JournalCommand& command) {
   if (command.key.empty()) return {};
-  Statement same(*this, "SELECT id, request, result FROM commands WHERE gimbal = ? AND key = ?");
+  Statement same(*this, "SELECT id, request, result FROM commands WHERE gimbal = ? AND key = ?",
+                 "commands");
   same.add_text(command.gimbal).add_text(command.key);
   if (!same.next()) return {};
   if (same.text(1) != command.request) return {Recognition::reused};
-  if (!same.is_null(2)) return {Recognition::finished, same.text(2)};
+  if (!same.is_null(2)) return {Recognition::finished, same.text(2), same.integer(0)};
   if (is_full()) return {Recognition::full};
   add_reply(same.integer(0), command.reply);
   return {Recognition::running};
@@ -204,9 +261,10 @@ std::vector<ReplyAddress> Journal::finish(std::int64_t id, std::string_view resu
   if (sqlite3_changes(database_.get()) == 0) return {};
   ++finished_;
   std::vector<ReplyAddress> addresses;
-  Statement replies(*this, "SELECT topic, correlation FROM replies WHERE command = ?");
+  Statement replies(*this, "SELECT command, topic, correlation FROM replies WHERE command = ?",
+                    "replies");
   replies.add(id);
-  while (replies.next()) addresses.push_back({replies.text(0), replies.text(1)});
+  while (replies.next()) addresses.push_back({replies.text(1), replies.bytes(2)});
   expected_ -= addresses.size();
   Statement(*this, "DELETE FROM replies WHERE command = ?").add(id).run();
   // No copy of it is looked for.
@@ -264,15 +322,16 @@ void Journal::set_at_rest(std::string_view gimbal, std::int64_t command) {
 
 std::map<std::string, std::int64_t> Journal::moving() const {
   std::map<std::string, std::int64_t> result;
-  Statement rows(*this, "SELECT gimbal, command FROM moving");
-  while (rows.next()) result[rows.text(0)] = rows.integer(1);
+  Statement rows(*this, "SELECT command, gimbal FROM moving", "moving");
+  while (rows.next()) result[rows.text(1)] = rows.integer(0);
   return result;
 }
 
 std::vector<UnfinishedCommand> Journal::unfinished() const {
   std::vector<UnfinishedCommand> result;
   Statement commands(
-      *this, "SELECT id, gimbal, key, request FROM commands WHERE result IS NULL ORDER BY id");
+      *this, "SELECT id, gimbal, key, request FROM commands WHERE result IS NULL ORDER BY id",
+      "commands");
   while (commands.next()) {
     result.push_back({commands.integer(0), commands.text(1), commands.text(2), commands.text(3)});
   }
@@ -283,11 +342,12 @@ std::vector<WaitingMessage> Journal::waiting_after(std::int64_t after, std::size
   std::vector<WaitingMessage> result;
   Statement rows(*this,
                  "SELECT id, kind, topic, payload, correlation FROM waiting WHERE id > ? "
-                 "ORDER BY id LIMIT ?");
+                 "ORDER BY id LIMIT ?",
+                 "waiting");
   rows.add(after).add(static_cast<std::int64_t>(most));
   while (rows.next()) {
     result.push_back({rows.integer(0), static_cast<WaitingKind>(rows.integer(1)), rows.text(2),
-                      rows.text(3), rows.text(4)});
+                      rows.text(3), rows.bytes(4)});
   }
   return result;
 }

@@ -69,6 +69,7 @@ enum class Recognition : std::uint8_t {
 struct RecognizedCommand {
   Recognition recognition{};
   std::string result{};
+  std::int64_t id{};  ///< of a finished command
 };
 
 struct JournalLimits {
@@ -112,6 +113,13 @@ class Journal {
   void set_at_rest(std::string_view gimbal, std::int64_t command);
 
   // At any time.
+
+  /// Throws if the file is no journal of this version, as far as its first bytes tell.
+  static void check_header(const std::filesystem::path& file);
+  /// Throws if the file was removed, or another one has its name. So does commit().
+  void check_place() const;
+  /// Throws for damage of a row.
+  [[noreturn]] void reject_row(const char* table, std::int64_t id) const;
 
   /// The gimbals that commands may have set in motion, and the last of these.
   std::map<std::string, std::int64_t> moving() const;

@@ -14,15 +14,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <sbgc/meta/realtime.hpp>
 #include <sbgc/version.hpp>
 
 #include "command/command_error.hpp"
 #include "gateway/live_metrics.hpp"
 #include "gateway/metric_families.hpp"
 #include "gateway/probe.hpp"
-#include "line/field_patterns.hpp"
-#include "line/stream_type.hpp"
 
 namespace sbgc::tools {
 
@@ -96,18 +93,10 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// The paths of live data that become metrics. Throws CommandError.
-std::set<std::string> live_paths(const std::string& patterns) {
-  const MessageInfo& info = Meta<msg::RealtimeData4>::info;
-  std::vector<std::string> paths;
-  for (const StreamField& field : StreamType::find(info.name).fields()) paths.push_back(field.path);
-  const std::vector<bool> chosen = chosen_fields(patterns, *find_message(info.name), paths);
-  std::set<std::string> result;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (chosen[i]) result.insert(paths[i]);
-  }
-  return result;
-}
+/// Each has a thread, which waits for the request. More wait until one of these has ended.
+constexpr unsigned most_scrapes = 128;
+/// How long a request may take to arrive; in milliseconds.
+constexpr const char* scrape_patience = "2000";
 
 }  // namespace
 
@@ -116,7 +105,7 @@ class Metrics::Collector : public prometheus::Collectable {
  public:
   Collector(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals,
             const Broker* broker)
-      : broker_(broker), interval_(settings.interval), paths_(live_paths(settings.fields)) {
+      : broker_(broker), interval_(settings.interval), paths_(settings.paths) {
     for (const auto& gimbal : gimbals) {
       gimbals_.push_back({gimbal.get(), std::make_shared<Probe>(*gimbal, interval_)});
     }
@@ -254,7 +243,10 @@ class Metrics::Collector : public prometheus::Collectable {
 
 class Metrics::Server {
  public:
-  explicit Server(const std::string& address) : exposer_(address) {}
+  explicit Server(const std::string& address)
+      : exposer_(std::vector<std::string>{"listening_ports", address, "num_threads",
+                                          std::to_string(most_scrapes), "request_timeout_ms",
+                                          scrape_patience}) {}
 
   void add(const std::shared_ptr<Collector>& collector) { exposer_.RegisterCollectable(collector); }
   int port() const { return exposer_.GetListeningPorts().front(); }
@@ -287,11 +279,7 @@ std::string Metrics::address() const {
 }
 
 bool Metrics::is_open() const {
-  std::string host = listen_.substr(0, listen_.rfind(':'));
-  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  std::error_code error;
-  const asio::ip::address address = asio::ip::make_address(host, error);
-  return error || !address.is_loopback();
+  return !asio::ip::make_address_v4(listen_.substr(0, listen_.rfind(':'))).is_loopback();
 }
 
 }  // namespace sbgc::tools

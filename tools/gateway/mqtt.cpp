@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <mosquitto.h>
 #include <mqtt_protocol.h>
+#include <openssl/ssl.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
@@ -44,13 +45,9 @@ void initialize_mqtt() {
   static_cast<void>(status);
 }
 
-std::string mqtt_error(int status) {
-  return status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status);
-}
-
 void require_mqtt(int status, const std::string& what) {
   if (status == MOSQ_ERR_SUCCESS) return;
-  throw std::runtime_error(fmt::format("{}: {}", what, mqtt_error(status)));
+  throw std::runtime_error(fmt::format("{}: {}", what, mosquitto_strerror(status)));
 }
 
 /// Properties of MQTT 5.
@@ -133,7 +130,12 @@ struct MqttConnection::Callbacks {
     static_cast<void>(::setsockopt(mosquitto_socket(self.connection_.get()), SOL_SOCKET, SO_SNDBUF,
                                    &buffer, sizeof buffer));
     self.is_connected_ = true;
+    mosquitto_log_callback_set(self.connection_.get(), nullptr);
     self.handlers_.on_connected();
+  }
+  static void logged(mosquitto* connection, void* user, int /*level*/, const char* line) {
+    auto* const tls = static_cast<SSL*>(mosquitto_ssl_get(connection));
+    if (tls != nullptr) of(user).tls_.take(line, SSL_get_verify_result(tls));
   }
   static void arrived(mosquitto* /*connection*/, void* user, const mosquitto_message* message,
                       const mosquitto_property* properties) {
@@ -157,20 +159,25 @@ struct MqttConnection::Callbacks {
   static void published(mosquitto* /*connection*/, void* user, int id, int code,
                         const mosquitto_property* /*properties*/) {
     MqttConnection& self = of(user);
-    if (self.unacknowledged_.erase(id) == 0) {
+    const auto message = self.unacknowledged_.extract(id);
+    if (message.empty()) {
       self.unsent_.erase(id);
       return;
     }
     constexpr int first_failure = 0x80;
-    self.handlers_.on_acknowledged(id, code < first_failure ? "" : mosquitto_reason_string(code));
+    self.handlers_.on_acknowledged(
+        id, code < first_failure
+                ? ""
+                : fmt::format("{}: {}", message.mapped(), mosquitto_reason_string(code)));
   }
   static void subscribed(mosquitto* /*connection*/, void* user, int id, int count,
                          const int* granted) {
     MqttConnection& self = of(user);
     if (id != self.subscription_) return;
     constexpr int first_failure = 0x80;
-    if (std::any_of(granted, granted + count, [](int one) { return one >= first_failure; })) {
-      self.refusal_ = "the broker refuses the subscription to the commands";
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      if (granted[i] < first_failure) continue;
+      self.refusal_ = "the broker refuses the subscription to " + self.filters_.at(i);
       return;
     }
     self.handlers_.on_subscribed();
@@ -260,6 +267,7 @@ void MqttConnection::subscribe(const std::vector<std::string>& filters, int qual
   mosquitto_subscribe_multiple(connection_.get(), &last_id_, static_cast<int>(texts.size()),
                                texts.data(), quality, options, nullptr);
   subscription_ = last_id_;
+  filters_ = filters;
 }
 
 bool MqttConnection::can_publish() const noexcept {
@@ -293,7 +301,11 @@ std::optional<int> MqttConnection::publish(const MqttPublication& message) {
   }
   if (status != MOSQ_ERR_SUCCESS) return {};
   last_id_ = id;
-  (message.quality == 0 ? unsent_ : unacknowledged_).insert(id);
+  if (message.quality == 0) {
+    unsent_.insert(id);
+  } else {
+    unacknowledged_.emplace(id, message.topic);
+  }
   return id;
 }
 
@@ -334,10 +346,21 @@ void MqttConnection::serve() {
   }
 }
 
+std::string MqttConnection::problem_of(int status) const {
+  const int number = status == MOSQ_ERR_ERRNO ? errno : 0;
+  const bool is_closed = status == MOSQ_ERR_CONN_LOST || status == MOSQ_ERR_PROTOCOL ||
+                         number == ECONNRESET || number == EPIPE || number == EPROTO;
+  std::string known = is_connected_ ? "" : tls_.reason(address_, settings_, is_closed);
+  if (!known.empty()) return known;
+  return number != 0 ? std::strerror(number) : mosquitto_strerror(status);
+}
+
 std::string MqttConnection::connect() {
   begun_ = Clock::now();
+  tls_ = {};
+  mosquitto_log_callback_set(connection_.get(), Callbacks::logged);
   is_holding_ = false;  // the library has forgotten the acknowledgments
-  const BrokerAddress& address = settings_.addresses[attempts_++ % settings_.addresses.size()];
+  address_ = settings_.addresses[attempts_++ % settings_.addresses.size()];
   constexpr std::chrono::seconds least_keep_alive{5};  // of the library
   const auto keep_alive = static_cast<int>(
       std::max(std::chrono::ceil<std::chrono::seconds>(settings_.keep_alive), least_keep_alive)
@@ -351,13 +374,13 @@ std::string MqttConnection::connect() {
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_MAXIMUM_PACKET_SIZE, longest_packet);
     // A stop must not wait behind what is not acknowledged.
     mosquitto_property_add_int16(properties.add(), MQTT_PROP_RECEIVE_MAXIMUM, 0xFFFF);
-    status = mosquitto_connect_bind_v5(connection_.get(), address.host.c_str(), address.port,
+    status = mosquitto_connect_bind_v5(connection_.get(), address_.host.c_str(), address_.port,
                                        keep_alive, nullptr, properties.get());
   } else {
-    status =
-        mosquitto_connect_async(connection_.get(), address.host.c_str(), address.port, keep_alive);
+    status = mosquitto_connect_async(connection_.get(), address_.host.c_str(), address_.port,
+                                     keep_alive);
   }
-  return status == MOSQ_ERR_SUCCESS ? "" : mqtt_error(status);
+  return status == MOSQ_ERR_SUCCESS ? "" : problem_of(status);
 }
 
 void MqttConnection::forget_wakes() {
@@ -384,10 +407,10 @@ std::string MqttConnection::turn() {
   if (!problem.empty()) return problem;
   if (can_write() && mosquitto_want_write(connection)) {
     const int status = mosquitto_loop_write(connection, 1);
-    if (status != MOSQ_ERR_SUCCESS) return mqtt_error(status);
+    if (status != MOSQ_ERR_SUCCESS) return problem_of(status);
   }
   const int status = mosquitto_loop_misc(connection);
-  if (status != MOSQ_ERR_SUCCESS) return mqtt_error(status);
+  if (status != MOSQ_ERR_SUCCESS) return problem_of(status);
   if (mosquitto_socket(connection) < 0) return "the connection was closed";
   if (!is_connected_ && Clock::now() > begun_ + mqtt_patience) return "the broker does not answer";
   return "";
@@ -403,7 +426,7 @@ std::string MqttConnection::read() {
   constexpr std::size_t most = 64;
   for (std::size_t i = 0; i < most; ++i) {
     const int status = mosquitto_loop_read(connection_.get(), 1);
-    if (status != MOSQ_ERR_SUCCESS) return mqtt_error(status);
+    if (status != MOSQ_ERR_SUCCESS) return problem_of(status);
     last_heard_ = Clock::now().time_since_epoch().count();
     const int socket = mosquitto_socket(connection_.get());
     if (socket < 0 || arrived_bytes_ > most_arrived_bytes || !is_readable(socket)) break;

@@ -9,12 +9,14 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include <sbgc/io/detail/descriptor.hpp>
 
 #include "gateway/fleet.hpp"
+#include "gateway/tls.hpp"
 
 struct mosquitto;
 
@@ -59,8 +61,8 @@ class MqttConnection {
     std::function<void(const std::string& reason)> on_lost{};
     /// The broker has answered the last subscribe().
     std::function<void()> on_subscribed{};
-    /// A message with quality 1 is acknowledged. `refused` says why the broker did not take it, or
-    /// is "". The library does not send it again.
+    /// A message with quality 1 is acknowledged. `refused` says to which topic and why the broker
+    /// did not take it, or is "". The library does not send it again.
     std::function<void(int id, const std::string& refused)> on_acknowledged{};
     /// There is time: after anything else, and several times a second. Returns true if there is
     /// more to do as soon as the socket has taken what was published.
@@ -112,6 +114,8 @@ class MqttConnection {
   };
 
   void set_up(const MqttPublication& will);
+  /// Says what a status of the library means for this attempt or connection.
+  std::string problem_of(int status) const;
   void run();
   void serve();
   /// Starts an attempt. Returns what went wrong, or "".
@@ -141,10 +145,13 @@ class MqttConnection {
   std::vector<MqttMessage> arrived_{};
   std::size_t arrived_bytes_ = 0;
   int last_id_ = 0;
-  int subscription_ = 0;                      // the id of the last one
-  std::unordered_set<int> unsent_{};          // ids of messages with quality 0
-  std::unordered_set<int> unacknowledged_{};  // the same with quality 1
-  Clock::time_point begun_{};                 // of the attempt
+  int subscription_ = 0;                                   // the id of the last one
+  std::vector<std::string> filters_{};                     // of it
+  std::unordered_set<int> unsent_{};                       // ids of messages with quality 0
+  std::unordered_map<int, std::string> unacknowledged_{};  // the same with quality 1; their topics
+  Clock::time_point begun_{};                              // of the attempt
+  BrokerAddress address_{};                                // the same
+  TlsLog tls_{};                                           // the same
 };
 
 }  // namespace sbgc::tools

@@ -20,6 +20,8 @@ constexpr std::chrono::seconds pause_after_refusal{10};
 constexpr std::chrono::milliseconds longest_beat_interval{250};
 /// Events that wait for the thread of the journal.
 constexpr std::size_t most_notices = 1'000;
+/// Topics of replies are the choice of others.
+constexpr std::size_t most_refusals_told = 100;
 
 }  // namespace
 
@@ -133,6 +135,7 @@ void Outbox::answer(WaitingKind kind, const std::string& gimbal, const ReplyAddr
 }
 
 void Outbox::connected() {
+  refusals_.clear();
   {
     const std::scoped_lock lock(mutex_);
     new_states_ = states_;
@@ -147,8 +150,9 @@ void Outbox::acknowledged(int id, const std::string& refused) {
     was_late_ = was_late(MqttConnection::Clock::now());
     heartbeat_.reset();
   }
-  const bool is_news = refused != std::exchange(last_refusal_, refused);
-  if (is_news && !refused.empty()) remark("sbgc: the broker refuses messages: {}\n", refused);
+  const bool is_news =
+      !refused.empty() && refusals_.size() < most_refusals_told && refusals_.insert(refused).second;
+  if (is_news) remark("sbgc: the broker refuses messages to {}\n", refused);
   const auto found = on_the_way_.find(id);
   if (found == on_the_way_.end()) return;
   {
@@ -171,6 +175,7 @@ bool Outbox::was_late(MqttConnection::Clock::time_point now) {
 }
 
 void Outbox::record() {
+  journal_.check_place();
   std::deque<Happening> happenings;
   std::vector<std::int64_t> delivered;
   {
@@ -244,6 +249,11 @@ void Outbox::load() {
     found.push_back(std::move(one));
   }
   if (found.empty()) return;
+  for (const WaitingMessage& one : found) {
+    if (!one.payload.starts_with('{') || !Json::accept(one.payload)) {
+      journal_.reject_row("waiting", one.id);
+    }
+  }
   {
     const std::scoped_lock lock(mutex_);
     in_flight_ += found.size();
@@ -319,6 +329,7 @@ void Outbox::beat() {
   const auto interval = std::min(settings_.stop_after / 4, longest_beat_interval);
   if (heartbeat_ || now < last_beat_ + interval) return;
   last_beat_ = now;
+  disk_.wake();  // it looks whether the journal is still there
   heartbeat_ = mqtt_.publish(
       {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});
 }

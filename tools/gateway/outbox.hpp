@@ -10,6 +10,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <variant>
@@ -147,7 +148,7 @@ class Outbox {
 
   // Of the thread of the connection:
   std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
-  std::string last_refusal_{};
+  std::set<std::string> refusals_{};                    // of this connection, that were told
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
   bool was_late_ = false;

@@ -118,6 +118,12 @@ bool Topics::is_reply(std::string_view topic) const {
          std::ranges::count(topic, '/') < static_cast<std::ptrdiff_t>(most_reply_levels);
 }
 
+bool is_utf8(std::string_view text) {
+  bool is_valid = true;
+  detail::for_each_sequence(text, [&](std::string_view, bool valid) { is_valid &= valid; });
+  return is_valid;
+}
+
 bool is_key(std::string_view text) {
   return !text.empty() && text.size() <= longest_key && is_plain_text(text);
 }

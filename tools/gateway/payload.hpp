@@ -79,6 +79,8 @@ struct CommandPayload {
   Json parameters = Json::object();
 };
 
+bool is_utf8(std::string_view text);
+
 /// True if it can be a key of idempotence.
 bool is_key(std::string_view text);
 

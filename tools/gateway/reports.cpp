@@ -11,16 +11,6 @@
 
 namespace sbgc::tools {
 
-namespace {
-
-bool is_utf8(std::string_view text) {
-  bool is_valid = true;
-  detail::for_each_sequence(text, [&](std::string_view, bool valid) { is_valid &= valid; });
-  return is_valid;
-}
-
-}  // namespace
-
 Json stamped(std::chrono::system_clock::time_point time) {
   return {{"version", payload_version}, {"time", unix_milliseconds(time)}};
 }

@@ -16,6 +16,7 @@
 #endif
 
 #include "command/colors.hpp"
+#include "command/command_error.hpp"
 #include "command/help_text.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
