@@ -56,6 +56,8 @@ class Line:
         self.address = f"tcp:127.0.0.1:{self.listener.getsockname()[1]}"
         self.is_up = True
         self.holds = False  # what it has got
+        self.loss = 0.0  # of the bytes
+        self.random = random.Random(1)
         self.ends: list[socket.socket] = []
         threading.Thread(target=self._accept, daemon=True).start()
 
@@ -79,7 +81,7 @@ class Line:
             while data := source.recv(4096):
                 while self.holds:
                     time.sleep(0.01)
-                sink.sendall(data)
+                sink.sendall(bytes(one for one in data if self.random.random() >= self.loss))
         except OSError:
             pass
         for end in (source, sink):
@@ -129,9 +131,10 @@ class Stage:
         return self.seen.result(self.say.command("front", task, parameters, **members))
 
     def speed(self) -> float:
-        """The speed of the pitch axis, past the gateway."""
+        """The speed of the fastest axis, past the gateway."""
         state = run("send", "GetAnglesRequest", "-p", self.front.address, "--format", "jsonl")
-        return abs(float(state.objects[-1]["fields"]["axes"]["pitch"]["rc_speed"]))
+        axes = state.objects[-1]["fields"]["axes"].values()
+        return max(abs(float(axis["rc_speed"])) for axis in axes)
 
     def turns(self) -> bool:
         return self.speed() > 0

@@ -166,6 +166,7 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
     }
   }
   auto stop = std::make_shared<Stop>();
+  stop->key = payload.key;
   stop->reply = {payload.reply, payload.correlation};
   {
     const std::scoped_lock lock(mutex_);
@@ -186,10 +187,13 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
       };
 }
 
-/// So that the next gateway goes on with it, and gives it a result.
+/// So that the next gateway goes on with it, and gives it a result. Its key does not make it a
+/// repetition.
 void Admission::record_stop(const Received& received) {
-  const auto id = journal_.admit({received.topic.gimbal, "", stop_task, received.stop->reply},
-                                 std::chrono::system_clock::now());
+  const Stop& stop = *received.stop;
+  const auto id = journal_.admit(
+      {received.topic.gimbal, "", fmt::format("{} {}", stop_task, stop.key), stop.reply},
+      std::chrono::system_clock::now());
   if (id) {
     journal_.set_moving(received.topic.gimbal, *id);
     outbox_.has_begun();

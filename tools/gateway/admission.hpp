@@ -87,6 +87,7 @@ class Admission {
  private:
   /// A stop that its gimbal has got, and that is not in the journal yet. Its end may come first.
   struct Stop {
+    std::string key{};
     ReplyAddress reply{};
     std::mutex mutex{};
     bool is_settled = false;           // it is in the journal, or never will be

@@ -40,12 +40,14 @@ Outbox::Outbox(const BrokerSettings& settings, const Topics& topics, const Rival
 void Outbox::settle_unfinished() {
   journal_.begin();
   for (const UnfinishedCommand& one : journal_.unfinished()) {
-    const Json result =
-        result_json(one.gimbal, one.request.substr(0, one.request.find(' ')), one.key,
-                    {"unknown",
-                     "gateway_restarted",
-                     "the gateway ended while the command ran; it may have been carried out",
-                     {}});
+    const std::size_t end_of_task = one.request.find(' ');
+    const std::string rest = one.request.substr(end_of_task + 1);  // of a stop, its key
+    const Json result = result_json(
+        one.gimbal, one.request.substr(0, end_of_task), one.key.empty() ? rest : one.key,
+        {"unknown",
+         "gateway_restarted",
+         "the gateway ended while the command ran; it may have been carried out",
+         {}});
     for (const ReplyAddress& address : journal_.finish(one.id, payload_text(result))) {
       answer(WaitingKind::result, one.gimbal, address, result);
     }
