@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -25,6 +26,7 @@
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
+#include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
@@ -149,6 +151,9 @@ class TuningRun {
     require_possible(client, request_);
     before_ = read();
     arm(options_.arming, consequences());
+    const MustFinish way_back(write_bound,
+                              "the camera may still turn, and have new values; a guard process "
+                              "stops it and writes the old ones if it can");
     gimbal_.begins_to_move(AfterStop::end_tuning, before_);
     const Subscription reports = client.subscribe<msg::AutoPid>(
         [this](const msg::AutoPid& report) { reports_.add(report); });
@@ -161,8 +166,8 @@ class TuningRun {
     gimbal_.has_stopped();
     try {
       print_changes(before_, read(), client.identity().versions());
-    } catch (const CommandError&) {
-      remark("The new values could not be read; the old ones return.\n");
+    } catch (const std::exception&) {  // also of a terminal that is gone
+      remark("The new values could not be read or shown; the old ones return.\n");
       restore();
       throw;
     }

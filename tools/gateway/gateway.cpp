@@ -1,6 +1,7 @@
 // sbgc gateway: many gimbals, on a message broker and for Prometheus.
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -27,6 +28,8 @@ namespace sbgc::tools {
 namespace {
 
 constexpr unsigned most_io_threads = 8;
+/// For the stops, and for what is told about them.
+constexpr std::chrono::seconds gateway_bound = stop_bound + std::chrono::seconds(2);
 
 struct GatewayOptions {
   std::string config{};
@@ -56,7 +59,7 @@ void wait_for_signal() {
 int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
   remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
-  const Interruption interruption;
+  const MustFinish stopping(gateway_bound, "gimbals may still turn");
   // Both halves have their handlers before the gimbals start.
   std::optional<Broker> broker;
   if (fleet.broker) broker.emplace(fleet, gimbals);
