@@ -309,7 +309,9 @@ void add_tune(CLI::App& app, CommandContext& context) {
   command->footer(
       "The motors must be on. It shows the progress, then the values before and after, and asks "
       "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
-      "--yes keeps them. If the command dies before that, a guard process ends the tuning and "
+      "--yes keeps them. After a signal, the way back may take 60 s, whatever signals come. If the "
+      "command dies before that, or at a second Ctrl-C half a second after the first or later, a "
+      "guard process ends the tuning and "
       "writes the old values back. Firmware from 2.73 on tunes with another request, of which too "
       "little is documented, and which this command does not send.\n"
       "\n"

@@ -115,7 +115,10 @@ void add_gateway(CLI::App& app, CommandContext& context) {
   command->footer(
       "Connects to the gimbals that the file names, and connects again as long as it runs. "
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
-      "another signal, ends it. docs/21-many-gimbals.md has the details.\n"
+      "another signal, ends it: it stops what moves first, for at most 10 s, whatever signals "
+      "come; "
+      "a second Ctrl-C, half a second after the first or later, ends it at once. "
+      "docs/21-many-gimbals.md has the details.\n"
       "\n"
       "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin or "
       "the broker's half has failed, 2 for wrong usage or if another gateway serves the fleet.");

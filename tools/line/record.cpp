@@ -94,7 +94,7 @@ class Listener {
 
 int record_line(const RecordOptions& options) {
   asio::io_context context;
-  RecordingEnd end;
+  RecordingEnd end(options.time);
   io::CaptureWriter writer(options.format(), end.descriptor());
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
@@ -113,7 +113,7 @@ int record_line(const RecordOptions& options) {
   const std::unique_ptr<io::Transport> transport =
       io::record(std::move(opened.transport), std::move(writer), {.on_error = on_error});
   if (!file_problem.empty()) throw std::runtime_error(file_problem);
-  end.begin(options.time);
+  end.begin();
   asio::posix::stream_descriptor ending(context, ::fcntl(end.descriptor(), F_DUPFD_CLOEXEC, 0));
   Listener listener(*transport, [&] { ending.cancel(); });
   stop = [&] { listener.stop(); };
@@ -189,7 +189,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   const bool to_stdout = options.file == "-";
   std::signal(SIGPIPE, SIG_IGN);
   remark_in_background();
-  RecordingEnd end;
+  RecordingEnd end(options.time);
   std::atomic<std::uint64_t> total = 0;
   std::mutex mutex;
   std::string problem;  // guarded by the mutex
@@ -212,22 +212,22 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     return io::record(io::observe(std::move(transport), std::make_shared<ByteCounter>(total)),
                       std::move(writer), {.on_error = fail_with});
   };
-  ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
-    if (connect.password) warn_of_password_in(options.file);
-    connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
-      return record(wrap ? wrap(std::move(transport)) : std::move(transport));
-    };
-  });
-  end.begin(options.time);  // not before: the first Ctrl-C ends the connecting
-  const Subscription changes = report_changes(client);
-  std::vector<Subscription> running;
-  running.reserve(streams.size());
-  for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
-  if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
-  std::fflush(stdout);
-  while (!has_failed() && client.state() != LinkState::given_up && !end.comes_soon()) continue;
-  running.clear();
-  client.close();
+  {
+    ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
+      if (connect.password) warn_of_password_in(options.file);
+      connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
+        return record(wrap ? wrap(std::move(transport)) : std::move(transport));
+      };
+    });
+    end.begin();  // not before: the first Ctrl-C ends the connecting
+    const Subscription changes = report_changes(client);
+    std::vector<Subscription> running;
+    running.reserve(streams.size());
+    for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
+    if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
+    std::fflush(stdout);
+    while (!has_failed() && client.state() != LinkState::given_up && !end.comes_soon()) continue;
+  }  // until here, a write may fail
   if (!to_stdout) {
     fmt::print("{} recorded in {}\n", counted(total, "byte"), printable(options.file));
   }

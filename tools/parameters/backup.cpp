@@ -442,7 +442,9 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                     "Also if parameter sets were removed from the backup");
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
-      "end all of them again. After a failure or Ctrl-C, it says what the board holds. Of a "
+      "end all of them again. After a failure or Ctrl-C, it says what the board holds, within 60 "
+      "s, "
+      "whatever signals come. Of a "
       ".profile "
       "file, what has no certain counterpart in the protocol is listed and not written; --profile "
       "is "
@@ -467,9 +469,12 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command->footer(
-      "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. The "
-      "exit "
-      "status is 0 if there are no differences, 1 if there are, 3 if they could not be "
+      "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. "
+      "After "
+      "a signal, the parameters from before return first, which may take 60 s, whatever signals "
+      "come; a second Ctrl-C, half a second after the first or later, cuts that short, and what is "
+      "not restored is said. The exit status is 0 if there are no differences, 1 if there are, 3 "
+      "if they could not be "
       "compared, 2 for wrong usage.");
   command.examples({"sbgc params diff gimbal.json", "sbgc params diff gimbal.json other.json",
                     "sbgc params diff --defaults --profile 2"});
