@@ -191,7 +191,6 @@ def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
 
 def leave_little_room() -> None:
     """Leaves space for the header of a session, but not for the first record."""
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30))
 
 
@@ -201,7 +200,6 @@ def test_record_says_that_there_is_no_room(tmp_path: Path) -> None:
         [PROGRAM, "record", f"capture:{tmp_path / 'in'}", str(tmp_path / "c")],
         capture_output=True,
         preexec_fn=leave_little_room,
-        restore_signals=False,
         timeout=60,
         check=False,
     )

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import resource
-import signal
 import socketserver
 import subprocess
 import threading
@@ -219,7 +218,6 @@ def test_a_capture_that_can_no_longer_be_written_is_an_error(tmp_path: Path) -> 
     capture = tmp_path / "c"
 
     def limit_files() -> None:
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # writing fails instead
         resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
 
     with emulated_gimbal() as gimbal:

@@ -100,7 +100,7 @@ int flash_firmware(const ModuleFlashChoice& options, const CommandContext& conte
           "on, with a full battery, and let nothing hang on the motors: the module does not work.",
           to_string(module.id), to_string(module.firmware_ver), counted(firmware.size(), "byte"),
           options.file));
-  const Interruption interruption;
+  const MustFinish writing(write_bound, "the module has a part of its firmware, and does not work");
   const ProgressBar bar("bytes");
   const Result<void> done = client.run(tasks::flash_module(module.id, firmware, bar.handler()));
   bar.clear();

@@ -24,7 +24,9 @@ namespace {
 
 /// Text that may wait for the reader.
 constexpr std::size_t max_waiting = std::size_t{64} << 10;
-/// How long the end of the command waits for the reader.
+/// A pipe has room for it as soon as its reader has read something.
+constexpr std::size_t block_size = 4096;
+/// How long the end of the command waits for a reader that reads nothing.
 constexpr std::chrono::seconds patience{1};
 
 /// Returns 0, or the error that prevents it.
@@ -68,6 +70,8 @@ struct BackgroundOutput::State {
   std::string waiting{};
   std::size_t dropped = 0;  // lines after `waiting`
   bool is_writing = false;
+  std::size_t blocks = 0;  // that are written
+  bool is_closed = false;  // a write has failed
   bool has_failed = false;
   bool has_given_up = false;
 
@@ -83,9 +87,16 @@ struct BackgroundOutput::State {
       dropped = 0;
       is_writing = true;
       lock.unlock();
-      const int error = write_all(descriptor, text);
+      int error = 0;
+      for (std::size_t at = 0; at < text.size() && error == 0; at += block_size) {
+        error = write_all(descriptor, std::string_view(text).substr(at, block_size));
+        const std::lock_guard counting(mutex);
+        ++blocks;
+        changed.notify_all();
+      }
       lock.lock();
       is_writing = false;
+      if (error != 0) is_closed = true;
       if (error != 0 && error != EPIPE) has_failed = true;
       changed.notify_all();
     }
@@ -117,10 +128,29 @@ void BackgroundOutput::wait() {
   state_->changed.wait(lock, [this] { return state_->is_done(); });
 }
 
+bool BackgroundOutput::wait_until(std::chrono::steady_clock::time_point end) {
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_until(lock, end, [this] { return state_->is_done(); });
+}
+
+bool BackgroundOutput::is_closed() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->is_closed;
+}
+
+bool BackgroundOutput::is_complete() const {
+  const std::lock_guard lock(state_->mutex);
+  return !state_->has_given_up;
+}
+
 bool BackgroundOutput::finish() {
   std::unique_lock lock(state_->mutex);
-  const auto is_done = [this] { return state_->is_done() || state_->has_given_up; };
-  if (!state_->changed.wait_for(lock, patience, is_done)) state_->has_given_up = true;
+  while (!state_->is_done() && !state_->has_given_up) {
+    const auto goes_on = [this, before = state_->blocks] {
+      return state_->is_done() || state_->blocks != before;
+    };
+    if (!state_->changed.wait_for(lock, patience, goes_on)) state_->has_given_up = true;
+  }
   return !state_->has_failed;
 }
 

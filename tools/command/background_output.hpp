@@ -1,6 +1,7 @@
 /// Output of commands that move a camera or serve hosts, which must not wait for a reader.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -21,9 +22,15 @@ class BackgroundOutput {
   void write(const std::string& text);
   /// Waits until everything is written.
   void wait();
-  /// Waits for that, but only for a short time. Returns false if something could not be written
+  /// Waits for that until a time; returns false if it has not come.
+  bool wait_until(std::chrono::steady_clock::time_point end);
+  /// Waits for that as long as the reader reads. Returns false if something could not be written
   /// although the reader has not left.
   bool finish();
+  /// True if a write has failed, as when the reader has left.
+  bool is_closed() const;
+  /// False if finish() has not waited for everything.
+  bool is_complete() const;
 
  private:
   struct State;

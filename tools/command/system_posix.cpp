@@ -1,4 +1,5 @@
 #include <cerrno>
+#include <csignal>
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
@@ -9,8 +10,10 @@
 namespace sbgc::tools {
 
 /// Opens closed standard files, so that files opened later do not take their place. Reading the
-/// input, or writing the others, still fails.
+/// input, or writing the others, still fails. A write beyond the limit of files fails, too, instead
+/// of ending the program.
 void prepare_standard_files() {
+  std::signal(SIGXFSZ, SIG_IGN);
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool is_open = fcntl(fd, F_GETFD) != -1;
     // The lowest free number is this one.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -25,6 +26,7 @@
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
+#include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
@@ -149,6 +151,9 @@ class TuningRun {
     require_possible(client, request_);
     before_ = read();
     arm(options_.arming, consequences());
+    const MustFinish way_back(write_bound,
+                              "the camera may still turn, and have new values; a guard process "
+                              "stops it and writes the old ones if it can");
     gimbal_.begins_to_move(AfterStop::end_tuning, before_);
     const Subscription reports = client.subscribe<msg::AutoPid>(
         [this](const msg::AutoPid& report) { reports_.add(report); });
@@ -161,8 +166,8 @@ class TuningRun {
     gimbal_.has_stopped();
     try {
       print_changes(before_, read(), client.identity().versions());
-    } catch (const CommandError&) {
-      remark("The new values could not be read; the old ones return.\n");
+    } catch (const std::exception&) {  // also of a terminal that is gone
+      remark("The new values could not be read or shown; the old ones return.\n");
       restore();
       throw;
     }
@@ -304,7 +309,9 @@ void add_tune(CLI::App& app, CommandContext& context) {
   command->footer(
       "The motors must be on. It shows the progress, then the values before and after, and asks "
       "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
-      "--yes keeps them. If the command dies before that, a guard process ends the tuning and "
+      "--yes keeps them. After a signal, the way back may take 60 s, whatever signals come. If the "
+      "command dies before that, or at a second Ctrl-C half a second after the first or later, a "
+      "guard process ends the tuning and "
       "writes the old values back. Firmware from 2.73 on tunes with another request, of which too "
       "little is documented, and which this command does not send.\n"
       "\n"

@@ -1,6 +1,7 @@
 // sbgc gateway: many gimbals, on a message broker and for Prometheus.
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ namespace {
 constexpr unsigned most_io_threads = 8;
 /// With what the command puts before it, 500 bytes. What a file has can be longer.
 constexpr std::size_t longest_error = 480;
+/// For the stops, and for what is told about them.
+constexpr std::chrono::seconds gateway_bound = stop_bound + std::chrono::seconds(4);
 
 struct GatewayOptions {
   std::string config{};
@@ -60,7 +63,7 @@ void wait_for_signal() {
 int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
   remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
-  const Interruption interruption;
+  const MustFinish stopping(gateway_bound, "gimbals may still turn");
   // Both halves have their handlers before the gimbals start.
   std::optional<Broker> broker;
   if (fleet.broker) broker.emplace(fleet, gimbals);
@@ -127,9 +130,11 @@ void add_gateway(CLI::App& app, CommandContext& context) {
   command->footer(
       "Connects to the gimbals that the file names, and connects again as long as it runs. "
       "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
-      "another signal, ends it, after it has stopped what commands have set in motion, for which "
-      "it "
-      "tries for at most 8 seconds. docs/21-many-gimbals.md has the details.\n"
+      "another signal, ends it: it first stops what commands have set in motion, for which it "
+      "tries "
+      "for at most 8 seconds, whatever signals come; a second Ctrl-C, half a second after the "
+      "first "
+      "or later, ends it at once. docs/21-many-gimbals.md has the details.\n"
       "\n"
       "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin, the "
       "broker's half has failed or a gimbal may still turn, 2 for wrong usage or if another "

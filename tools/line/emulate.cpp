@@ -76,12 +76,6 @@ std::string describe_frame(const emulator::Board::Traffic& traffic) {
   return result;
 }
 
-/// True if closing the terminal ends the program; false under nohup.
-bool exits_on_hangup() {
-  struct sigaction action {};
-  return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
-}
-
 /// Raises the file limit: each pseudo-terminal needs two files, each host one.
 void allow_many_files() {
   rlimit limit{};
@@ -109,8 +103,8 @@ int serve(const EmulateOptions& options) {
   allow_many_files();
   std::signal(SIGPIPE, SIG_IGN);  // a closed reader must not kill the process
   asio::io_context context(1);
-  asio::signal_set signals(context, SIGINT, SIGTERM);
-  if (exits_on_hangup()) signals.add(SIGHUP);
+  asio::signal_set signals(context);
+  for (const int signal : asking_signals()) signals.add(signal);
   signals.async_wait([&](std::error_code error, int) {
     if (!error) context.stop();
   });

@@ -18,10 +18,9 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/signal_set.hpp>
-#include <asio/steady_timer.hpp>
+#include <asio/posix/stream_descriptor.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <sbgc/detail/parse_number.hpp>
@@ -31,13 +30,14 @@
 #include <sbgc/io/recorder.hpp>
 
 #include "board/reconnecting.hpp"
+#include "command/background_output.hpp"
 #include "command/duration.hpp"
-#include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "line/recording_end.hpp"
 #include "line/stream_interval.hpp"
 #include "line/stream_type.hpp"
 
@@ -94,7 +94,8 @@ class Listener {
 
 int record_line(const RecordOptions& options) {
   asio::io_context context;
-  io::CaptureWriter writer(options.format());
+  RecordingEnd end(options.time);
+  io::CaptureWriter writer(options.format(), end.descriptor());
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
   // Standard output then carries only the capture.
@@ -112,21 +113,13 @@ int record_line(const RecordOptions& options) {
   const std::unique_ptr<io::Transport> transport =
       io::record(std::move(opened.transport), std::move(writer), {.on_error = on_error});
   if (!file_problem.empty()) throw std::runtime_error(file_problem);
-  asio::signal_set signals(context, SIGINT, SIGTERM);
-  asio::steady_timer timer(context);
-  Listener listener(*transport, [&] {
-    signals.cancel();
-    timer.cancel();
-  });
+  end.begin();
+  asio::posix::stream_descriptor ending(context, ::fcntl(end.descriptor(), F_DUPFD_CLOEXEC, 0));
+  Listener listener(*transport, [&] { ending.cancel(); });
   stop = [&] { listener.stop(); };
-  const auto stop_unless_cancelled = [&](std::error_code cancelled) {
+  ending.async_wait(ending.wait_read, [&](std::error_code cancelled) {
     if (!cancelled) stop();
-  };
-  signals.async_wait([&](std::error_code cancelled, int) { stop_unless_cancelled(cancelled); });
-  if (options.time) {
-    timer.expires_after(*options.time);
-    timer.async_wait(stop_unless_cancelled);
-  }
+  });
   if (!to_stdout) fmt::print("{}\n", printable(transport->description()));
   std::fflush(stdout);
   listener.read();
@@ -195,6 +188,8 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   const std::vector<StreamStart> streams = wanted_streams(options);
   const bool to_stdout = options.file == "-";
   std::signal(SIGPIPE, SIG_IGN);
+  remark_in_background();
+  RecordingEnd end(options.time);
   std::atomic<std::uint64_t> total = 0;
   std::mutex mutex;
   std::string problem;  // guarded by the mutex
@@ -207,7 +202,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     return !problem.empty();
   };
   const auto record = [&](std::unique_ptr<io::Transport> transport) {
-    io::CaptureWriter writer(options.format());
+    io::CaptureWriter writer(options.format(), end.descriptor());
     const io::Error error =
         to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
     if (error) {
@@ -217,28 +212,22 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     return io::record(io::observe(std::move(transport), std::make_shared<ByteCounter>(total)),
                       std::move(writer), {.on_error = fail_with});
   };
-  ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
-    if (connect.password) warn_of_password_in(options.file);
-    connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
-      return record(wrap ? wrap(std::move(transport)) : std::move(transport));
-    };
-  });
-  const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
-  const Subscription changes = report_changes(client);
-  std::vector<Subscription> running;
-  running.reserve(streams.size());
-  for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
-  if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
-  std::fflush(stdout);
-  const auto end = options.time ? std::chrono::steady_clock::now() + *options.time
-                                : std::chrono::steady_clock::time_point::max();
-  while (!was_interrupted() && !has_failed() && client.state() != LinkState::given_up &&
-         std::chrono::steady_clock::now() < end) {
-    pollfd signal{interruption_descriptor(), POLLIN, 0};
-    poll(&signal, 1, 50);
-  }
-  running.clear();
-  client.close();
+  {
+    ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
+      if (connect.password) warn_of_password_in(options.file);
+      connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
+        return record(wrap ? wrap(std::move(transport)) : std::move(transport));
+      };
+    });
+    end.begin();  // not before: the first Ctrl-C ends the connecting
+    const Subscription changes = report_changes(client);
+    std::vector<Subscription> running;
+    running.reserve(streams.size());
+    for (const StreamStart& start : streams) running.push_back(value_of(start(client)));
+    if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
+    std::fflush(stdout);
+    while (!has_failed() && client.state() != LinkState::given_up && !end.comes_soon()) continue;
+  }  // until here, a write may fail
   if (!to_stdout) {
     fmt::print("{} recorded in {}\n", counted(total, "byte"), printable(options.file));
   }

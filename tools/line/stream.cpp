@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -20,6 +18,7 @@
 #include <sbgc/meta/realtime.hpp>
 
 #include "board/reconnecting.hpp"
+#include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/duration.hpp"
 #include "command/help_text.hpp"
@@ -92,15 +91,6 @@ class SampleCounter {
   std::int64_t lost_ = 0;
 };
 
-/// Writes to the standard output; returns false if its reader has left.
-bool write_out(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  if (errno != EPIPE) throw std::runtime_error("cannot write to the standard output");
-  std::clearerr(stdout);
-  return false;
-}
-
 StreamType chosen_stream(const StreamOptions& options) {
   StreamType stream = StreamType::find(options.name);
   stream.configure(options.with);
@@ -143,14 +133,25 @@ End end_of(const StreamOptions& options, Clock::time_point start) {
   return options.time ? start + *options.time : End::max();
 }
 
-/// Writes lines until the end, Ctrl-C, or a reason to stop. Returns false if the reader has left.
+/// Writes lines until the end, Ctrl-C, or a reason to stop, also if the reader has left or stopped.
 template <class IsOver>
-bool write_until(End end, LineQueue& lines, const IsOver& is_over) {
-  bool is_read = true;
-  while (is_read && !was_interrupted() && Clock::now() < end && !is_over()) {
-    is_read = write_out(lines.take(std::min(end, Clock::now() + std::chrono::milliseconds(50))));
+void write_until(End end, LineQueue& lines, const IsOver& is_over) {
+  BackgroundOutput& output = background_stdout();
+  while (!output.is_closed() && !was_interrupted() && Clock::now() < end && !is_over()) {
+    const auto soon = std::min(end, Clock::now() + std::chrono::milliseconds(50));
+    // Otherwise the lines wait in the queue.
+    if (output.wait_until(soon)) output.write(lines.take(soon));
   }
-  return is_read;
+}
+
+/// Writes what is left. Returns false if the reader has stopped reading.
+bool write_rest(LineQueue& lines) {
+  background_stdout().finish();  // it drops what comes before
+  background_stdout().write(lines.take(Clock::now()));
+  finish_stdout();
+  if (background_stdout().is_complete()) return true;
+  remark("sbgc: the end is not written, because nobody reads the output\n");
+  return false;
 }
 
 /// A frame as a line of a table, CSV or JSON.
@@ -175,6 +176,7 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
       raw_stream_request(*options.id, options.config, interval_of(options.rate));
   const OutputFormat format = format_named(options.format);
   std::signal(SIGPIPE, SIG_IGN);
+  remark_in_background();
   LineQueue lines;
   std::atomic<bool> has_ended = false;
   ReconnectingClient client = connect_for_long(context.gimbal);
@@ -193,12 +195,10 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
     if (one.frame.id == *options.id) take(one.frame);
   })
                               : value_of(client.stream_raw(request, take));
-  const bool is_read = write_until(end_of(options, start), lines, [&] {
-    return has_ended || client.state() == LinkState::given_up;
-  });
+  write_until(end_of(options, start), lines,
+              [&] { return has_ended || client.state() == LinkState::given_up; });
   samples.cancel();
-  if (is_read) write_out(lines.take(Clock::now()));
-  return success;
+  return write_rest(lines) ? success : failure;
 }
 
 int run_stream(StreamOptions options, const CommandContext& context) {
@@ -214,6 +214,7 @@ int run_stream(StreamOptions options, const CommandContext& context) {
       format_named(options.format), stream.info().name, shown_fields(stream, options.fields),
       is_watched ? line_width() : 0, options.unix_time ? SampleKey::unix_time : SampleKey::time);
   std::signal(SIGPIPE, SIG_IGN);
+  remark_in_background();
   LineQueue lines;
   SampleCounter counter(interval);
   std::atomic<bool> has_samples = false;
@@ -258,16 +259,16 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
   const auto settled =
       Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 3 * interval);
-  bool is_read = write_until(end_of(options, start), lines, [&] {
+  write_until(end_of(options, start), lines, [&] {
     return has_ended || client.state() == LinkState::given_up ||
            (has_unreadable && !has_samples && Clock::now() > settled);
   });
   samples.cancel();
-  if (is_read) is_read = write_out(lines.take(Clock::now()));
+  const bool is_complete = write_rest(lines);
   counter.finish();
   // The rate of a capture may be another.
-  if (is_read && !ends) report_losses(counter, lines.dropped());
-  return has_unreadable ? failure : success;
+  if (!background_stdout().is_closed() && !ends) report_losses(counter, lines.dropped());
+  return has_unreadable || !is_complete ? failure : success;
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ int write_eeprom(const EepromToWrite& options, const CommandContext& context) {
       fmt::format("{} of the EEPROM are overwritten, from address {} on. {} The EEPROM also holds "
                   "the parameters: wrong bytes can make the board unusable. The camera can move.",
                   counted(size, "byte"), image.address, origin));
-  const Interruption interruption;
+  const MustFinish writing(write_bound, "a part of the EEPROM may be overwritten");
   ProgressBar bar("bytes");
   value_of(client.upload_eeprom(image.address, std::move(image.data), {.progress = bar.handler()}));
   bar.clear();

@@ -82,7 +82,7 @@ int put_file(const FileToPut& options, const CommandContext& context) {
       fmt::format("File {} in the memory of the board gets {}; a file with this id is replaced. If "
                   "it is a script, the next start of the board may run it.",
                   options.id, counted(data.size(), "byte")));
-  const Interruption interruption;
+  const MustFinish writing(write_bound, "the board may have a part of the file");
   ProgressBar bar("bytes");
   const std::size_t size = data.size();
   value_of(client.upload_file(options.id, std::move(data), {.progress = bar.handler()}));

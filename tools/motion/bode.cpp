@@ -294,6 +294,7 @@ MadeRecordings record_undisturbed(const BodeCommand& command, MovingGimbal& gimb
                                   const std::vector<PlannedRecording>& plan,
                                   const msg::GetAngles& before) {
   try {
+    const MustFinish restart(stop_bound, "data streams of other hosts may stay paused");
     const PausedStreams streams(gimbal.client());
     if (was_interrupted()) throw CommandError("interrupted", interrupted);
     gimbal.begins_to_move(AfterStop::nothing);
@@ -327,7 +328,7 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   arm(command.arming, bode_warning(command, request) +
                           turns_text(positions, position_of(before), angles_of(before)));
   if (!positions.empty() && !command.output.empty()) create_folder(command.output);
-  const Interruption interruption;  // from now on, something is to be restored
+  const Interruption interruption;
   const MadeRecordings made = record_undisturbed(command, gimbal, request, plan, before);
   show_responses(command, made.responses);
   if (was_interrupted()) throw CommandError("interrupted; the recording is complete", interrupted);
@@ -392,7 +393,8 @@ void add_bode(CLI::App& app, CommandContext& context) {
       "\n"
       "The board shakes the axis and sends what goes in and comes out, 1250 samples a second. No "
       "command "
-      "ends a recording before its time: Ctrl-C waits, and a second one turns the motors off.\n"
+      "ends a recording before its time: Ctrl-C waits, and a second one, half a second after the "
+      "first or later, turns the motors off; further signals change nothing.\n"
       "\n"
       "The coherence says which share of the output follows the stimulus: trust what is near 1. It "
       "needs at "

@@ -1,6 +1,7 @@
 #include "motion/bode_recorder.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -51,14 +52,18 @@ MoveTarget target_of(const RecordingPosition& position) {
 
 BodeRecording BodeRecorder::record() const {
   if (gimbal_.must_stop()) gimbal_.give_up({});
-  const SecondSignal second;
+  constexpr std::chrono::seconds margin{30};  // the library gives up before
+  const std::chrono::seconds length(
+      static_cast<std::int64_t>(request_.samples_num / bode_sample_rate));
+  const MustFinish recording(length + margin, "the axis may still shake, until its time is over");
+  const CutShort second;
   ProgressBar bar;
   bool has_told = false, may_move = false;
   BodeOptions options;
   options.progress = [&](const BodeProgress& seen) {
     if (!seen.is_sent) return !gimbal_.must_stop();
     may_move = true;
-    const bool must_end = motors_off_ ? was_interrupted() : was_interrupted_twice();
+    const bool must_end = motors_off_ ? was_interrupted() : was_cut_short();
     if (must_end) return false;
     if (was_interrupted() && !has_told) {
       has_told = true;

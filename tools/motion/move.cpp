@@ -125,8 +125,8 @@ void add_move(CLI::App& app, CommandContext& context) {
   command->add_flag("--relative", options.relative,
                     "The angles count from the current ones; less than two turns");
   command->add_flag("--wait", options.wait,
-                    "Wait until the camera is there. Ctrl-C stops it before the command ends, and "
-                    "if the command dies, a guard process stops it");
+                    "Wait until the camera is there. Ctrl-C stops it before the command ends, as "
+                    "for `sbgc speed`, and if the command dies, a guard process stops it");
   command->footer(
       "The question names the target and which way the camera turns, and warns of cables if that "
       "is "

@@ -1,7 +1,6 @@
 #include "motion/moving_gimbal.hpp"
 
 #include <array>
-#include <csignal>
 #include <utility>
 
 #include <fcntl.h>
@@ -13,22 +12,6 @@
 #include "motion/motor_state.hpp"
 
 namespace sbgc::tools {
-
-namespace {
-
-constexpr std::array ignored{SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE};
-
-}  // namespace
-
-StaysAwake::StaysAwake() {
-  struct sigaction action {};
-  action.sa_handler = SIG_IGN;
-  for (std::size_t i = 0; i < ignored.size(); ++i) ::sigaction(ignored[i], &action, &previous_[i]);
-}
-
-StaysAwake::~StaysAwake() {
-  for (std::size_t i = 0; i < ignored.size(); ++i) ::sigaction(ignored[i], &previous_[i], nullptr);
-}
 
 MovingGimbal::MovingGimbal(const GimbalOptions& options) {
   const auto keep_line = [&](std::unique_ptr<io::Transport> transport) {
@@ -48,14 +31,19 @@ MovingGimbal::~MovingGimbal() {
 }
 
 void MovingGimbal::begins_to_move(AfterStop after, const ParameterSet& restored) {
-  awake_.emplace();
   interruption_.emplace();
+  stop_.emplace(stop_bound, "the camera may still turn; a guard process stops it if it can");
   guard_.emplace();
   guard_->take(line_.get(), after);
   guard_->restore(restored);
   line_ = {};
   if (must_stop()) give_up({});
   motion_ = Motion::maybe;
+}
+
+void MovingGimbal::has_stopped() {
+  motion_ = Motion::ended;
+  stop_.reset();
 }
 
 void MovingGimbal::give_up(const ClientError& problem) {

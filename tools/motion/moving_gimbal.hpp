@@ -1,9 +1,7 @@
 /// A connection of a command that moves the camera.
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <optional>
 
@@ -15,19 +13,6 @@
 #include "motion/guard.hpp"
 
 namespace sbgc::tools {
-
-/// Ignores the signals that would suspend this process while the camera turns (Ctrl-Z), or end it
-/// because nobody reads its remarks.
-class StaysAwake {
- public:
-  StaysAwake();
-  StaysAwake(const StaysAwake&) = delete;
-  StaysAwake& operator=(const StaysAwake&) = delete;
-  ~StaysAwake();
-
- private:
-  std::array<struct sigaction, 4> previous_{};
-};
 
 /// A gimbal whose camera a command moves. From begins_to_move() on, it has a guard, and signals do
 /// not end the program; the motion must end when must_stop() says so.
@@ -46,7 +31,7 @@ class MovingGimbal {
   /// dies, the guard also writes the parameters `restored`. Throws CommandError.
   void begins_to_move(AfterStop after, const ParameterSet& restored = {});
   /// The camera has stopped.
-  void has_stopped() noexcept { motion_ = Motion::ended; }
+  void has_stopped();
   /// Ends a motion that went wrong: stops the camera, unless it is in other hands, and ends the
   /// command with `problem`, or with the reason of must_stop().
   [[noreturn]] void give_up(const ClientError& problem);
@@ -60,8 +45,8 @@ class MovingGimbal {
  private:
   enum class Motion : unsigned char { none, maybe, ended };
 
-  std::optional<StaysAwake> awake_{};
   std::optional<Interruption> interruption_{};
+  std::optional<MustFinish> stop_{};
   std::optional<Guard> guard_{};
   io::detail::Descriptor line_{};  // a duplicate of the descriptor of the client, for the guard
   std::unique_ptr<Client> client_{};

@@ -166,7 +166,10 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   };
   WriteReport report;
   {
-    const Interruption interruption;
+    const MustFinish writing(
+        write_bound, fmt::format("the board may hold a part of it; the parameters from before are "
+                                 "in {}, if that file exists",
+                                 printable(save_to)));
     ProgressBar bar;
     restoring.progress = bar.handler();
     report = client.restore(backup, restoring);
@@ -244,12 +247,13 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
   value_of(save_backup(before, save_to));
   remark("The parameters from before are in {}.\n", save_to);
   if (was_interrupted()) throw CommandError("interrupted; nothing was changed", interrupted);
+  const MustFinish way_back(
+      write_bound,
+      fmt::format("the parameters from before may not be back: `sbgc params restore {}`",
+                  quoted_for_shell(save_to)));
   const ParameterSet all =
       read_defaults(client, before, static_cast<std::uint8_t>(spare), call_options(context.gimbal));
   keep_defaults(before.board, all);
-  if (was_interrupted()) {
-    throw CommandError("interrupted; the parameters are back as they were before", interrupted);
-  }
   ParameterSet defaults;
   ParameterSet present;
   for (const Parameters& block : all.all()) {
@@ -346,7 +350,9 @@ std::string reset_text(const std::vector<std::size_t>& profiles) {
 /// interrupted, the error names the profiles that are reset, and the backup.
 Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
                       const std::string& saved_to, const CommandContext& context) {
-  const Interruption interruption;
+  const MustFinish resetting(
+      write_bound, fmt::format("some profiles may be reset; the parameters from before are in {}",
+                               printable(saved_to)));
   std::vector<std::size_t> done;
   const auto give_up = [&](const std::string& reason, int status) {
     throw CommandError(fmt::format("{}; {}; the parameters from before are in {}", reason,
@@ -436,7 +442,9 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                     "Also if parameter sets were removed from the backup");
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
-      "end all of them again. After a failure or Ctrl-C, it says what the board holds. Of a "
+      "end all of them again. After a failure or Ctrl-C, it says what the board holds, within 60 "
+      "s, "
+      "whatever signals come. Of a "
       ".profile "
       "file, what has no certain counterpart in the protocol is listed and not written; --profile "
       "is "
@@ -461,9 +469,12 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command->footer(
-      "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. The "
-      "exit "
-      "status is 0 if there are no differences, 1 if there are, 3 if they could not be "
+      "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. "
+      "After "
+      "a signal, the parameters from before return first, which may take 60 s, whatever signals "
+      "come; a second Ctrl-C, half a second after the first or later, cuts that short, and what is "
+      "not restored is said. The exit status is 0 if there are no differences, 1 if there are, 3 "
+      "if they could not be "
       "compared, 2 for wrong usage.");
   command.examples({"sbgc params diff gimbal.json", "sbgc params diff gimbal.json other.json",
                     "sbgc params diff --defaults --profile 2"});

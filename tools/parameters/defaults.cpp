@@ -12,9 +12,9 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "parameters/parameter_messages.hpp"
-#include "parameters/write_outcome.hpp"
 
 namespace sbgc::tools {
 
@@ -49,6 +49,21 @@ std::filesystem::path defaults_file(const BoardIdentity& board) {
                      board.serial_number());
 }
 
+/// Throws CommandError if parameters are not as before.
+void check_way_back(const WriteReport& report) {
+  if (report) return;
+  std::string missing;
+  for (const ParametersReport& block : report.parameters) {
+    const bool is_back =
+        block.state == ParametersState::equal || block.state == ParametersState::written;
+    if (!is_back) missing += (missing.empty() ? "" : ", ") + to_text(block.id);
+  }
+  ClientError error = report.outcome.error();
+  error.message += fmt::format("; these parameters are not restored: {}; restore the backup",
+                               missing.empty() ? "unknown" : missing);
+  fail(error);
+}
+
 }  // namespace
 
 void keep_defaults(const BoardIdentity& board, const ParameterSet& defaults) {
@@ -73,17 +88,24 @@ ParameterSet kept_defaults(const BoardIdentity& board) {
 
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options) {
+  const CutShort second;
   CallOptions call = options;
   call.expect_confirmation = true;
   const auto reset = client.call(msg::UseDefaults{.profile_id = profile}, call);
-  // Written back also if reading fails, and without a way to cancel it.
+  // Written back also if reading fails or is interrupted.
   ReadOptions reading;
+  reading.progress = [](const Progress&) { return !was_interrupted(); };
   reading.wanted = [&](const ParametersId& id) {
     return id.copy == profile && copies_of(id.message) > 1;
   };
   const Result<ParameterSet> defaults = client.read_parameters(reading);
-  const WriteReport restored = client.write_parameters(before.parameters, {.validate = false});
-  check_outcome(restored, "; the parameters from before are not all back: restore the backup");
+  const auto goes_on = [](const Progress&) { return !was_cut_short(); };
+  const WriteReport restored =
+      client.write_parameters(before.parameters, {.validate = false, .progress = goes_on});
+  check_way_back(restored);
+  if (was_interrupted()) {
+    throw CommandError("interrupted; the parameters are back as they were before", interrupted);
+  }
   value_of(reset);
   if (!defaults) fail(defaults.error());
   ParameterSet result;

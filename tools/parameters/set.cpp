@@ -104,7 +104,7 @@ int set_parameters(const SetOptions& options, const CommandContext& context) {
           what_is_written(plan, values, profile)));
   WriteReport report;
   {
-    const Interruption interruption;
+    const MustFinish writing(write_bound, "the board may hold some of the new values");
     ProgressBar bar;
     report = client.write_parameters(wanted,
                                      {.validate = !options.no_validate, .progress = bar.handler()});

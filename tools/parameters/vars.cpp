@@ -205,7 +205,7 @@ int set_them(const VariablesToSet& options, const CommandContext& context) {
   if (!changed.empty()) require_possible(client, msg::SetAdjVarsVal{}, false);
   if (options.save) require_possible(client, msg::SaveParams3{});
   arm(options.arming, what_happens(changed.size(), options.save));
-  const Interruption interruption;
+  const MustFinish setting(write_bound, "the board may have some of the new values");
   if (!changed.empty()) value_of(client.set_variables(changed));
   const std::vector<double> after = value_of(client.get_variables(names));
   for (std::size_t i = 0; i < wanted.size(); ++i) {

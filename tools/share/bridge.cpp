@@ -17,6 +17,7 @@
 #include "board/progress_bar.hpp"
 #include "command/background_output.hpp"
 #include "command/duration.hpp"
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -54,7 +55,7 @@ class BridgeService {
               {.allows_passwords = options.allows_passwords, .log = log, .on_change = changed}) {
     log(line_.client().description());
     // Until here, a signal ends the program at once.
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
+    for (const int signal : asking_signals()) signals_.add(signal);
     signals_.async_wait([&context](std::error_code error, int) {
       if (!error) context.stop();
     });

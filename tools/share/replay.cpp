@@ -1,6 +1,5 @@
 // sbgc replay: serves a capture in place of a board.
 
-#include <csignal>
 #include <string>
 
 #include <asio/io_context.hpp>
@@ -10,6 +9,7 @@
 #include <sbgc/io/replay.hpp>
 
 #include "command/background_output.hpp"
+#include "command/interruption.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
@@ -34,7 +34,8 @@ int run_replay(const ReplayOptions& options) {
   if (!capture) throw CommandError(without_period(capture.error.message));
   remark_in_background();
   const auto log = [](const std::string& text) { remark("sbgc: {}\n", text); };
-  asio::signal_set signals(loop, SIGINT, SIGTERM, SIGHUP);
+  asio::signal_set signals(loop);
+  for (const int signal : asking_signals()) signals.add(signal);
   signals.async_wait([&](std::error_code error, int) {
     if (!error) loop.stop();
   });

@@ -20,6 +20,7 @@
 #include "board/connect_options.hpp"
 #include "board/connection.hpp"
 #include "command/help_text.hpp"
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -59,6 +60,8 @@ class SignalsOfCommand {
     for (std::size_t i = 0; i < signals.size(); ++i) {
       struct sigaction action {};
       const int number = signals[i];
+      ::sigaction(number, nullptr, &before_[i]);
+      if (number == SIGHUP && before_[i].sa_handler == SIG_IGN) continue;  // nohup
       const bool ends_shell = number == SIGTERM || number == SIGHUP;
       action.sa_handler = ends_shell ? pass_signal_on : number == SIGINT ? take_key : SIG_IGN;
       ::sigaction(signals[i], &action, &before_[i]);
@@ -106,7 +109,8 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
   posix_spawnattr_init(&attributes);
   sigset_t usual{};
   sigemptyset(&usual);
-  for (const int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) sigaddset(&usual, number);
+  sigaddset(&usual, SIGQUIT);
+  for (const int number : asking_signals()) sigaddset(&usual, number);
   posix_spawnattr_setsigdefault(&attributes, &usual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   const SignalsOfCommand signals;

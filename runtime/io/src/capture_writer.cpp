@@ -51,6 +51,7 @@ CaptureWriter& CaptureWriter::operator=(CaptureWriter&& other) noexcept {
   std::swap(may_wait_, other.may_wait_);
   std::swap(path_, other.path_);
   std::swap(format_, other.format_);
+  std::swap(end_, other.end_);
   std::swap(start_, other.start_);
   std::swap(wall_start_, other.wall_start_);
   std::swap(comments_, other.comments_);
@@ -64,7 +65,7 @@ CaptureWriter::~CaptureWriter() {
 }
 
 Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
-  *this = CaptureWriter(format_);
+  *this = CaptureWriter(format_, end_);
   path_ = path;
   start_ = now;
   struct stat present {};
@@ -108,7 +109,7 @@ Error CaptureWriter::open_pipe() {
 }
 
 Error CaptureWriter::open(int descriptor, const std::string& name, Clock::time_point now) {
-  *this = CaptureWriter(format_);
+  *this = CaptureWriter(format_, end_);
   path_ = name;
   start_ = now;
   may_wait_ = true;
@@ -207,11 +208,21 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
 }
 
 bool CaptureWriter::wait_for_reader() {
-  std::array<pollfd, 1> waiting{{{fd_, POLLOUT, {}}}};
-  constexpr int forever = -1;
+  std::array<pollfd, 2> waiting{{{fd_, POLLOUT, {}}, {end_, POLLIN, {}}}};
+  constexpr int forever = -1, patience = 1000;  // in ms
+  int ready = 0;
+  do {
+    ready = ::poll(waiting.data(), waiting.size(), forever);
+  } while (ready < 0 && errno == EINTR && end_ >= 0);
+  if (ready > 0 && waiting[0].revents == 0) ready = ::poll(waiting.data(), 1, patience);
   // write() reports errors of the other side.
-  if (::poll(waiting.data(), waiting.size(), forever) >= 0) return true;
-  fail(errno);
+  if (ready > 0) return true;
+  if (ready < 0) {
+    fail(errno);
+  } else {
+    error_ = {std::make_error_code(std::errc::timed_out),
+              "The capture " + path_ + " is incomplete: its reader has stopped reading."};
+  }
   return false;
 }
 

@@ -151,7 +151,9 @@ class CaptureWriter {
   using Clock = std::chrono::steady_clock;
 
   CaptureWriter() = default;
-  explicit CaptureWriter(CaptureFormat format) : format_(format) {}
+  /// Once the descriptor `end` is readable, writing fails if the reader of a pipe has not read for
+  /// a second; otherwise, it waits for the reader. The caller keeps ownership.
+  explicit CaptureWriter(CaptureFormat format, int end = -1) : format_(format), end_(end) {}
   CaptureWriter(CaptureWriter&& other) noexcept;
   CaptureWriter& operator=(CaptureWriter&& other) noexcept;
   CaptureWriter(const CaptureWriter&) = delete;
@@ -164,8 +166,8 @@ class CaptureWriter {
   Error open(const std::string& path, Clock::time_point now = Clock::now());
 
   /// Begins a session on a descriptor that is open for writing, such as standard output; the caller
-  /// keeps ownership. Error messages contain `name`. A write that waits for a reader fails if a
-  /// signal interrupts it.
+  /// keeps ownership. Error messages contain `name`. Without an `end`, a write that waits for
+  /// a reader fails if a signal interrupts it.
   Error open(int descriptor, const std::string& name, Clock::time_point now = Clock::now());
 
   /// Adds the bytes read or written at `now`; more than 65535 bytes become several records. After
@@ -191,6 +193,7 @@ class CaptureWriter {
   bool may_wait_ = false;  // for a reader
   std::string path_;
   CaptureFormat format_ = CaptureFormat::sbgc;
+  int end_ = -1;
   Clock::time_point start_{};
   std::chrono::sys_time<std::chrono::microseconds> wall_start_{};
   std::vector<std::string> comments_;  // of the next packet
