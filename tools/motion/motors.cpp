@@ -28,8 +28,7 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
       command.state == "toggle" ? !value_of(are_motors_on(client)) : command.state == "on";
   arm(command.arming, on ? "The motors turn on, and the camera jumps to its target angle."
                          : "The motors lose power, and the camera drops to its heavy side.");
-  CallOptions options = call_options(context.gimbal);
-  options.expect_confirmation = true;
+  const CallOptions options = confirming(call_options(context.gimbal));
   Result<void> done = on ? Result<void>(client.call(msg::MotorsOn{}, options))
                          : Result<void>(client.call(msg::MotorsOff{}, options));
   if (!done && done.error().code == ErrorCode::board_error) {

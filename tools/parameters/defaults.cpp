@@ -13,6 +13,7 @@
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/remark.hpp"
+#include "parameters/factory_defaults.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/write_outcome.hpp"
 
@@ -30,14 +31,8 @@ Parameters of_profile(const Parameters& block, std::uint8_t profile) {
   return block_of({block.id.message, profile}, message);
 }
 
-std::uint8_t copies_of(const std::string& message) {
-  for (const ParameterMessage& one : parameter_messages()) {
-    if (message == one.type->info->name) return one.copies;
-  }
-  return 1;
-}
-
-/// Returns the file for the defaults of a board; "" without a folder for it.
+/// Returns the file for the defaults of a board; "" without a folder for it. Files of other names
+/// are of versions that kept what no board had confirmed.
 std::filesystem::path defaults_file(const BoardIdentity& board) {
   const char* const cache = std::getenv("XDG_CACHE_HOME");
   const char* const home = std::getenv("HOME");
@@ -45,7 +40,7 @@ std::filesystem::path defaults_file(const BoardIdentity& board) {
   if (folder.empty() && home != nullptr) folder = std::filesystem::path(home) / ".cache";
   if (folder.empty()) return {};
   return folder / "sbgc" /
-         fmt::format("defaults-{}-{}-{}.json", board.board_version(), board.firmware_version(),
+         fmt::format("factory-{}-{}-{}.json", board.board_version(), board.firmware_version(),
                      board.serial_number());
 }
 
@@ -73,22 +68,15 @@ ParameterSet kept_defaults(const BoardIdentity& board) {
 
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options) {
-  CallOptions call = options;
-  call.expect_confirmation = true;
-  const auto reset = client.call(msg::UseDefaults{.profile_id = profile}, call);
-  // Written back also if reading fails, and without a way to cancel it.
-  ReadOptions reading;
-  reading.wanted = [&](const ParametersId& id) {
-    return id.copy == profile && copies_of(id.message) > 1;
-  };
-  const Result<ParameterSet> defaults = client.read_parameters(reading);
+  // Written back also if that fails, and without a way to cancel it.
+  const Result<ParameterSet> defaults =
+      client.run(find_defaults(profile, before.parameters, options));
   const WriteReport restored = client.write_parameters(before.parameters, {.validate = false});
   check_outcome(restored, "; the parameters from before are not all back: restore the backup");
-  value_of(reset);
   if (!defaults) fail(defaults.error());
   ParameterSet result;
   for (const Parameters& block : defaults->all()) {
-    for (std::uint8_t copy = 0; copy < copies_of(block.id.message); ++copy) {
+    for (std::uint8_t copy = 0; copy < copy_count(block.id); ++copy) {
       value_of(result.put(of_profile(block, copy)));
     }
   }
