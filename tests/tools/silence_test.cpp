@@ -130,7 +130,8 @@ Task<Result<void>> read_defaults() {
   reading.wanted = [](const ParametersId& id) { return id.copy == 4; };
   const Result<ParameterSet> before = co_await tasks::read_parameters(reading);
   if (!before) co_return before.error();
-  const Result<ParameterSet> found = co_await find_defaults(4, *before, {});
+  const CallOptions usual;
+  const Result<ParameterSet> found = co_await find_defaults(4, *before, usual);
   co_return found ? Result<void>() : Result<void>(found.error());
 }
 

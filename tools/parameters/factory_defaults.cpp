@@ -32,7 +32,8 @@ Task<Result<void>> use_defaults(std::uint8_t profile, ParameterSet before, CallO
   const Result<void> done = co_await tasks::call(request, confirming(options));
   if (done || done.error().code != ErrorCode::unconfirmed) co_return done;
   const Result<ParameterSet> present = co_await read_profile(profile);
-  co_return present&& differ(before, *present) ? Result<void>() : done;
+  const bool has_changed = present && differ(before, *present);
+  co_return has_changed ? Result<void>() : done;
 }
 
 Task<Result<ParameterSet>> find_defaults(std::uint8_t profile, ParameterSet before,
@@ -44,7 +45,9 @@ Task<Result<ParameterSet>> find_defaults(std::uint8_t profile, ParameterSet befo
     parameters->axes.roll.p ^= 1U;
     ParameterSet changed;
     if (const auto put = changed.set(*parameters); !put) co_return put.error();
-    const WriteReport report = co_await tasks::write_parameters(changed, {.validate = false});
+    WriteOptions writing;
+    writing.validate = false;
+    const WriteReport report = co_await tasks::write_parameters(changed, writing);
     if (!report) co_return report.outcome.error();
     done = co_await use_defaults(profile, changed, options);
   }
