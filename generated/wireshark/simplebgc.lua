@@ -1396,12 +1396,12 @@ local protocol = (function()
     {name = "param", blob = "bytes", size = 2, count = 1, fixed = 2},
   }
 
-  messages[92] = {name = "ExecuteMenu", filter = "execute_menu", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 1, max = 1, tail = 254, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[92] = {name = "ExecuteMenu", filter = "execute_menu", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 1, max = 1, tail = 254, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"cmd_id"}, numbers = {[0] = true, [1] = true, [2] = true, [3] = true, [14] = true, [15] = true, [8] = true, [37] = true, [11] = true, [12] = true, [17] = true, [18] = true, [38] = true, [75] = true, [34] = true, [46] = true, [65] = true, [35] = true, [39] = true, [36] = true, [57] = true, [76] = true, [60] = true, [70] = true, [71] = true, [72] = true, [73] = true, [77] = true, [78] = true, [79] = true, [80] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
   messages[92].fields = {
     {name = "cmd_id", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
   }
 
-  messages[93] = {name = "ExecuteMenuExt", filter = "execute_menu_ext", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"param"}, all = 3}, confirm = true, certain = true, count = 2, timeout = 60}, {when = {steps = {"param"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"param"}, all = 2}, confirm = true, certain = true, timeout = 60}, {confirm = true, timeout = 0.5}}}
+  messages[93] = {name = "ExecuteMenuExt", filter = "execute_menu_ext", command = "CMD_EXECUTE_MENU", id = 69, to_board = true, min = 2, max = 2, open = true, takes_surplus = true, tail = 253, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"param"}, all = 3}, confirm = true, certain = true, count = 2, timeout = 60}, {when = {joined = "all", terms = {{steps = {"param"}, all = 1}, {steps = {"cmd_id"}, numbers = {[0] = true, [1] = true, [2] = true, [3] = true, [14] = true, [15] = true, [8] = true, [37] = true, [11] = true, [12] = true, [17] = true, [18] = true, [38] = true, [75] = true, [34] = true, [46] = true, [65] = true, [35] = true, [39] = true, [36] = true, [57] = true, [76] = true, [60] = true, [70] = true, [71] = true, [72] = true, [73] = true, [77] = true, [78] = true, [79] = true, [80] = true}}}}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"param"}, all = 1}, confirm = true, certain = true, timeout = 0.5}, {when = {steps = {"param"}, all = 2}, confirm = true, certain = true, timeout = 60}, {confirm = true, timeout = 0.5}}}
   messages[93].fields = {
     {name = "cmd_id", type = "u8", enum = "MenuCommand", count = 1, fixed = 1},
     {name = "param", type = "u8", enum = "ExecuteMenuFlags", count = 1, fixed = 1},
@@ -2212,7 +2212,7 @@ local protocol = (function()
     {name = "data", blob = "bytes", size = 128, count = 1, fixed = 128},
   }
 
-  messages[220] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{confirm = true, timeout = 0.5}}}
+  messages[220] = {name = "RunScript", filter = "run_script", command = "CMD_RUN_SCRIPT", id = 57, to_board = true, min = 34, max = 34, open = true, takes_surplus = true, tail = 221, does = {"sets", "stores", "moves", "restarts"}, answers = {{when = {steps = {"mode"}, numbers = {[0] = true}}, confirm = true, timeout = 0.5}, {confirm = true, timeout = 0.5}}}
   messages[220].fields = {
     {name = "mode", type = "u8", enum = "ScriptMode", count = 1, fixed = 1},
     {name = "slot", type = "u8", count = 1, fixed = 1},

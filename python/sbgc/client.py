@@ -34,7 +34,7 @@ Bytes = Union[bytes, bytearray, memoryview]
 # Called with what is done, the total, and the next step.
 Progress = Callable[[int, int, str], object]
 # The board has reported the end, has accepted it and does not report the end, or not even that.
-CalibrationEnd = Literal["finished", "accepted", "unconfirmed"]
+CalibrationEnd = Literal["finished", "accepted"]
 
 # How long a wait lasts before the interpreter may handle signals, and how long a camera that has to
 # stop may take.
@@ -258,7 +258,7 @@ class Link:
         if mode == ScriptMode.START and sizes and (slot > len(sizes) or sizes[slot - 1] == 0):
             raise GimbalError(f"there is no script in slot {slot}", "not_found", 0)
         request = RunScript(mode=mode, slot=slot - 1)
-        return self._link.call(request._message, None, None, True, True)
+        return self._link.confirm(request._message)
 
     def _write_eeprom(
         self, address: int, data: Bytes, yes: bool, timeout: float
@@ -332,7 +332,8 @@ class Gimbal(Link):
     ) -> Optional[Message]:
         """Send a request and return its response or confirmation; None if the protocol has none.
 
-        With `expects_confirmation`, wait for one that the board may leave out.
+        With `expects_confirmation`, wait for one that the board may leave out, and raise a
+        GimbalError with the code "unconfirmed" if none comes.
         """
         found = finish(
             self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)

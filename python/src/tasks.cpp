@@ -87,10 +87,9 @@ py::object value_of(const BodeRecording& recording) {
 py::object value_of(CalibrationEnd end) {
   switch (end) {
     case CalibrationEnd::finished: return py::str("finished");
-    case CalibrationEnd::accepted: return py::str("accepted");
-    case CalibrationEnd::unconfirmed: break;
+    case CalibrationEnd::accepted: break;
   }
-  return py::str("unconfirmed");
+  return py::str("accepted");
 }
 
 template <class T>
@@ -232,6 +231,10 @@ Task<WriteReport> restore(const OperationPointer& operation, const std::string& 
   return tasks::restore(backup_of(text), options);
 }
 
+Task<Result<std::optional<AnyMessage>>> confirmed(AnyMessage request) {
+  co_return co_await tasks::call(request, confirming());
+}
+
 Task<Result<void>> set_variables(const std::vector<std::pair<std::string, double>>& values) {
   std::vector<VariableValue> wanted;
   for (const auto& [name, value] : values) wanted.push_back({name, value});
@@ -290,6 +293,8 @@ void bind_tasks(py::module_& module, LinkClass& link) {
       .def(
           "stop", +[] { return tasks::stop(); })
       .def("release", &tasks::release)
+      .def(
+          "confirm", +[](const AnyMessage& request) { return confirmed(request); })
       .def(
           "set_control_timeout",
           +[](Seconds timeout) {

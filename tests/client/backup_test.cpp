@@ -375,7 +375,24 @@ TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
   Json document = Json::parse(to_json_text(make()));
   document["settings"][0]["fields"]["new_name"] = document["settings"][0]["fields"]["axes"];
   document["settings"][0]["fields"].erase("axes");
+  const Result<Backup> damaged = parse_backup(document.dump());
+  ASSERT_FALSE(damaged) << "it was written with other names";
+  EXPECT_EQ(damaged.error().message, "settings[0].fields: a name was edited");
+  document["settings"][0].erase("names");  // as in files of earlier versions
   EXPECT_TRUE(parse_backup(document.dump()));
+}
+
+TEST_F(BackupTest, EveryDamagedNameIsRefused) {
+  const std::string file = to_json_text(make());
+  std::size_t names = 0;
+  for (std::size_t end = 0; (end = file.find("\":", end + 1)) != std::string::npos;) {
+    std::string damaged = file;
+    damaged[end - 1] ^= 1;
+    // All kinds of places, but not each of a file with thousands of names.
+    if (++names % 97 != 0 && names > 60) continue;
+    EXPECT_FALSE(parse_backup(damaged)) << file.substr(end - 20, 22);
+  }
+  EXPECT_GT(names, 1000U);
 }
 
 // Made when most bytes of ReadParamsExt2 and BoardInfo3 had no names.

@@ -112,6 +112,13 @@ TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
       client.transact(msg::BeepSound{}, {.expect_confirmation = true, .validate = false});
   ASSERT_TRUE(unconfirmed) << unconfirmed.error().message;
   EXPECT_EQ(unconfirmed->kind, ReplyKind::unconfirmed);
+  // Also if the time for the call is over.
+  for (const auto timeout : {std::optional<milliseconds>(), std::optional(milliseconds(200))}) {
+    const auto silent = client.call(
+        msg::BeepSound{}, {.timeout = timeout, .expect_confirmation = true, .validate = false});
+    ASSERT_FALSE(silent);
+    EXPECT_EQ(silent.error().code, ErrorCode::unconfirmed);
+  }
 }
 
 // Unsupported commands

@@ -129,6 +129,14 @@ class VirtualClient {
     return std::exchange(has_news_, false) ? now() : next;
   }
 
+  /// Lets time pass, in which tasks run.
+  void pass(Duration time) {
+    for (const Instant end = now() + time; now() < end;) {
+      const Instant next = earlier(proceed(), end);
+      if (next > now()) board_->now = next;
+    }
+  }
+
   /// Holds a speed until its owner is silent for half a second.
   std::shared_ptr<detail::HeldSpeed> held_speed() {
     return std::make_shared<detail::HeldSpeed>(

@@ -107,16 +107,17 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
 TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
   // Commands that step, count, start, restart or toggle something each time they are executed, and
   // commands with unknown effect.
-  const std::set<int> unsafe = {69,  72,  65,  103, 59,  71,  80,  79,  66,  26,  27,  35,
-                                75,  57,  89,  39,  40,  70,  114, 51,  30,  52,  74,  250,
-                                251, 37,  60,  91,  92,  93,  94,  95,  97,  98,  99,  101,
-                                107, 108, 110, 113, 115, 117, 118, 120, 122, 123, 124, 125,
-                                126, 128, 130, 140, 143, 144, 150, 151, 78,  81,  83};
+  const std::set<int> unsafe = {
+      69,  72,  65,  103, 59,  71,  80,  79,  66,  26,  27,  35,  75,  89,  39,  40,  114, 51,  30,
+      52,  74,  250, 251, 37,  60,  91,  92,  93,  94,  95,  97,  98,  99,  101, 107, 108, 110, 113,
+      115, 117, 118, 120, 122, 123, 124, 125, 126, 128, 130, 140, 143, 144, 150, 151, 78,  81,  83};
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
     const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate> ||
                             std::same_as<M, sbgc::msg::SelectImu3CalibrateShort>;
-    EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id) && !calibrates)
+    const bool does_nothing = std::same_as<M, sbgc::msg::ExecuteMenu>;  // unless it names an action
+    EXPECT_EQ(response_policy(message).retry_is_safe,
+              (!unsafe.contains(id) && !calibrates) || does_nothing)
         << id
         << ": `unsafe` above lists the commands of which a second one does more than the first";
   });
@@ -143,6 +144,24 @@ TEST(ResponsePolicy, CalibrationsConfirmTwice) {
   request.action = sbgc::msg::CalibAction::temperature;
   EXPECT_EQ(response_policy(request).confirmations, 2);
   EXPECT_GT(response_policy(request).finish_ms, 600'000U);
+}
+
+TEST(ResponsePolicy, WhatTogglesOrStartsIsNotRepeated) {
+  using sbgc::msg::MenuCommand;
+  const auto is_safe = [](MenuCommand action) {
+    sbgc::msg::ExecuteMenuExt with_confirmation;
+    with_confirmation.cmd_id = action;
+    with_confirmation.param = sbgc::msg::ExecuteMenuFlag::confirm;
+    const bool safe = response_policy(with_confirmation).retry_is_safe;
+    EXPECT_EQ(response_policy(sbgc::msg::ExecuteMenu{action}).retry_is_safe, safe);
+    return safe;
+  };
+  EXPECT_TRUE(is_safe(MenuCommand::profile5) && is_safe(MenuCommand::motor_off));
+  for (const auto action : {MenuCommand::motor_toggle, MenuCommand::run_script1,
+                            MenuCommand::calib_gyro, MenuCommand::button_press}) {
+    EXPECT_FALSE(is_safe(action));
+  }
+  EXPECT_FALSE(response_policy(sbgc::msg::RunScript{sbgc::msg::ScriptMode::start}).retry_is_safe);
 }
 
 TEST(ResponsePolicy, DependOnTheRequest) {

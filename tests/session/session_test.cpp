@@ -87,6 +87,21 @@ TEST(Session, WaitsForAPossibleConfirmationOnlyIfTold) {
   expect_to_wait_only_if_told(sbgc::msg::ExecuteMenu{});
 }
 
+TEST(Session, RepeatsWhatIsNotConfirmedIfToldAndSafe) {
+  for (const auto mode : {sbgc::msg::ScriptMode::stop, sbgc::msg::ScriptMode::start}) {
+    Simulation line;
+    const bool is_safe = mode == sbgc::msg::ScriptMode::stop;
+    line.board = [&](const Written& frame) {
+      if (line.written.size() == 3) line.confirm(frame.id);
+    };
+    const Handle handle = line.send(sbgc::msg::RunScript{mode},
+                                    {.expect_confirmation = true, .repeat_unconfirmed = true});
+    line.run();
+    EXPECT_EQ(line.outcome(handle), is_safe ? Outcome::confirmed : Outcome::unconfirmed);
+    EXPECT_THAT(line.written, SizeIs(is_safe ? 3 : 1));
+  }
+}
+
 TEST(Session, WaitsForAnUnlikelyConfirmationOnlyIfTold) {
   sbgc::msg::ApiVirtChControl request;
   request.val_ch.push_back({});

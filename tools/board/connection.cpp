@@ -144,7 +144,10 @@ Client connect(const GimbalOptions& options, Wrap wrap) {
 
 void fail(const ClientError& error) {
   const bool is_interrupted = error.code == ErrorCode::cancelled && was_interrupted();
-  throw CommandError(error.message, is_interrupted ? interrupted : failure);
+  const bool is_unknown = error.code == ErrorCode::unconfirmed;
+  throw CommandError(error.message, is_interrupted ? interrupted
+                                    : is_unknown   ? cannot_tell
+                                                   : failure);
 }
 
 }  // namespace sbgc::tools

@@ -40,8 +40,8 @@ inline constexpr const char* shell_line_variable = "SBGC_SHELL_LINE";
 /// Describes the line to the gimbal; `own` describes that of this command.
 std::string line_to_gimbal(const std::string& own);
 
-/// Ends the command with the message of the error, and with the status `interrupted` if that is the
-/// cause.
+/// Ends the command with the message of the error, and with the status `interrupted` or
+/// `cannot_tell` if that is the cause.
 [[noreturn]] void fail(const ClientError& error);
 
 /// Returns the value of a result, or ends the command with its error.

@@ -207,9 +207,6 @@ void run_once(Client& client, Chosen& chosen) {
     case CalibrationEnd::accepted:
       remark("The board has accepted the calibration; it does not report the end.\n");
       break;
-    case CalibrationEnd::unconfirmed:
-      remark("The board has not confirmed the calibration, which it may leave out.\n");
-      break;
   }
 }
 
@@ -279,7 +276,8 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "  sbgc calibrate battery --voltage 12.6V\n"
       "\n"
       "The exit status is 0 if the calibration is done, or accepted by a board that does not "
-      "report the end; 1 if not; 2 for wrong usage; 130 after Ctrl-C.");
+      "report the end; 1 if not; 2 for wrong usage; 3 if it was sent but not confirmed; 130 after "
+      "Ctrl-C.");
   command.runs(calibrate);
 }
 

@@ -71,9 +71,7 @@ void Readiness::require_motors_off() {
   }
   arm({.yes = options_.motors_off},
       "The motors are on. They lose power now, and the camera drops to its heavy side.");
-  CallOptions call;
-  call.expect_confirmation = true;
-  value_of(Result<void>(client_.call(msg::MotorsOff{}, call)));
+  value_of(Result<void>(client_.call(msg::MotorsOff{}, confirming())));
 }
 
 void Readiness::require_sensor() {

@@ -9,9 +9,9 @@ namespace sbgc::tools {
 /// Exit statuses of every subcommand.
 enum ExitStatus : int {
   success = 0,
-  failure = 1,        ///< it failed, was not confirmed, or what it checks is not so
+  failure = 1,        ///< it failed, or what it checks is not so
   wrong_usage = 2,    ///< the command line is invalid
-  cannot_tell = 3,    ///< a comparison could not be made
+  cannot_tell = 3,    ///< a comparison could not be made, or the board did not confirm it
   interrupted = 130,  ///< ended by Ctrl-C or another signal before it was done
 };
 

@@ -26,7 +26,10 @@ constexpr std::chrono::milliseconds look_interval{100};
 TaskOutcome failed_outcome(const ClientError& error) {
   // The client may end a running motion before its cancellation does; "superseded" has not begun.
   const bool is_ended = error.code == ErrorCode::superseded;
-  return {"failed", name(is_ended ? ErrorCode::cancelled : error.code), error.message, {}};
+  return {error.code == ErrorCode::unconfirmed ? "unknown" : "failed",
+          name(is_ended ? ErrorCode::cancelled : error.code),
+          error.message,
+          {}};
 }
 
 Json angles_json(const MoveProgress& progress) {
@@ -46,7 +49,6 @@ const char* calibration_text(CalibrationEnd end) {
   switch (end) {
     case CalibrationEnd::finished: return "finished";
     case CalibrationEnd::accepted: return "accepted";
-    case CalibrationEnd::unconfirmed: return "unconfirmed";
   }
   return "unknown";
 }

@@ -32,12 +32,10 @@ struct ScriptToStop {
 };
 
 void run(Client& client, unsigned slot, msg::ScriptMode mode, const CommandContext& context) {
-  CallOptions call = call_options(context.gimbal);
-  call.expect_confirmation = true;
   msg::RunScript request;
   request.mode = mode;
   request.slot = static_cast<std::uint8_t>(slot - 1);
-  value_of(Result<void>(client.call(request, call)));
+  value_of(Result<void>(client.call(request, confirming(call_options(context.gimbal)))));
 }
 
 /// Returns the sizes of the scripts by slot, 0 for an empty one; nothing if the board does not
@@ -120,7 +118,9 @@ void add_script(CLI::App& app, CommandContext& context) {
       "their "
       "number.\n"
       "\n"
-      "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage.");
+      "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage, 3 if it was "
+      "sent "
+      "but not confirmed.");
 }
 
 }  // namespace sbgc::tools

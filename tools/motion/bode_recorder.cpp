@@ -93,9 +93,7 @@ BodeRecording BodeRecorder::record() const {
 }
 
 void BodeRecorder::turn_motors_off() const {
-  CallOptions options;
-  options.expect_confirmation = true;
-  const Result<void> done(gimbal_.client().call(msg::MotorsOff{}, options));
+  const Result<void> done(gimbal_.client().call(msg::MotorsOff{}, confirming()));
   if (!done) {
     throw CommandError("interrupted; the motors may still be on: " + done.error().message,
                        interrupted);

@@ -24,6 +24,7 @@
 #include "command/wording.hpp"
 #include "motion/axis_values.hpp"
 #include "motion/checked_command.hpp"
+#include "motion/menu_action.hpp"
 
 namespace sbgc::tools {
 
@@ -126,9 +127,7 @@ int menu(const MenuOptions& command, CLI::App& app, const CommandContext& contex
   arm(command.arming,
       fmt::format("The board performs the menu action {}: {} The camera can move.{}",
                   short_name(action), action.summary, place_text(client)));
-  CallOptions options = call_options(context.gimbal);
-  options.expect_confirmation = true;
-  value_of(Result<void>(client.call(request, options)));
+  value_of(client.run(perform(request.cmd_id, call_options(context.gimbal))));
   remark("The board has accepted {}.\n", short_name(action));
   return success;
 }
@@ -154,7 +153,8 @@ void add_menu(CLI::App& app, CommandContext& context) {
       "Example:\n"
       "  sbgc menu profile2\n"
       "\n"
-      "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage.");
+      "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage, 3 if it "
+      "was sent but not confirmed.");
   command.runs([&app](const MenuOptions& given, const CommandContext& shared) {
     return menu(given, app, shared);
   });

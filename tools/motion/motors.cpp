@@ -30,7 +30,7 @@ struct MotorsCommand {
 
 void turn_on(const MotorsCommand& command, Client& client, const GimbalOptions& gimbal) {
   arm(command.arming, "The motors turn on, and the camera jumps to its target angle.");
-  const Result<void> done = client.call(msg::MotorsOn{}, call_options(gimbal));
+  const Result<void> done = client.call(msg::MotorsOn{}, confirming(call_options(gimbal)));
   if (!done && done.error().code == ErrorCode::board_error) {
     ClientError error = done.error();
     const std::string errors = current_errors(client);

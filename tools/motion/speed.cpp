@@ -50,6 +50,25 @@ Result<void> turn(const MovingGimbal& gimbal, SpeedControl& control,
   return control.wait();
 }
 
+/// True if an axis that was to turn, or its target, is elsewhere.
+bool has_turned(const AxisNumbers& speeds, const msg::GetAngles& before,
+                const msg::GetAngles& after) {
+  constexpr double noise = 0.05;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    if (speeds[i].value_or(0) == 0) continue;
+    const auto& from = before.axes[i];
+    const auto& to = after.axes[i];
+    if (std::abs(to.imu_angle.degrees() - from.imu_angle.degrees()) > noise ||
+        std::abs(to.rc_target_angle.degrees() - from.rc_target_angle.degrees()) > noise) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A SpeedControl that turns for longer than this has looked whether the camera does.
+constexpr std::chrono::seconds long_enough{1};
+
 /// Warns of turns that twist cables.
 std::string cables_text(const SpeedCommand& command) {
   constexpr double half_turn = 180;
@@ -78,8 +97,10 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
       fmt::format("The camera turns at {}, {}.{}", axes_text(command.speeds, "deg/s"),
                   command.time ? "for " + duration_text(*command.time) : "until Ctrl-C is pressed",
                   cables_text(command)));
+  const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
   gimbal.begins_to_move(AfterStop::remove_timeout);
-  const auto end = command.time ? Clock::now() + *command.time : Clock::time_point::max();
+  const auto start = Clock::now();
+  const auto end = command.time ? start + *command.time : Clock::time_point::max();
   Result<void> turned;
   {
     SpeedControl control(gimbal.client(), {.ends_when_stopped = true});
@@ -89,6 +110,13 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   gimbal.has_stopped();
   // Ctrl-C is the usual end of a motion without a time.
   if (gimbal.must_stop() && (command.time || !was_interrupted_by_key())) gimbal.give_up({});
+  const bool turns = !(speed == Axes<msg::ControlSpeed>{});
+  if (turns && Clock::now() - start < long_enough + StopOptions{}.rest) {
+    const auto after = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
+    if (!has_turned(command.speeds, before, after)) {
+      throw CommandError("nothing shows that the camera has turned; it stands still", cannot_tell);
+    }
+  }
   remark("The camera has stopped.\n");
   return success;
 }
@@ -114,8 +142,11 @@ void add_speed(CLI::App& app, CommandContext& context) {
       "Example:\n"
       "  sbgc speed --yaw 5 --for 2s\n"
       "\n"
-      "The exit status is 0 if the camera turned and has stopped, 1 if not, 2 for wrong usage, 130 "
-      "if Ctrl-C ended it before its time, or another signal ended it.");
+      "The exit status is 0 if the camera turned and has stopped, 1 if not, 2 for wrong usage, 3 "
+      "if "
+      "nothing shows that it turned, 130 if Ctrl-C ended it before its time, or another signal "
+      "ended "
+      "it.");
   command.runs(turn_at_speed);
 }
 

@@ -20,6 +20,7 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "parameters/defaults.hpp"
+#include "parameters/factory_defaults.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/parameters_file.hpp"
 #include "parameters/params_commands.hpp"
@@ -335,21 +336,26 @@ struct ResetChoice {
   Arming arming{};
 };
 
-/// For example "profile 1 is reset", "profiles 1, 2 are reset"; "no profile is reset".
-std::string reset_text(const std::vector<std::size_t>& profiles) {
+/// For example "profile 1 is" or "profiles 1, 2 are".
+std::string profiles_are(const std::vector<std::size_t>& profiles) {
   std::string numbers;
   for (const std::size_t profile : profiles) {
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", profile + 1);
   }
-  if (profiles.empty()) return "no profile is reset";
-  return profiles.size() == 1 ? fmt::format("profile {} is reset", numbers)
-                              : fmt::format("profiles {} are reset", numbers);
+  return profiles.size() == 1 ? fmt::format("profile {} is", numbers)
+                              : fmt::format("profiles {} are", numbers);
+}
+
+std::string reset_text(const std::vector<std::size_t>& profiles) {
+  return profiles.empty() ? "no profile is reset" : profiles_are(profiles) + " reset";
 }
 
 /// Sets profiles to the factory defaults, and returns all parameters from then. If that fails or is
-/// interrupted, the error names the profiles that are reset, and the backup.
+/// interrupted, the error names the profiles that are reset, and the backup. Profiles of which
+/// nothing shows that they are reset become `unknown`.
 Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
-                      const std::string& saved_to, const CommandContext& context) {
+                      const Backup& before, const std::string& saved_to,
+                      std::vector<std::size_t>& unknown, const CommandContext& context) {
   const MustFinish resetting(
       write_bound, fmt::format("some profiles may be reset; the parameters from before are in {}",
                                printable(saved_to)));
@@ -361,14 +367,13 @@ Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
   };
   for (const std::size_t profile : profiles) {
     if (was_interrupted()) give_up("interrupted", interrupted);
-    CallOptions call = call_options(context.gimbal);
-    call.expect_confirmation = true;
-    const auto reset =
-        client.call(msg::UseDefaults{.profile_id = static_cast<std::uint8_t>(profile)}, call);
-    if (!reset) {
+    const auto reset = client.run(use_defaults(static_cast<std::uint8_t>(profile),
+                                               before.parameters, call_options(context.gimbal)));
+    const bool is_unknown = !reset && reset.error().code == ErrorCode::unconfirmed;
+    if (!reset && !is_unknown) {
       give_up(fmt::format("resetting profile {}: {}", profile + 1, reset.error().message), failure);
     }
-    done.push_back(profile);
+    (is_unknown ? unknown : done).push_back(profile);
   }
   try {
     return read_backup(client);
@@ -400,10 +405,16 @@ int reset_parameters(const ResetChoice& options, const CommandContext& context) 
   for (std::size_t i = 0; i < profile_count; ++i) {
     if (options.all || i == profile.index) profiles.push_back(i);
   }
-  const Backup after = reset_profiles(client, profiles, save_to, context);
+  std::vector<std::size_t> unknown;
+  const Backup after = reset_profiles(client, profiles, before, save_to, unknown, context);
   const std::string changes = changes_text(changes_of(before, after));
-  fmt::print("{}", changes.empty() ? "the parameters already had their defaults\n" : changes);
-  return success;
+  const bool is_known = unknown.empty();
+  fmt::print("{}",
+             changes.empty() && is_known ? "the parameters already had their defaults\n" : changes);
+  if (is_known) return success;
+  throw CommandError(
+      fmt::format("sent; the board did not confirm it, and {} as before", profiles_are(unknown)),
+      cannot_tell);
 }
 
 }  // namespace

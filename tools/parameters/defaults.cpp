@@ -14,6 +14,7 @@
 #include "board/progress_bar.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
+#include "parameters/factory_defaults.hpp"
 #include "parameters/parameter_messages.hpp"
 
 namespace sbgc::tools {
@@ -30,14 +31,8 @@ Parameters of_profile(const Parameters& block, std::uint8_t profile) {
   return block_of({block.id.message, profile}, message);
 }
 
-std::uint8_t copies_of(const std::string& message) {
-  for (const ParameterMessage& one : parameter_messages()) {
-    if (message == one.type->info->name) return one.copies;
-  }
-  return 1;
-}
-
-/// Returns the file for the defaults of a board; "" without a folder for it.
+/// Returns the file for the defaults of a board; "" without a folder for it. Files of other names
+/// are of versions that kept what no board had confirmed.
 std::filesystem::path defaults_file(const BoardIdentity& board) {
   const char* const cache = std::getenv("XDG_CACHE_HOME");
   const char* const home = std::getenv("HOME");
@@ -45,7 +40,7 @@ std::filesystem::path defaults_file(const BoardIdentity& board) {
   if (folder.empty() && home != nullptr) folder = std::filesystem::path(home) / ".cache";
   if (folder.empty()) return {};
   return folder / "sbgc" /
-         fmt::format("defaults-{}-{}-{}.json", board.board_version(), board.firmware_version(),
+         fmt::format("factory-{}-{}-{}.json", board.board_version(), board.firmware_version(),
                      board.serial_number());
 }
 
@@ -89,16 +84,9 @@ ParameterSet kept_defaults(const BoardIdentity& board) {
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options) {
   const CutShort second;
-  CallOptions call = options;
-  call.expect_confirmation = true;
-  const auto reset = client.call(msg::UseDefaults{.profile_id = profile}, call);
-  // Written back also if reading fails or is interrupted.
-  ReadOptions reading;
-  reading.progress = [](const Progress&) { return !was_interrupted(); };
-  reading.wanted = [&](const ParametersId& id) {
-    return id.copy == profile && copies_of(id.message) > 1;
-  };
-  const Result<ParameterSet> defaults = client.read_parameters(reading);
+  // Written back also if that fails or is interrupted.
+  const Result<ParameterSet> defaults =
+      client.run(find_defaults(profile, before.parameters, options));
   const auto goes_on = [](const Progress&) { return !was_cut_short(); };
   const WriteReport restored =
       client.write_parameters(before.parameters, {.validate = false, .progress = goes_on});
@@ -106,11 +94,10 @@ ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t pr
   if (was_interrupted()) {
     throw CommandError("interrupted; the parameters are back as they were before", interrupted);
   }
-  value_of(reset);
   if (!defaults) fail(defaults.error());
   ParameterSet result;
   for (const Parameters& block : defaults->all()) {
-    for (std::uint8_t copy = 0; copy < copies_of(block.id.message); ++copy) {
+    for (std::uint8_t copy = 0; copy < copy_count(block.id); ++copy) {
       value_of(result.put(of_profile(block, copy)));
     }
   }

@@ -192,9 +192,6 @@ std::optional<std::string> LineEditor::read() {
     if (is_interactive_) remark_as_is("\n");
     return std::nullopt;
   }
-  if (line.find('\0') != std::string::npos) {
-    throw CommandError("the input has NUL bytes: it is no text in UTF-8");
-  }
   if (line.ends_with('\r')) line.pop_back();
   if (std::exchange(is_first_, false) && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   return line;

@@ -184,6 +184,9 @@ class CommandShell {
       if (!line) return success;
       int status = success;
       try {
+        if (line->find('\0') != std::string::npos) {
+          throw CommandError(fmt::format("line {} has a NUL byte: it is no text in UTF-8", number));
+        }
         Words words = split_words(*line);
         refuse_secrets(words.words);  // before the history or another process has them
         editor.keep(*line);

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <initializer_list>
+#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -36,11 +39,34 @@ ByteVector bytes_of(const M& message) {
   return bytes;
 }
 
+std::string checksum_text(const ByteVector& bytes) {
+  return fmt::format("{:08x}", detail::crc32(bytes));
+}
+
+void collect_names(const Json& json, const std::string& place, std::set<std::string>& out) {
+  for (const auto& item : json.items()) {
+    const std::string path = place + '.' + item.key();
+    if (json.is_object()) out.insert(path);
+    if (item.value().is_structured()) collect_names(item.value(), path, out);
+  }
+}
+
+/// The checksum of the names of fields, which differ from version to version.
+std::string names_checksum(const Json& fields) {
+  std::set<std::string> names;
+  collect_names(fields, "", names);
+  ByteVector bytes;
+  for (const std::string& name : names) bytes.insert(bytes.end(), name.begin(), name.end());
+  return checksum_text(bytes);
+}
+
 template <class M>
 Json message_json(const M& message) {
+  const Json fields = to_dom(message);
   return {{"message", Meta<M>::info.name},
           {"body", detail::to_hex(bytes_of(message))},
-          {"fields", to_dom(message)}};
+          {"names", names_checksum(fields)},
+          {"fields", fields}};
 }
 
 /// The texts for people beside the messages with the identity.
@@ -68,7 +94,7 @@ std::string checksum(const BoardIdentity& board, const Json& contents) {
   const std::string text =
       (board.details ? detail::to_hex(bytes_of(*board.details)) : "") + contents.dump();
   bytes.insert(bytes.end(), text.begin(), text.end());
-  return fmt::format("{:08x}", detail::crc32(bytes));
+  return checksum_text(bytes);
 }
 
 /// Reads a document and remembers its first error.
@@ -76,6 +102,8 @@ class Reader {
  public:
   Result<Backup> read(const Json& document) {
     if (auto right = check_version(document); !right) return right.error();
+    require_known(document, "",
+                  {"format", "version", "created", "board", "contents", "checksum", "settings"});
     Backup backup;
     backup.created = text(document, "created", "");
     read_board(member(document, "board", ""), backup.board);
@@ -108,6 +136,7 @@ class Reader {
       read_message(board["details"], "board.details", out.details.emplace());
     }
     if (!error_.empty()) return;
+    require_known(board, "board", {"model", "firmware", "serial_number", "info", "details"});
     const Json identity = identity_json(out);
     for (const auto& item : identity.items()) {
       const auto said = board.find(item.key());
@@ -186,10 +215,16 @@ class Reader {
   }
 
   /// Only the bodies are restored, so a changed field is an error. Fields with names that this
-  /// version of the library does not know are ignored.
+  /// version of the library does not know are ignored, unless the file had others.
   void check_fields(const Json& json, const std::string& path, const Json& decoded) {
+    require_known(json, path, {"message", "copy", "body", "names", "fields"});
     const auto fields = json.find("fields");
-    if (fields != json.end()) compare(*fields, decoded, path + ".fields");
+    if (fields == json.end()) return;
+    // Files of earlier versions have none.
+    if (json.contains("names") && text(json, "names", path) != names_checksum(*fields)) {
+      return fail(path + ".fields", "a name was edited");
+    }
+    compare(*fields, decoded, path + ".fields");
   }
 
   void compare(const Json& said, const Json& decoded, const std::string& path) {
@@ -214,6 +249,16 @@ class Reader {
     return key.starts_with("reserved") && said.is_string() && decoded.is_string() &&
            said.get_ref<const std::string&>().size() !=
                decoded.get_ref<const std::string&>().size();
+  }
+
+  /// A damaged name must not hide what it names.
+  void require_known(const Json& object, const std::string& path,
+                     std::initializer_list<std::string_view> names) {
+    for (const auto& item : object.items()) {
+      if (std::ranges::find(names, item.key()) == names.end()) {
+        fail(join(path, item.key().c_str()), "nothing has this name");
+      }
+    }
   }
 
   const Json& member(const Json& object, const char* name, const std::string& path) {
@@ -268,10 +313,12 @@ std::string to_json_text(const Backup& backup) {
   Json settings = Json::array();
   for (const Parameters& block : backup.parameters.all()) {
     listed.push_back(block.id);
+    const Json fields = fields_json(block);
     settings.push_back({{"message", block.id.message},
                         {"copy", block.id.copy},
                         {"body", detail::to_hex(block.body)},
-                        {"fields", fields_json(block)}});
+                        {"names", names_checksum(fields)},
+                        {"fields", fields}});
   }
   listed.insert(listed.end(), backup.missing.begin(), backup.missing.end());
   const Json contents = contents_json(listed);

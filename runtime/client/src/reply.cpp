@@ -41,4 +41,8 @@ ClientError missing_response(const Reply& reply) {
                                        : "the board sent no response"};
 }
 
+ClientError unconfirmed_error() {
+  return {ErrorCode::unconfirmed, "sent; the board did not confirm it"};
+}
+
 }  // namespace sbgc::detail

@@ -357,6 +357,27 @@ constexpr ResponsePolicy response_policy(const SyncMotors&) noexcept {
 }
 
 constexpr ResponsePolicy response_policy(const ExecuteMenu& request) noexcept {
+  if (request.cmd_id == MenuCommand::none || request.cmd_id == MenuCommand::profile1 || request.cmd_id == MenuCommand::profile2 || request.cmd_id == MenuCommand::profile3 || request.cmd_id == MenuCommand::profile4 || request.cmd_id == MenuCommand::profile5 || request.cmd_id == MenuCommand::set_angle || request.cmd_id == MenuCommand::set_angle_no_save || request.cmd_id == MenuCommand::motor_on || request.cmd_id == MenuCommand::motor_off || request.cmd_id == MenuCommand::look_down || request.cmd_id == MenuCommand::home_position || request.cmd_id == MenuCommand::home_position_shortest || request.cmd_id == MenuCommand::home_position_motors || request.cmd_id == MenuCommand::level_roll_pitch || request.cmd_id == MenuCommand::level_roll || request.cmd_id == MenuCommand::level_pitch || request.cmd_id == MenuCommand::center_yaw || request.cmd_id == MenuCommand::center_yaw_shortest || request.cmd_id == MenuCommand::untwist_cables || request.cmd_id == MenuCommand::snap_to_fixed_position || request.cmd_id == MenuCommand::retracted_position || request.cmd_id == MenuCommand::motors_safe_stop || request.cmd_id == MenuCommand::set_cur_pos_as_home || request.cmd_id == MenuCommand::stop_script || request.cmd_id == MenuCommand::tripod_mode_off || request.cmd_id == MenuCommand::tripod_mode_on || request.cmd_id == MenuCommand::shake_generator_off || request.cmd_id == MenuCommand::shake_generator_on || request.cmd_id == MenuCommand::servo_mode_on || request.cmd_id == MenuCommand::servo_mode_off) {
+    return {.responses = {.command = 69,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
+      .timeout_ms = 500};
+  }
   return {.responses = {.command = 69,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
@@ -398,6 +419,27 @@ constexpr ResponsePolicy response_policy(const ExecuteMenuExt& request) noexcept
           request.cmd_id == MenuCommand::motors_safe_stop,
       .timeout_ms = 500,
       .finish_ms = 60000};
+  }
+  if ((request.param.has(ExecuteMenuFlag::confirm)) && (request.cmd_id == MenuCommand::none || request.cmd_id == MenuCommand::profile1 || request.cmd_id == MenuCommand::profile2 || request.cmd_id == MenuCommand::profile3 || request.cmd_id == MenuCommand::profile4 || request.cmd_id == MenuCommand::profile5 || request.cmd_id == MenuCommand::set_angle || request.cmd_id == MenuCommand::set_angle_no_save || request.cmd_id == MenuCommand::motor_on || request.cmd_id == MenuCommand::motor_off || request.cmd_id == MenuCommand::look_down || request.cmd_id == MenuCommand::home_position || request.cmd_id == MenuCommand::home_position_shortest || request.cmd_id == MenuCommand::home_position_motors || request.cmd_id == MenuCommand::level_roll_pitch || request.cmd_id == MenuCommand::level_roll || request.cmd_id == MenuCommand::level_pitch || request.cmd_id == MenuCommand::center_yaw || request.cmd_id == MenuCommand::center_yaw_shortest || request.cmd_id == MenuCommand::untwist_cables || request.cmd_id == MenuCommand::snap_to_fixed_position || request.cmd_id == MenuCommand::retracted_position || request.cmd_id == MenuCommand::motors_safe_stop || request.cmd_id == MenuCommand::set_cur_pos_as_home || request.cmd_id == MenuCommand::stop_script || request.cmd_id == MenuCommand::tripod_mode_off || request.cmd_id == MenuCommand::tripod_mode_on || request.cmd_id == MenuCommand::shake_generator_off || request.cmd_id == MenuCommand::shake_generator_on || request.cmd_id == MenuCommand::servo_mode_on || request.cmd_id == MenuCommand::servo_mode_off)) {
+    return {.responses = {.command = 69,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .has_effect = !(request.cmd_id == MenuCommand::none),
+      .moves = !(request.cmd_id == MenuCommand::none ||
+          request.cmd_id == MenuCommand::camera_rec_photo_event ||
+          request.cmd_id == MenuCommand::camera_photo_event ||
+          request.cmd_id == MenuCommand::calib_acc ||
+          request.cmd_id == MenuCommand::calib_gyro ||
+          request.cmd_id == MenuCommand::calib_gyro_temp ||
+          request.cmd_id == MenuCommand::calib_acc_temp ||
+          request.cmd_id == MenuCommand::calib_mag ||
+          request.cmd_id == MenuCommand::rc_bind ||
+          request.cmd_id == MenuCommand::calib_acc_auto ||
+          request.cmd_id == MenuCommand::ext_gyro_online_calib),
+      .stops = request.cmd_id == MenuCommand::motor_off ||
+          request.cmd_id == MenuCommand::motors_safe_stop,
+      .timeout_ms = 500};
   }
   if (request.param.has(ExecuteMenuFlag::confirm)) {
     return {.responses = {.command = 69,

@@ -159,6 +159,7 @@ constexpr ResponsePolicy response_policy(const UseDefaults&) noexcept {
   return {.responses = {.command = 70,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .retry_is_safe = true,
       .has_effect = true,
       .moves = true,
       .timeout_ms = 5000};

@@ -10,7 +10,16 @@
 
 namespace sbgc::msg {
 
-constexpr ResponsePolicy response_policy(const RunScript&) noexcept {
+constexpr ResponsePolicy response_policy(const RunScript& request) noexcept {
+  if (request.mode == ScriptMode::stop) {
+    return {.responses = {.command = 57,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .has_effect = true,
+      .moves = true,
+      .timeout_ms = 500};
+  }
   return {.responses = {.command = 57,
               .confirmed = Confirmed::possible},
       .confirmations = 1,

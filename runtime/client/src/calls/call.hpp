@@ -38,7 +38,8 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
 std::string milliseconds_text(Duration duration);
 /// The error of a call that was not sent because of a stop, or of a later motion.
 ClientError superseded_error(const Call& call);
-/// The error of a call whose deadline has passed.
-ClientError overdue_error(const Call& call);
+/// How a call ends whose deadline has passed: with an error, unless only a confirmation is missing
+/// that the board may leave out.
+Result<Reply> overdue_result(const Call& call);
 
 }  // namespace sbgc::detail

@@ -36,6 +36,7 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
   call->request = std::move(request);
   call->send = {.host = call->request.host,
                 .expect_confirmation = options.expect_confirmation,
+                .repeat_unconfirmed = options.repeat_unconfirmed,
                 .attempts = static_cast<std::uint8_t>(attempts),
                 .timeout = attempt};
   call->allowed = allowed;
@@ -52,11 +53,15 @@ ClientError superseded_error(const Call& call) {
               " was not sent, because a later command stops the camera or moves it"};
 }
 
-ClientError overdue_error(const Call& call) {
+Result<Reply> overdue_result(const Call& call) {
+  const ResponsePolicy& policy = call.request.policy;
+  const bool may_be_missing = !policy.is_certain() && call.send.expect_confirmation &&
+                              policy.responses.confirmed != Confirmed::never;
+  if (call.was_sent && may_be_missing) return Reply{.kind = ReplyKind::unconfirmed};
   const std::string within = " within " + milliseconds_text(call.allowed);
   const std::string command = call.request.command;
-  return {ErrorCode::timeout, call.was_sent ? "no response to " + command + within
-                                            : command + " could not be sent" + within};
+  return ClientError{ErrorCode::timeout, call.was_sent ? "no response to " + command + within
+                                                       : command + " could not be sent" + within};
 }
 
 std::optional<ClientError> PendingCalls::add(const CallPointer& call, Superseded& superseded) {

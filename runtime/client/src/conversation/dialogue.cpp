@@ -121,7 +121,7 @@ void Dialogue::forget(const Call& call) {
 void Dialogue::end_overdue(Instant now) {
   while (const CallPointer call = calls_->take_overdue(now)) {
     forget(*call);
-    calls_.complete(*call, overdue_error(*call));
+    calls_.complete(*call, overdue_result(*call));
   }
 }
 

@@ -108,16 +108,16 @@ void Conversation::State::end(CallId id, ClientError error) {
 
 void Conversation::State::end_overdue(CallId id) {
   const CallPointer call = calls_->take(id);
-  if (call) complete(call, is_stuck() ? stuck_error() : overdue_error(*call));
+  if (call) complete(call, is_stuck() ? Result<Reply>(stuck_error()) : overdue_result(*call));
 }
 
 /// Completes a call that was taken out.
-void Conversation::State::complete(const CallPointer& call, ClientError error) {
+void Conversation::State::complete(const CallPointer& call, Result<Reply> result) {
   post([this, call] {
     dialogue_.forget(*call);
     advance();
   });
-  calls_.complete(*call, std::move(error));
+  calls_.complete(*call, std::move(result));
 }
 
 bool Conversation::State::is_stuck() const {

@@ -93,7 +93,7 @@ class Conversation::State : public Channel::User,
   /// Marks the strand as busy as long as it lives.
   class Busy;
 
-  void complete(const CallPointer& call, ClientError error);
+  void complete(const CallPointer& call, Result<Reply> result);
   /// True if the strand has been busy for so long that a handler must be blocking it.
   bool is_stuck() const;
   void wake();

@@ -73,7 +73,7 @@ Task<Result<CalibrationEnd>> run_calibration(StartCalibration start_call, bool r
   while (waited) {
     if (const Result<Reply>* const reply = call.end()) {
       if (!*reply) co_return call.error(reply->error());
-      if ((*reply)->kind == ReplyKind::unconfirmed) co_return CalibrationEnd::unconfirmed;
+      if ((*reply)->kind == ReplyKind::unconfirmed) co_return call.error(unconfirmed_error());
       co_return reports_end ? CalibrationEnd::finished : CalibrationEnd::accepted;
     }
     if (task.now() >= end) {

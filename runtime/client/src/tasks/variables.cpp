@@ -206,11 +206,7 @@ Task<Result<void>> set_variable(std::string name, double value) {
   co_return co_await set_variables(std::move(values));
 }
 
-Task<Result<void>> save_variables() {
-  CallOptions options;
-  options.expect_confirmation = true;
-  co_return co_await call(msg::SaveParams3{}, options);
-}
+Task<Result<void>> save_variables() { co_return co_await call(msg::SaveParams3{}, confirming()); }
 
 }  // namespace tasks
 }  // namespace sbgc

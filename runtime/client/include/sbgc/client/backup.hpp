@@ -9,15 +9,17 @@
 ///                "details": {"message": "BoardInfo3", …}},
 ///      "contents": [{"message": "ReadParams3", "copies": [0, 1, 2, 3, 4]}, …],
 ///      "checksum": "…",
-///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "fields": {…}}, …]}
+///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "names": "…",
+///                    "fields": {…}}, …]}
 ///
 /// `copy` is the profile, counted from 0. `details` and `serial_number` are absent if the board
 /// does not report them.
 ///
 /// What was edited is noticed if it is the identity of the board or `contents`: the CRC-32 of the
-/// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike. What was
-/// removed from `settings` is Backup::missing. Files of version 0.1.0 have neither `contents` nor
-/// `checksum`; only left_alone() tells what they may have lost.
+/// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike, but not the
+/// names of fields, whose CRC-32 is `names`. What was removed from `settings` is Backup::missing.
+/// Files of version 0.1.0 have no `contents` and `checksum`, so only left_alone() tells what they
+/// may have lost, and files of early versions no `names`.
 ///
 /// Restored parameters take effect at once, and the camera can move. See docs/2-safety.md.
 #pragma once

@@ -42,9 +42,8 @@ struct CalibrationOptions {
 
 /// What is known about a calibration without errors.
 enum class CalibrationEnd : std::uint8_t {
-  finished,     ///< the board has reported the end
-  accepted,     ///< the board has accepted it, and does not report the end
-  unconfirmed,  ///< not even that, although it could have
+  finished,  ///< the board has reported the end
+  accepted,  ///< the board has accepted it, and does not report the end
 };
 
 namespace detail {
@@ -60,8 +59,9 @@ Task<Result<CalibrationEnd>> run_calibration(StartCalibration start, bool report
 namespace tasks {
 
 /// Calibrates a sensor and waits until the calibration ends. The camera must be still for a
-/// gyroscope, and level for an accelerometer. Fails if the board restarts meanwhile. The error says
-/// whether the calibration had started.
+/// gyroscope, and level for an accelerometer. Fails if the board restarts meanwhile, and with
+/// ErrorCode::unconfirmed if it does not confirm the start. The error says whether the calibration
+/// had started.
 Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
 
 /// The same with the request of any calibration, such as msg::CalibPoles{} or msg::CalibBat{}.

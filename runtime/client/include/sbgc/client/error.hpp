@@ -27,6 +27,7 @@ enum class ErrorCode : std::uint8_t {
   incompatible,   ///< made for another board model or firmware
   superseded,     ///< ended by a later command of the same client that stops, or moves otherwise
   interrupted,    ///< the motion was ended by somebody else: another program, RC, a limit
+  unconfirmed,    ///< it was sent, but the board did not confirm it: it may have done it or not
 };
 
 /// The name of a code, such as "link_lost".
@@ -49,6 +50,7 @@ constexpr const char* name(ErrorCode code) noexcept {
     case ErrorCode::incompatible: return "incompatible";
     case ErrorCode::superseded: return "superseded";
     case ErrorCode::interrupted: return "interrupted";
+    case ErrorCode::unconfirmed: return "unconfirmed";
   }
   return "unknown_error";
 }

@@ -68,9 +68,11 @@ struct CallOptions {
   std::optional<std::chrono::milliseconds> timeout{};
   /// Overrides ConnectOptions::retries. No effect if repeating the request could do harm.
   std::optional<unsigned> retries{};
-  /// Wait for the confirmation of a command that the board may leave unconfirmed. The call succeeds
-  /// even if none arrives; Client::transact() distinguishes the two.
+  /// Wait for the confirmation of a command that the board may leave unconfirmed. If none arrives,
+  /// call() fails with ErrorCode::unconfirmed, and the reply of transact() says so.
   bool expect_confirmation = false;
+  /// With it: repeat the request as if the confirmation were certain, unless that can do harm.
+  bool repeat_unconfirmed = false;
   /// Reject a request with a value that the protocol does not allow on this board.
   bool validate = true;
   /// Called on the client's thread for each confirmation of a command that has several. `number`
@@ -80,5 +82,11 @@ struct CallOptions {
   /// frame is valid only during the call. The timeout above limits the whole series.
   std::function<void(const Frame&)> on_series{};
 };
+
+/// Returns the options of a call that is done when the board has confirmed it.
+inline CallOptions confirming(CallOptions options = {}) {
+  options.expect_confirmation = options.repeat_unconfirmed = true;
+  return options;
+}
 
 }  // namespace sbgc

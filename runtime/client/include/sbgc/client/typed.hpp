@@ -23,6 +23,8 @@ namespace sbgc::detail {
 
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_response(const Reply& reply);
+/// The error of a call that wanted a confirmation.
+ClientError unconfirmed_error();
 /// Decodes a reply as a message whose type is known only at run time. A template, because
 /// AnyMessage is not complete here.
 template <std::same_as<AnyMessage> Any>
@@ -54,6 +56,7 @@ template <class M>
 Result<CallResponse<M>> read_response(const Result<Reply>& reply) {
   using Answer = CallResponse<M>;
   if (!reply) return reply.error();
+  if (reply->kind == ReplyKind::unconfirmed) return unconfirmed_error();
   if constexpr (std::same_as<M, AnyMessage>) {
     return read_any<M>(reply);
   } else if constexpr (std::is_void_v<Answer>) {

@@ -104,6 +104,8 @@ struct SendOptions {
   std::uint16_t host = 0;
   /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
   bool expect_confirmation = false;
+  /// With it: send it again like a request whose confirmation is certain.
+  bool repeat_unconfirmed = false;
   bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
   std::uint8_t attempts = 0;   ///< maximum transmissions if a retry is safe; 0: the session's
   /// Of each transmission, at most longest_timeout; 0: that of the response policy.

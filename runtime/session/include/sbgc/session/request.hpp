@@ -79,8 +79,9 @@ struct SessionRequest {
     const bool may_be_confirmed = policy.responses.confirmed != Confirmed::never;
     awaits_response = is_certain || (options.expect_confirmation && may_be_confirmed);
     if (options.attempts != 0) most_attempts = options.attempts;
-    // A merely possible confirmation may be missing, which is no reason to resend.
-    attempts = is_certain && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
+    // A merely possible confirmation may be missing, which alone is no reason to resend.
+    const bool is_resent = is_certain || (awaits_response && options.repeat_unconfirmed);
+    attempts = is_resent && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
     transmissions = confirmations = 0;
     id = command;
     host = options.host;
