@@ -8,7 +8,6 @@
 #include <functional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -109,25 +108,6 @@ TEST(Interruption, WhatCanSayMoreIsCutShortFirst) {
     return was_cut_short();
   });
   EXPECT_TRUE(late.is_usual()) << late.status;
-}
-
-TEST(Interruption, AHangupThatWasIgnoredStaysSo) {
-  const End end = end_of([] {
-    ::signal(SIGHUP, SIG_IGN);
-    const Interruption interruption;
-    ::raise(SIGHUP);
-    return !was_interrupted() && asking_signals() == std::vector{SIGINT, SIGTERM};
-  });
-  EXPECT_TRUE(end.is_usual()) << end.status;
-}
-
-TEST(Interruption, AfterItSignalsAreAsBefore) {
-  const End end = end_of([] {
-    { const MustFinish something(stop_bound, "a thing is left"); }
-    ::raise(SIGTERM);
-    return true;
-  });
-  EXPECT_TRUE(end.is_by(SIGTERM)) << end.status;
 }
 
 }  // namespace

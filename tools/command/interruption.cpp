@@ -64,7 +64,8 @@ void set_alarm() {
 [[noreturn]] void end_now() {
   const Duty* const present = duty;
   pollfd standard_error{STDERR_FILENO, POLLOUT, 0};
-  const bool has_room = ::poll(&standard_error, 1, 0) == 1 && (standard_error.revents & POLLOUT);
+  const bool has_room =
+      ::poll(&standard_error, 1, 0) == 1 && (standard_error.revents & POLLOUT) != 0;
   if (present != nullptr && has_room) {
     [[maybe_unused]] const auto size =
         ::write(STDERR_FILENO, present->undone.data(), present->undone.size());

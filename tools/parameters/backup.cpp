@@ -453,8 +453,7 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                     "Also if parameter sets were removed from the backup");
   command->footer(
       "Only what differs is written, block by block; each is read back and compared, and at the "
-      "end all of them again. After a failure or Ctrl-C, it says what the board holds, within 60 "
-      "s, "
+      "end all of them again. After a failure or Ctrl-C, it says within 60 s what the board holds, "
       "whatever signals come. Of a "
       ".profile "
       "file, what has no certain counterpart in the protocol is listed and not written; --profile "
