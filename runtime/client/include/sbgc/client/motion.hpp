@@ -80,7 +80,8 @@ Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {
 /// Stops all axes where they are, and succeeds when the board has reported speed 0 for each for
 /// StopOptions::rest; until then, it stops again what turns. A later motion of this client ends it
 /// with ErrorCode::superseded. If the board has answered all the time and the camera still turns,
-/// somebody else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0; see release().
+/// somebody else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0; see
+/// release().
 Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control and returns control to RC.
