@@ -76,7 +76,7 @@ TEST_F(Polls, ReplaceStreamsAsLongAsTheyAreWanted) {
   ASSERT_TRUE(stream) << stream.error().message;
   const auto start = std::chrono::steady_clock::now();
   EXPECT_GE(samples.wait_for(20).size(), 20U);
-  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(90)) << "not faster than asked";
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(50)) << "not faster than asked";
   const Notice notice = notices.wait_for(1).front();
   EXPECT_EQ(notice.kind, NoticeKind::polling);
   EXPECT_THAT(notice.message, ::testing::HasSubstr("firmware 2.59"));

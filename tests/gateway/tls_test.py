@@ -10,9 +10,9 @@ from certificates import certificates, signed
 from gateway import Gateway, eventually, running_gateway
 
 
-def listener(port: int, authority: Path, name: str, more: str = "") -> str:
+def listener(port: int, authority: Path, name: str, more: str = "", host: str = "127.0.0.1") -> str:
     files = f"certfile {authority}/{name}.crt\nkeyfile {authority}/{name}.key\n"
-    return f"listener {port} 127.0.0.1\ncafile {authority}/ca.crt\n{files}{more}"
+    return f"listener {port} {host}\ncafile {authority}/ca.crt\n{files}{more}"
 
 
 def fleet(addresses: list[str], more: str) -> str:
@@ -31,10 +31,11 @@ def test_each_failure_has_its_sentence(tmp_path: Path) -> None:
     certificates(ours)
     certificates(theirs)
     signed(ours, "expired", -1)
-    good, expired, unknown, strict = (free_port() for _ in range(4))
+    good, other, expired, unknown, strict = (free_port() for _ in range(5))
     settings = (
         "allow_anonymous true\n"
         + listener(good, ours, "server")
+        + listener(other, ours, "server", host="127.0.0.2")
         + listener(expired, ours, "expired")
         + listener(unknown, theirs, "server")
         + listener(strict, ours, "server", "require_certificate true\n")
@@ -50,7 +51,7 @@ def test_each_failure_has_its_sentence(tmp_path: Path) -> None:
             return stack.enter_context(running_gateway(tmp_path / name, fleet(addresses, more)))
 
         ca = f'ca-file = "{ours}/ca.crt"\n'
-        places: list[int | str] = [expired, f"localhost:{good}", unknown, broker.port, strict]
+        places: list[int | str] = [expired, f"127.0.0.2:{other}", unknown, broker.port, strict]
         theirs_too = f'certificate-file = "{theirs}/server.crt"\nkey-file = "{theirs}/server.key"'
         of_versions = [run("three", places, ca), run("five", places, ca + 'mqtt = "5"')]
         without_tls = run("without", [good], "")
@@ -58,7 +59,7 @@ def test_each_failure_has_its_sentence(tmp_path: Path) -> None:
         for gateway in of_versions:
             for port, *words in (
                 (expired, "has expired", "needs a new one"),
-                (good, "for another host", "'address' must be a name", "have localhost"),
+                (other, "for another host", "'address' must be a name", "have 127.0.0.2"),
                 (unknown, "not in 'ca-file'", f"{ours}/ca.crt", "add the certificate"),
                 (broker.port, "no TLS at", "8883"),
                 (strict, "a certificate of the gateway", "'certificate-file' and 'key-file'"),

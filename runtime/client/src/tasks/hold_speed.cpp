@@ -174,6 +174,10 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
     Result<void> result;
     if (next.action == Action::stop) {
       result = co_await motion.stop([&] { return speed->is_turning(); });
+      // What still turns may be this motion: it is stopped again, and the control timeout stays.
+      if (!result && result.error().code == ErrorCode::interrupted) {
+        result = ClientError{ErrorCode::timeout, result.error().message};
+      }
     } else if (restarts.has_restarted()) {
       result = restart_error();  // the camera must not turn again unasked
     } else if (auto refused = refusals.take()) {
@@ -184,10 +188,7 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
       const Instant not_after = yields ? task.now() + patience : Instant::never;
       if (result) result = co_await motion.turn(next.speed, not_after);
     }
-    // A stop that fails keeps the timeout, which ends what may be this motion.
-    const bool has_failed_to_stop =
-        next.action == Action::stop && !result && result.error().code == ErrorCode::interrupted;
-    if (!result && is_in_other_hands(result.error().code) && !has_failed_to_stop) {
+    if (!result && is_in_other_hands(result.error().code)) {
       static_cast<void>(co_await motion.let_go());
     }
     speed->done(next, std::move(result), task.now());
