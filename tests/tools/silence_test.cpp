@@ -149,15 +149,15 @@ Result<void> turn(VirtualClient& client) {
           speed, detail::BoundedTurn(MotionBound::automatic, std::chrono::milliseconds(500)), true),
       [&](const Result<void>&) { has_ended = true; });
   Result<void> set;
-  for (const Instant end = client.now() + milliseconds(600); set && client.now() < end;) {
+  for (const Instant end = client.now() + sbgc::milliseconds(600); set && client.now() < end;) {
     set = speed->set({{}, {}, msg::ControlSpeed(100)}, client.now());
     machine.wake();
-    client.pass(milliseconds(100));
+    client.pass(sbgc::milliseconds(100));
   }
   const Result<void> stopping = speed->stop();
   speed->close();
   machine.wake();
-  while (!has_ended) client.pass(milliseconds(10));
+  while (!has_ended) client.pass(sbgc::milliseconds(10));
   if (!set) return set;
   return stopping ? speed->wait([&] { return client.now(); }) : stopping;
 }
@@ -182,7 +182,7 @@ std::vector<Command> commands() {
   control.axes.yaw.speed = msg::ControlSpeed(100);
   const auto is_turning = [control](VirtualClient& client) {
     ASSERT_TRUE(client.run(confirmed(control)));
-    client.pass(milliseconds(200));
+    client.pass(sbgc::milliseconds(200));
   };
   std::vector<Command> all{
       task("menu home_position", [] { return perform(Menu::home_position, {}); }),
@@ -249,7 +249,7 @@ std::optional<Done> effect_of(const Command& command, int firmware, Loss loss, s
   const Result<void> done = command.run(client);
   if (sent != nullptr) *sent = line.sent();
   if (!done) return std::nullopt;
-  client.pass(milliseconds(100));
+  client.pass(sbgc::milliseconds(100));
   effect.memory = client.emulator().board().memory();
   effect.memory.revision = 0;
   effect.motors_on = client.gimbal().motors_on();

@@ -94,6 +94,11 @@ class DatagramHosts {
     return replaced;
   }
 
+  /// Removes the host at this port, if any.
+  std::optional<Host> remove(std::size_t port) {
+    return remove_first([&](const Host& host) { return host.port == port; });
+  }
+
   /// Removes a host that has been silent for too long, if any.
   std::optional<Host> forget(Instant now) {
     return remove_first([&](const Host& host) { return now - host.heard >= idle_time; });

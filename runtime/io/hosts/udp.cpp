@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <asio/buffer.hpp>
+#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "hosts/datagram_hosts.hpp"
@@ -125,6 +126,13 @@ class UdpEndpoint final : public Endpoint {
       hosts_.answer(endpoint, board_.now());
       board_.take(port, size);
     }
+    if (!board_.must_leave(port)) return;
+    // Not at once, because this may be a call from the board.
+    asio::post(socket_.get_executor(), [this, endpoint] {
+      const auto* const leaving = hosts_.find(endpoint);
+      if (leaving == nullptr || !board_.must_leave(leaving->port)) return;
+      leave(*hosts_.remove(leaving->port));
+    });
   }
 
   static std::string name_of(const udp::endpoint& endpoint) { return "udp:" + place_of(endpoint); }
