@@ -5,6 +5,7 @@
 
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
+#include <sbgc/messages/system.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc::tools {
