@@ -337,6 +337,8 @@ class Player {
   void serve_a_new_host() {
     while (!hosts_.empty()) disconnect(hosts_.begin()->first);
     while (!board_.open.empty()) end(false);
+    // The bridge goes on with a restart whose host has left.
+    pass(BridgePorts::restart_time * 3);
     require(!board_.is_taken && !ports_.exclusive_host());
     connect();
     const std::size_t port = hosts_.begin()->first;

@@ -113,7 +113,7 @@ Instant BridgePorts::silent_since(std::size_t port) const {
 void BridgePorts::expel(std::size_t port, const char* reason) {
   hosts_[port]->must_leave = true;
   places_.give_up(port);
-  log(fmt::format("host {} must leave: {}", port, reason));
+  log_expelled_(fmt::format("host {} must leave: {}", port, reason));
   wake(port);
 }
 

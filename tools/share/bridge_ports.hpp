@@ -21,6 +21,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
+#include "hosts/fewer_reports.hpp"
 #include "hosts/host_ports.hpp"
 #include "share/askers.hpp"
 #include "share/host_places.hpp"
@@ -278,6 +279,8 @@ class BridgePorts final : public hosts::HostPorts {
   bool allows_passwords_;
   std::array<std::unique_ptr<Host>, max_ports> hosts_{};
   HostPlaces places_{};
+  std::function<void(const std::string&)> log_expelled_ =
+      hosts::with_fewer_reports([this](const std::string& text) { log(text); });
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;
   std::uint16_t last_host_ = 0;

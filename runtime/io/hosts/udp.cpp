@@ -55,13 +55,18 @@ class UdpEndpoint final : public Endpoint {
   }
 
   void take(std::span<const std::uint8_t> bytes) {
+    const bool is_new = hosts_.find(from_) == nullptr;
     const auto* const host = host_of(from_);
     if (host == nullptr) return refuse();
     const std::size_t port = host->port;
     // Datagrams that arrive faster than the board's line transfers them are lost; a single one
     // always fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
-      return board_.receive(port, bytes);
+      board_.receive(port, bytes);
+      // Who is refused at once must not fill the log.
+      const bool stays = is_new && !board_.must_leave(port);
+      if (stays) logs_.event(fmt::format("{} is host {}", name_of(from_), port));
+      return;
     }
     if (is_time_to_log(lost_)) {
       logs_.event(
@@ -97,7 +102,6 @@ class UdpEndpoint final : public Endpoint {
     }
     const auto port = board_.connect(false, [this, endpoint] { send(endpoint); });
     if (!port) return nullptr;
-    logs_.event(fmt::format("{} is host {}", name_of(endpoint), *port));
     return &hosts_.add(endpoint, *port, now);
   }
 
@@ -131,7 +135,7 @@ class UdpEndpoint final : public Endpoint {
     asio::post(socket_.get_executor(), [this, endpoint] {
       const auto* const leaving = hosts_.find(endpoint);
       if (leaving == nullptr || !board_.must_leave(leaving->port)) return;
-      leave(*hosts_.remove(leaving->port));
+      board_.disconnect(hosts_.remove(leaving->port)->port);
     });
   }
 
