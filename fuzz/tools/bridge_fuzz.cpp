@@ -3,7 +3,8 @@
 //
 // Invariants: the board gets the whole requests of each host in their order and nothing else; each
 // host gets whole frames, among them the responses to its own requests only; what waits is limited;
-// and when the others have left, a host is served.
+// and when the others have left, a host is
+// served. Hosts that must leave are not busy.
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,7 @@ using sbgc::RawRequest;
 using sbgc::fuzz::Input;
 using sbgc::fuzz::require;
 using sbgc::tools::BridgePorts;
+using sbgc::tools::HostPlaces;
 
 namespace msg = sbgc::msg;
 namespace roles = sbgc::roles;
@@ -98,6 +100,7 @@ class Player {
     while (!input_.empty()) {
       step();
       check();
+      close_leaving();
     }
     serve_a_new_host();
   }
@@ -115,7 +118,9 @@ class Player {
     const std::uint8_t code = input_.byte();
     const std::size_t port = code / 16U % 4;
     switch (code % 16) {
-      case 0: connect(); break;
+      case 0:
+        for (std::size_t i = 0; i < (port == 0 ? 1 : HostPlaces::max_hosts / 2); ++i) connect();
+        break;
       case 1: disconnect(port); break;
       case 2:
       case 3: receive(port, input_.bytes(input_.byte())); break;
@@ -204,8 +209,10 @@ class Player {
 
   void connect() {
     const auto port = ports_.connect(false, [] {});
-    require(port.has_value() == (hosts_.size() < BridgePorts::max_hosts));
+    require(port.has_value() || hosts_.size() >= 2 * HostPlaces::max_hosts);
     if (port) require(hosts_.try_emplace(*port).second);
+    close_leaving();
+    require(hosts_.size() <= 2 * HostPlaces::max_hosts);
   }
 
   void disconnect(std::size_t port) {
@@ -214,6 +221,15 @@ class Player {
       if (owner(one.tag) == port) owners_.erase(one.tag);
     }
     ports_.disconnect(port);
+  }
+
+  /// As their endpoints do.
+  void close_leaving() {
+    std::vector<std::size_t> leaving;
+    for (const auto& [port, host] : hosts_) {
+      if (ports_.must_leave(port)) leaving.push_back(port);
+    }
+    for (const std::size_t port : leaving) disconnect(port);
   }
 
   bool may_send(std::size_t port) const { return ports_.room(port) != 0; }
@@ -321,6 +337,8 @@ class Player {
   void serve_a_new_host() {
     while (!hosts_.empty()) disconnect(hosts_.begin()->first);
     while (!board_.open.empty()) end(false);
+    // The bridge goes on with a restart whose host has left.
+    pass(BridgePorts::restart_time * 3);
     require(!board_.is_taken && !ports_.exclusive_host());
     connect();
     const std::size_t port = hosts_.begin()->first;

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import socket
+import struct
 import subprocess
 import threading
 from collections.abc import Iterator
@@ -20,6 +21,10 @@ DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_3 = 23
 TOKEN = "correct-horse"
 PLACES = ("--tcp", "--udp", "--pty", "--ws", "--link")
+
+
+def stream_request(interval: int) -> bytes:
+    return struct.pack("<BH18x", REALTIME_DATA_3, interval)
 
 
 class Bridge:

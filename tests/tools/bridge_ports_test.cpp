@@ -1043,9 +1043,120 @@ TEST_F(Bridge, AnAllowedPasswordPasses) {
   EXPECT_THAT(line.sent, SizeIs(1));
 }
 
-TEST_F(Bridge, PlacesAreLimited) {
-  for (std::size_t i = 0; i < BridgePorts::max_hosts; ++i) EXPECT_TRUE(ports.connect(false, {}));
-  EXPECT_FALSE(ports.connect(false, {}));
+TEST_F(Bridge, SilentHostsAreReplaced) {
+  for (std::size_t i = 0; i < HostPlaces::max_hosts; ++i) join();
+  ports.keep_place(0);
+  const std::size_t reserved = join();
+  EXPECT_FALSE(ports.must_leave(1)) << "it has just come";
+  ask(2, msg::GetAnglesRequest{});
+  answer(line.sent.back(), msg::GetAngles{});
+  read(2);
+  ports.receive(3, Bytes{'>', 1, 2});
+  time = time + seconds(2);
+  for (std::size_t port = 1; port < HostPlaces::max_hosts; ++port) {
+    ask(join(), msg::GetAnglesRequest{});
+    EXPECT_EQ(ports.must_leave(port), port != 2) << "it has sent a whole frame";
+    ports.ended(line.sent.back().tag);
+    if (port != 2) ports.disconnect(port);
+  }
+  EXPECT_FALSE(ports.must_leave(0)) << "a terminal stays";
+  EXPECT_TRUE(ports.must_leave(reserved)) << "for the last one, all others have spoken";
+}
+
+TEST_F(Bridge, TheLongestSilentHostIsReplaced) {
+  for (std::size_t i = 0; i < HostPlaces::max_hosts; ++i) {
+    ask(join(), msg::GetAnglesRequest{});
+    if (i != 1) ports.ended(line.sent.back().tag);
+  }
+  time = time + seconds(9);
+  send(msg::Reset{});
+  read(0);
+  ask(2, msg::GetAnglesRequest{});
+  ports.ended(line.sent.back().tag);
+  time = time + seconds(1);
+  for (std::size_t port = 3; port < HostPlaces::max_hosts; ++port) {
+    join();
+    EXPECT_TRUE(ports.must_leave(port));
+  }
+  join();
+  EXPECT_FALSE(ports.must_leave(0)) << "it was sent something";
+  EXPECT_FALSE(ports.must_leave(1)) << "it waits for its answer";
+  EXPECT_FALSE(ports.must_leave(2)) << "it has sent something";
+}
+
+class FullBridge : public Bridge {
+ protected:
+  FullBridge() {
+    for (std::size_t i = 0; i < HostPlaces::max_hosts; ++i) {
+      ask(join(), stream(10));
+      answer(line.sent.back(), confirmation_of_stream());
+      read(i);
+    }
+    time = time + seconds(60);
+  }
+  template <class M>
+  static Bytes refusal_of(const M&) {
+    msg::ErrorExt error;
+    error.cmd_id = M::command;
+    error.error_code = msg::BoardErrorCode::temporary;
+    return frame_of(error);
+  }
+};
+
+TEST_F(FullBridge, TheReservedPlaceServesAStop) {
+  const std::size_t host = join();
+  const std::size_t before = line.sent.size();
+  ask(host, msg::BoardInfoRequest{});
+  ask(host, msg::BoardInfo3Request{});
+  ask(host, msg::GetAnglesRequest{});
+  ask(host, msg::RealtimeData3Request{});
+  ask(host, turning(0));
+  ask(host, msg::MotorsOff{});
+  EXPECT_THAT(line.sent, SizeIs(before + 6));
+  ask(host, turning(5));
+  EXPECT_EQ(read(host), refusal_of(msg::Control{}));
+  ask(host, msg::MotorsOn{});
+  EXPECT_EQ(read(host), refusal_of(msg::MotorsOn{}));
+  ask(host, stream(10));
+  EXPECT_EQ(read(host), refusal_of(msg::DataStreamInterval{}));
+  ask(host, msg::Reset{});
+  read(host);
+  EXPECT_THAT(line.sent, SizeIs(before + 6));
+  time = time + sbgc::milliseconds(14'999);
+  ports.tick();
+  EXPECT_FALSE(ports.must_leave(host));
+  join();
+  EXPECT_FALSE(ports.must_leave(host)) << "it has sent a stop";
+  time = time + sbgc::milliseconds(1);
+  ports.tick();
+  EXPECT_TRUE(ports.must_leave(host));
+  for (std::size_t port = 0; port < HostPlaces::max_hosts; ++port) {
+    EXPECT_FALSE(ports.must_leave(port)) << "they have streams";
+  }
+}
+
+TEST_F(FullBridge, OthersLearnThatThereIsNoPlace) {
+  const std::size_t reserved = join();
+  const std::size_t host = join();
+  const std::size_t before = line.sent.size();
+  ask(host, msg::BoardInfoRequest{});
+  EXPECT_EQ(read(host), refusal_of(msg::BoardInfoRequest{}));
+  EXPECT_TRUE(ports.must_leave(host));
+  EXPECT_THAT(line.sent, SizeIs(before));
+  const std::size_t mute = join();
+  time = time + seconds(2);
+  ports.tick();
+  EXPECT_TRUE(ports.must_leave(mute));
+  EXPECT_FALSE(ports.must_leave(reserved));
+  const std::size_t later = join();
+  EXPECT_TRUE(ports.must_leave(reserved));
+  ask(later, turning(0));
+  EXPECT_EQ(line.sent.back().request.id, static_cast<std::uint8_t>(msg::Control::command));
+  std::size_t more = 0;
+  while (ports.connect(false, {})) ASSERT_LT(++more, HostPlaces::max_ports);
+  time = time + seconds(60);
+  ports.disconnect(0);
+  EXPECT_EQ(join(), 0U) << "whoever finds a place has a port";
 }
 
 TEST_F(Bridge, NoiseIsNoRequest) {
@@ -1069,7 +1180,7 @@ TEST_F(Bridge, ARequestAfterABrokenOneIsFoundWhenTheHostIsSilent) {
   time = time + BridgePorts::idle;
   ports.tick();
   EXPECT_THAT(line.sent, IsEmpty()) << "the rest may still come";
-  time = time + milliseconds(1);
+  time = time + sbgc::milliseconds(1);
   ports.tick();
   EXPECT_THAT(line.sent, SizeIs(1));
   ports.receive(host, bytes);

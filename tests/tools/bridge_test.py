@@ -27,6 +27,7 @@ from bridge import (
     bridge_to,
     host_of_bridge_in,
     shared_gimbal,
+    stream_request,
 )
 from emulated_gimbal import emulated_gimbal
 from relay import relay_to
@@ -64,10 +65,6 @@ def test_two_hosts_that_ask_at_once(bridge: Bridge) -> None:
         with pytest.raises(TimeoutError):
             host.socket.recv(1)
         host.close()
-
-
-def stream_request(interval: int) -> bytes:
-    return struct.pack("<BH18x", REALTIME_DATA_3, interval)
 
 
 def test_streams_go_to_those_who_asked_at_their_rates(bridge: Bridge) -> None:
@@ -358,14 +355,6 @@ def test_idle_connections_keep_no_web_socket_out(web: Bridge) -> None:
     for one in idle:
         one.close()
     page.close()
-
-
-def test_only_so_many_web_sockets() -> None:
-    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
-        pages = [WebSocket(bridge.address, f"?token={TOKEN}") for _ in range(17)]
-        assert [page.status for page in pages] == [101] * 16 + [503]
-        for page in pages:
-            page.close()
 
 
 def test_a_web_socket_without_a_place_that_sends_a_text() -> None:

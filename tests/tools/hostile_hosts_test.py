@@ -5,18 +5,21 @@ from __future__ import annotations
 import random
 import socket
 import struct
+import time
 from collections.abc import Callable
 
 import pytest
 
-from bridge import Host, bridge_to, shared_gimbal
+from bridge import DATA_STREAM_INTERVAL, Bridge, Host, shared_gimbal, stream_request
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import frame
+from sbgc_command import frame, run
 from web_socket import WebSocket
 
 BOARD_INFO = 86
+CONTROL = 67
 TOKEN = "0123456789abcdef"
 ROUNDS = 60
+PLACES = 32
 
 
 def anything(chance: random.Random) -> bytes:
@@ -106,3 +109,55 @@ def test_the_bridge_serves_others(seed: int) -> None:
         attacks = [over_tcp, over_udp, over_web_socket]
         serve_meanwhile(host, list(zip(attacks, bridge.addresses)), seed)
         host.close()
+
+
+def hosts_that(do: str, bridge: Bridge) -> list[Host]:
+    """Takes all places: of silent hosts, and of one that gets a stream."""
+    hosts = [Host(bridge.address) for _ in range(PLACES)]
+    streaming = hosts if do == "stream" else hosts[:1]
+    for host in streaming:
+        host.send(DATA_STREAM_INTERVAL, stream_request(200))
+    for host in streaming:
+        host.receive_samples(1)
+    for host in hosts[1:] if do == "send a frame" else ():
+        assert host.ask(BOARD_INFO)
+    return hosts
+
+
+@pytest.mark.parametrize("do", ["stay silent", "send a frame", "stream"])
+def test_a_stop_gets_through_when_all_places_are_taken(do: str) -> None:
+    with shared_gimbal() as bridge:
+        hosts = hosts_that(do, bridge)
+        for _ in range(2):
+            stopped = run("stop", "-p", bridge.address)
+            assert stopped.status == 0, stopped.error
+        hosts[0].receive_samples(10)
+        for host in hosts:
+            host.close()
+
+
+def test_silent_web_sockets_and_senders_of_datagrams_are_replaced() -> None:
+    with shared_gimbal("--tcp", "0", "--udp", "0", "--ws", "0", "--token", TOKEN) as bridge:
+        pages = [WebSocket(bridge.addresses[2], f"?token={TOKEN}") for _ in range(PLACES // 2)]
+        senders = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(PLACES // 2)]
+        for sender in senders:
+            sender.sendto(b"silence", _place(bridge.addresses[1]))
+        bridge.wait_for(f"is host {PLACES - 1}")
+        time.sleep(2.1)
+        hosts = hosts_that("stream", bridge)
+        assert all(page.receive()[0] == 8 for page in pages)
+        for one in [*hosts, *senders, *pages]:
+            one.close()
+
+
+def test_the_command_says_that_all_places_are_taken() -> None:
+    with shared_gimbal() as bridge:
+        hosts = hosts_that("stream", bridge)
+        hosts.append(Host(bridge.address))
+        hosts[-1].send(CONTROL, bytes([1]) + bytes(12))  # a stop, so it keeps the reserved place
+        assert hosts[-1].receive()
+        refused = run("info", "-p", bridge.address)
+        assert refused.status == 1
+        assert "all places of the bridge are in use" in refused.error
+        for host in hosts:
+            host.close()

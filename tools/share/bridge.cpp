@@ -59,8 +59,8 @@ class BridgeService {
     signals_.async_wait([&context](std::error_code error, int) {
       if (!error) context.stop();
     });
-    endpoints_ =
-        open_places(context.get_executor(), line_.ports(), options.places, "bridge", {log, log});
+    endpoints_ = open_places(context.get_executor(), line_.ports(), options.places,
+                             BridgePorts::max_ports, "bridge", {log, log});
     for (const hosts::ListenAddress& at : options.web_sockets) {
       endpoints_.push_back(
           listen_web_socket(context.get_executor(), line_.ports(), at, options.access, {log, log}));

@@ -83,8 +83,11 @@ RawRequest with_interval(const RawRequest& request, std::int64_t interval) {
 std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake) {
   auto* const free = std::ranges::find_if(hosts_, [](const auto& host) { return host == nullptr; });
   if (free == hosts_.end()) return std::nullopt;
-  *free = std::make_unique<Host>();
   const auto port = static_cast<std::size_t>(free - hosts_.begin());
+  const auto [is_heard, replaced] =
+      places_.come(port, now(), [this](std::size_t other) { return silent_since(other); });
+  if (!is_heard) return std::nullopt;
+  *free = std::make_unique<Host>();
   const auto is_taken = [this](const auto& host) { return host && host->id == last_host_; };
   do {
     ++last_host_;
@@ -92,11 +95,31 @@ std::optional<std::size_t> BridgePorts::connect(bool, std::function<void()> wake
   (*free)->id = last_host_;
   (*free)->wake = std::move(wake);
   (*free)->counters.port = port;
+  (*free)->heard = (*free)->told = now();
+  if (replaced) expel(*replaced, "it is silent, and another needs its place");
   return port;
+}
+
+Instant BridgePorts::silent_since(std::size_t port) const {
+  const Host& host = *hosts_[port];
+  const bool has_stream = std::ranges::any_of(
+      streams_, [&](const auto& one) { return one.second.shares.contains(port); });
+  const bool has_line = exclusive_ && exclusive_->port == port;
+  const bool is_busy =
+      host.pending != 0 || has_stream || has_line || askers_.awaits_answer(port, now());
+  return is_busy ? Instant::never : later(host.heard, host.told);
+}
+
+void BridgePorts::expel(std::size_t port, const char* reason) {
+  hosts_[port]->must_leave = true;
+  places_.give_up(port);
+  log_expelled_(fmt::format("host {} must leave: {}", port, reason));
+  wake(port);
 }
 
 void BridgePorts::disconnect(std::size_t port) {
   hosts_[port].reset();
+  places_.leave(port);
   askers_.left(port);
   for (OwedStop& stop : stops_.left(port)) {
     log(fmt::format("host {} has left before its stop was done: the bridge goes on with it", port));
@@ -112,7 +135,7 @@ void BridgePorts::disconnect(std::size_t port) {
     place = end_if_unused(place);
   }
   if (exclusive_ && exclusive_->port == port && exclusive_->is_watched()) {
-    exclusive_->port = max_hosts;
+    exclusive_->port = max_ports;
   } else if (exclusive_ && exclusive_->port == port) {
     end_exclusive();
   } else {
@@ -167,6 +190,7 @@ std::span<const std::uint8_t> BridgePorts::output(std::size_t port) const {
 
 void BridgePorts::take(std::size_t port, std::size_t size) {
   std::vector<std::uint8_t>& output = hosts_[port]->output;
+  hosts_[port]->told = now();
   output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
@@ -176,6 +200,7 @@ void BridgePorts::tick() {
     if (room(port) == 0) hosts_[port]->heard = now();  // it is not silent, but not read
     if (now() - hosts_[port]->heard > idle) end_input(port);
   }
+  for (const std::size_t port : places_.overdue(now())) expel(port, "all places are taken");
   if (!exclusive_) start_silent_streams();
   if (!exclusive_ && unanswered_ >= most_unanswered) {
     unanswered_ = 0;
@@ -191,7 +216,7 @@ void BridgePorts::tick() {
 // A host that has the line for itself.
 
 std::optional<std::size_t> BridgePorts::exclusive_host() const {
-  if (!exclusive_ || !exclusive_->is_active || exclusive_->port == max_hosts) return std::nullopt;
+  if (!exclusive_ || !exclusive_->is_active || exclusive_->port == max_ports) return std::nullopt;
   return exclusive_->port;
 }
 
@@ -216,7 +241,7 @@ void BridgePorts::watch_restart() {
   if (passed > restart_time + restart_time) return end_exclusive();
   const bool is_alone = std::ranges::none_of(
       hosts_, [&](const auto& host) { return host && host->counters.port != restart.port; });
-  const bool is_due = !is_alone || restart.port == max_hosts || passed > restart_time;
+  const bool is_due = !is_alone || restart.port == max_ports || passed > restart_time;
   if (!is_due || line_.raw_waiting() != 0) return;
   if (restart.unanswered_since == Instant::never) restart.unanswered_since = now();
   restart.introductions.push_back(true);
@@ -239,13 +264,13 @@ void BridgePorts::take_sign_of_life(std::span<const std::uint8_t> bytes) {
     }
     if (is_streamed(frame.id)) {
       give_sample(frame);
-    } else if (restart.port != max_hosts) {
+    } else if (restart.port != max_ports) {
       give({restart.port, frame.framing}, frame, false);
     }
   });
   const bool is_between_requests =
       line_.raw_waiting() == 0 &&
-      (restart.port == max_hosts || hosts_[restart.port]->parser.waiting_bytes() == 0);
+      (restart.port == max_ports || hosts_[restart.port]->parser.waiting_bytes() == 0);
   if (!is_back || !is_between_requests) return wake_all();
   log("the board has restarted: all hosts have the line again");
   line_.release_line();
@@ -326,7 +351,7 @@ void BridgePorts::end_exclusive() {
 }
 
 void BridgePorts::forget_exclusive() {
-  Host* const host = exclusive_->port == max_hosts ? nullptr : hosts_[exclusive_->port].get();
+  Host* const host = exclusive_->port == max_ports ? nullptr : hosts_[exclusive_->port].get();
   // The rest of its raw bytes is no request.
   if (host != nullptr && exclusive_->is_active) host->parser.flush([](const Frame&) {});
   exclusive_.reset();
@@ -337,8 +362,7 @@ void BridgePorts::forget_exclusive() {
 /// would be lost there, and nothing would tell.
 void BridgePorts::expel_exclusive() {
   const std::size_t port = exclusive_->port;
-  hosts_[port]->must_leave = true;
-  log(fmt::format("host {} must leave: it does not read what the board sends", port));
+  expel(port, "it does not read what the board sends");
   end_exclusive();
 }
 
@@ -348,14 +372,22 @@ void BridgePorts::wake_all() {
 
 void BridgePorts::take_request(std::size_t port, const Frame& frame) {
   Host& host = *hosts_[port];
+  if (host.must_leave) return;
   host.framing = frame.framing;
   ++host.counters.requests;
+  places_.speak(port);
   if (!may_pass(port, frame)) {
     return give_error({port, host.framing}, static_cast<msg::CommandToBoard>(frame.id),
                       msg::BoardErrorCode::wrong_state);
   }
   Result<RawRequest> request = raw_request(frame.id, frame.body);
   if (!request) return;
+  if (!places_.serves(port, *request)) {
+    give_error({port, host.framing}, static_cast<msg::CommandToBoard>(frame.id),
+               roles::ErrorReason::temporary);
+    if (places_.has_none(port)) expel(port, "all places are taken");
+    return;
+  }
   const bool is_exclusive = exclusive_ && exclusive_->port == port;
   if (exclusive_ && exclusive_->is_watched() && !is_exclusive) {
     const auto command = static_cast<msg::CommandToBoard>(frame.id);
@@ -629,7 +661,7 @@ void BridgePorts::give_sample(const Frame& frame) {
   };
   // A message of another size than documented can be of any stream with this id.
   const bool has_size = std::ranges::any_of(streams_, is_of);
-  std::array<bool, max_hosts> is_due{};
+  std::array<bool, max_ports> is_due{};
   for (auto& one : streams_) {
     if (one.first.first != frame.id || (has_size && !is_of(one))) continue;
     if (one.second.starting != 0) continue;

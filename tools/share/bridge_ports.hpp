@@ -21,8 +21,10 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
+#include "hosts/fewer_reports.hpp"
 #include "hosts/host_ports.hpp"
 #include "share/askers.hpp"
+#include "share/host_places.hpp"
 #include "share/host_stops.hpp"
 
 namespace sbgc::tools {
@@ -78,6 +80,8 @@ class BridgeLine {
 /// If
 ///   its host leaves before it is done, the bridge goes on with it.
 /// - Another request that fails has no response, as on a line to the board.
+/// - If all places are taken, silent hosts are replaced; see HostPlaces. A host that gets a stream,
+///   awaits an answer or has the line for itself is not silent.
 /// - After a request that restarts the board, its host has the line for itself, with all bytes as
 ///   they are, because a bootloader speaks another protocol. The others wait until the host has
 ///   left, the board introduces itself again, or nothing of that kind happens. The board does not
@@ -89,7 +93,7 @@ class BridgeLine {
 ///   error.
 class BridgePorts final : public hosts::HostPorts {
  public:
-  static constexpr std::size_t max_hosts = 32;
+  static constexpr std::size_t max_ports = HostPlaces::max_ports;
   /// Requests of one host that have not ended.
   static constexpr std::size_t max_requests = 16;
   /// Bytes that wait for one host.
@@ -136,6 +140,7 @@ class BridgePorts final : public hosts::HostPorts {
   // The hosts' side.
 
   std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake) override;
+  void keep_place(std::size_t port) override { places_.keep(port); }
   void disconnect(std::size_t port) override;
   void end_input(std::size_t port) override;
   void set_host_rate(std::size_t, std::uint32_t) override {}
@@ -179,6 +184,7 @@ class BridgePorts final : public hosts::HostPorts {
     ParserOfAll parser{};
     Framing framing = basic_framing;
     Instant heard{};
+    Instant told{};  // when it has taken bytes
     std::vector<std::uint8_t> output{};
     std::size_t pending = 0;
     bool must_leave = false;
@@ -214,7 +220,7 @@ class BridgePorts final : public hosts::HostPorts {
 
   /// A host that has the line for itself, or waits until the others have their answers.
   struct Exclusive {
-    std::size_t port{};  // max_hosts after it has left
+    std::size_t port{};  // max_ports after it has left
     bool is_active = false;
     bool is_plain = false;              // the board speaks the same protocol afterwards
     bool is_raw = false;                // it has sent bytes that are no requests
@@ -245,6 +251,8 @@ class BridgePorts final : public hosts::HostPorts {
   void begin_exclusive();
   void end_exclusive();
   void forget_exclusive();
+  Instant silent_since(std::size_t port) const;
+  void expel(std::size_t port, const char* reason);
   void expel_exclusive();
   void wake_all();
   /// Notes what the host wants; returns the request that the board gets instead.
@@ -269,7 +277,10 @@ class BridgePorts final : public hosts::HostPorts {
   std::function<Instant()> clock_;
   std::function<void(const std::string&)> log_;
   bool allows_passwords_;
-  std::array<std::unique_ptr<Host>, max_hosts> hosts_{};
+  std::array<std::unique_ptr<Host>, max_ports> hosts_{};
+  HostPlaces places_{};
+  std::function<void(const std::string&)> log_expelled_ =
+      hosts::with_fewer_reports([this](const std::string& text) { log(text); });
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;
   std::uint16_t last_host_ = 0;

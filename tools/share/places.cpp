@@ -10,13 +10,6 @@
 
 namespace sbgc::tools {
 
-namespace {
-
-/// TCP and UDP each have as many places.
-constexpr std::size_t places_of_each = 16;
-
-}  // namespace
-
 void add_listen(CLI::App& command, const std::string& name,
                 std::vector<hosts::ListenAddress>& addresses, const std::string& help) {
   command
@@ -55,7 +48,7 @@ void add_places(CLI::App& command, Places& places) {
 
 std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_executor& executor,
                                                           hosts::HostPorts& ports,
-                                                          const Places& places,
+                                                          const Places& places, std::size_t hosts,
                                                           const std::string& name,
                                                           const hosts::EndpointLogs& logs) {
   std::vector<std::unique_ptr<hosts::Endpoint>> opened;
@@ -64,10 +57,10 @@ std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_exe
     opened.push_back(std::move(endpoint));
   };
   for (const auto& at : places.tcp) {
-    add(hosts::listen_tcp(executor, ports, at, places_of_each, logs));
+    add(hosts::listen_tcp(executor, ports, at, hosts, logs));
   }
   for (const auto& at : places.udp) {
-    add(hosts::listen_udp(executor, ports, at, places_of_each, logs));
+    add(hosts::listen_udp(executor, ports, at, hosts, logs));
   }
   if (places.terminal) add(hosts::open_terminal(executor, ports, "", false, logs));
   for (const std::string& link : places.links) {

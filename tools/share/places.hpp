@@ -31,11 +31,11 @@ void add_places(CLI::App& command, Places& places);
 void add_listen(CLI::App& command, const std::string& name,
                 std::vector<hosts::ListenAddress>& addresses, const std::string& help);
 
-/// Opens the places and writes "NAME: ADDRESS" for each to background_stdout(). Throws
-/// std::runtime_error.
+/// Opens the places, TCP and UDP each for so many hosts, and writes "NAME: ADDRESS" for each to
+/// background_stdout(). Throws std::runtime_error.
 std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_executor& executor,
                                                           hosts::HostPorts& ports,
-                                                          const Places& places,
+                                                          const Places& places, std::size_t hosts,
                                                           const std::string& name,
                                                           const hosts::EndpointLogs& logs);
 

@@ -21,6 +21,9 @@ namespace sbgc::tools {
 
 namespace {
 
+/// TCP and UDP each have as many places.
+constexpr std::size_t places_of_each = 16;
+
 struct ReplayOptions {
   std::string file;
   double speed = 1;
@@ -47,7 +50,7 @@ int run_replay(const ReplayOptions& options) {
       },
       log);
   const auto endpoints =
-      open_places(loop.get_executor(), ports, options.places, "replay", {log, log});
+      open_places(loop.get_executor(), ports, options.places, places_of_each, "replay", {log, log});
   loop.run();
   finish_stdout();
   return success;

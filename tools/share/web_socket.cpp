@@ -119,7 +119,11 @@ class WebSocketEndpoint final : public hosts::Endpoint {
     if (host.input.empty() && !std::exchange(host.is_reading, true)) server_.read_next(id);
     const std::span<const std::uint8_t> waiting = ports_.output(host.port);
     if (waiting.empty() && !host.is_writing && ports_.must_leave(host.port)) {
-      return server_.close(id, "bytes were lost: they were not read in time");
+      // Not at once, because this may be a call from the ports.
+      return asio::post(executor_, [this, id] {
+        server_.close(id, "it did not read in time, or it was silent and its place is needed");
+        close(id);
+      });
     }
     if (waiting.empty() || std::exchange(host.is_writing, true)) return;
     const std::size_t size = std::min(waiting.size(), most_per_write);

@@ -28,7 +28,8 @@ namespace websocket = beast::websocket;
 namespace net = boost::asio;
 using Tcp = net::ip::tcp;
 
-constexpr std::size_t max_sessions = 16;
+/// With those for whom a bridge has no place, until they are closed.
+constexpr std::size_t max_sessions = 96;
 /// Connections that have not said yet what they want. If there are more, the oldest must leave.
 constexpr std::size_t max_strangers = 64;
 constexpr std::size_t max_message = 16384;

@@ -186,6 +186,10 @@ class Connector {
   }
 
   ClientError no_introduction(ClientError error) const {
+    if (error.code == ErrorCode::board_error &&
+        error.detail == static_cast<int>(roles::ErrorReason::temporary)) {
+      error.message = "all places of the bridge are in use, or its board restarts";
+    }
     if (error.code != ErrorCode::timeout) return error;
     const SessionStatistics seen = state_->statistics().session;
     const std::uint64_t noise = seen.parser.skipped_bytes;

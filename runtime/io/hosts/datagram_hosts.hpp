@@ -19,6 +19,8 @@ namespace sbgc::hosts {
 /// longest: among those that have not sent again after an answer, or else among those to which
 /// nothing was sent either for some time. A sender that found no place and tries again goes before
 /// those that send for the first time, however many they are.
+///
+/// This is for an emulated board and a replay, whose places are few; a bridge decides itself.
 class DatagramHosts {
  public:
   /// How long a place is reserved after the first datagram from others that send for the first
@@ -92,6 +94,11 @@ class DatagramHosts {
     });
     remember(replaced ? replaced->endpoint : endpoint, now);
     return replaced;
+  }
+
+  /// Removes the host at this port, if any.
+  std::optional<Host> remove(std::size_t port) {
+    return remove_first([&](const Host& host) { return host.port == port; });
   }
 
   /// Removes a host that has been silent for too long, if any.

@@ -25,6 +25,8 @@ class HostPorts {
   /// Returns the port, or nothing if all are in use. Calls `wake`, but never from inside connect(),
   /// when there may be output or room.
   virtual std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake) = 0;
+  /// The host keeps its port, however silent it is.
+  virtual void keep_place(std::size_t) {}
   virtual void disconnect(std::size_t port) = 0;
   /// The host sends no more, but still receives.
   virtual void end_input(std::size_t port) = 0;
@@ -37,7 +39,8 @@ class HostPorts {
   virtual std::size_t room(std::size_t port) const = 0;
   /// True if nothing more is to come for this host, apart from unsolicited messages.
   virtual bool is_quiet(std::size_t port) const = 0;
-  /// True if bytes for the host were lost: it gets those before them, then it must leave.
+  /// True if bytes for the host were lost, or another needs its place: it gets the bytes that wait,
+  /// then it must leave.
   virtual bool must_leave(std::size_t) const { return false; }
   virtual void receive(std::size_t port, std::span<const std::uint8_t> bytes) = 0;
   /// The bytes for the host.

@@ -104,7 +104,8 @@ class TcpEndpoint final : public Endpoint {
       host = Host::connect(board_, without_http(std::make_unique<Connection>(std::move(socket))));
     }
     if (host == nullptr) {
-      return refused_(fmt::format("{} refused: all {} places for TCP are in use", name, places_));
+      return refused_(
+          fmt::format("{} refused: all {} places for TCP are in use", name, hosts_.size()));
     }
     host->on_end = [this, name, leaving = host.get()](std::error_code end) {
       std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });

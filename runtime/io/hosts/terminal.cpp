@@ -62,6 +62,7 @@ class Terminal final : public Endpoint {
     if (!link_name_.empty()) link_.emplace(link_name_, path_);
     host_ = Host::connect(board_, std::move(opened.transport));
     if (host_ == nullptr) throw std::runtime_error("the board has no free port");
+    board_.keep_place(host_->port());
     if (has_rate_) {
       host_->before_bytes = [this](std::size_t) { look(); };
       keep_looking();

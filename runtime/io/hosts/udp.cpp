@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <asio/buffer.hpp>
+#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "hosts/datagram_hosts.hpp"
@@ -54,13 +55,18 @@ class UdpEndpoint final : public Endpoint {
   }
 
   void take(std::span<const std::uint8_t> bytes) {
+    const bool is_new = hosts_.find(from_) == nullptr;
     const auto* const host = host_of(from_);
     if (host == nullptr) return refuse();
     const std::size_t port = host->port;
     // Datagrams that arrive faster than the board's line transfers them are lost; a single one
     // always fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
-      return board_.receive(port, bytes);
+      board_.receive(port, bytes);
+      // Who is refused at once must not fill the log.
+      const bool stays = is_new && !board_.must_leave(port);
+      if (stays) logs_.event(fmt::format("{} is host {}", name_of(from_), port));
+      return;
     }
     if (is_time_to_log(lost_)) {
       logs_.event(
@@ -96,7 +102,6 @@ class UdpEndpoint final : public Endpoint {
     }
     const auto port = board_.connect(false, [this, endpoint] { send(endpoint); });
     if (!port) return nullptr;
-    logs_.event(fmt::format("{} is host {}", name_of(endpoint), *port));
     return &hosts_.add(endpoint, *port, now);
   }
 
@@ -125,6 +130,13 @@ class UdpEndpoint final : public Endpoint {
       hosts_.answer(endpoint, board_.now());
       board_.take(port, size);
     }
+    if (!board_.must_leave(port)) return;
+    // Not at once, because this may be a call from the board.
+    asio::post(socket_.get_executor(), [this, endpoint] {
+      const auto* const leaving = hosts_.find(endpoint);
+      if (leaving == nullptr || !board_.must_leave(leaving->port)) return;
+      board_.disconnect(hosts_.remove(leaving->port)->port);
+    });
   }
 
   static std::string name_of(const udp::endpoint& endpoint) { return "udp:" + place_of(endpoint); }
