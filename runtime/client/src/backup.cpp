@@ -220,11 +220,12 @@ class Reader {
     require_known(json, path, {"message", "copy", "body", "names", "fields"});
     const auto fields = json.find("fields");
     if (fields == json.end()) return;
-    // Files of earlier versions have none.
-    if (json.contains("names") && text(json, "names", path) != names_checksum(*fields)) {
-      return fail(path + ".fields", "a name was edited");
-    }
     compare(*fields, decoded, path + ".fields");
+    // Files of earlier versions have none.
+    const bool has_names = error_.empty() && json.contains("names");
+    if (has_names && text(json, "names", path) != names_checksum(*fields)) {
+      fail(path + ".fields", "a name was edited");
+    }
   }
 
   void compare(const Json& said, const Json& decoded, const std::string& path) {
