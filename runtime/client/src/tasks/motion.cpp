@@ -31,6 +31,8 @@ double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
 
 /// How often a target is repeated while nothing shows that the board has it.
 constexpr Duration repetition = milliseconds(100);
+/// A board that answers later was silent.
+constexpr Duration longest_answer = milliseconds(500);
 /// Target angles that differ by less, in degrees, are the same.
 constexpr double noise = 0.05;
 
@@ -378,7 +380,8 @@ Task<Result<void>> stop(StopOptions options) {
     if (!state && state.error().code != ErrorCode::timeout) co_return unknown();
     // At the end, an answer has less time than it may take.
     const bool is_cut = deadline.is_over() && task.now() - asked < repetition;
-    was_silent = was_silent || (!state && !is_cut);
+    const bool is_late = task.now() - asked >= longest_answer;
+    was_silent = was_silent || is_late || (!state && !is_cut);
     if (state) turns = turning(*state);
     const bool is_still = state && turns->empty();
     still_since = is_still ? earlier(still_since, task.now()) : Instant::never;
