@@ -85,6 +85,7 @@ class Board final : public sbgc::tools::BridgeLine {
   }
   void check() override {}
   void take_over(sbgc::tools::OwedStop) override {}
+  void drop_stops() override {}
 
   std::deque<Sent> open;   // requests that have not ended
   std::vector<Sent> news;  // requests since the last step

@@ -45,6 +45,7 @@ class Line final : public BridgeLine {
   std::size_t raw_waiting() const override { return waiting; }
   void check() override { ++checks; }
   void take_over(OwedStop stop) override { stops.push_back(std::move(stop)); }
+  void drop_stops() override { stops.clear(); }
   void give_line_back() override {
     is_taken = false;
     ++reopened;
@@ -214,8 +215,16 @@ TEST_F(Bridge, AStopThatHasBeenSeenIsDone) {
 TEST_F(Bridge, LaterMotionOfAnotherHostEndsAStop) {
   const std::size_t first = join();
   ask(first, turning(0));
-  ask(join(), turning(5));
+  const std::size_t second = join();
+  ask(second, turning(5));
   ports.disconnect(first);
+  EXPECT_THAT(line.stops, IsEmpty());
+  // Also one that the bridge goes on with.
+  const std::size_t third = join();
+  ask(third, turning(0));
+  ports.disconnect(third);
+  ASSERT_THAT(line.stops, SizeIs(1));
+  ask(second, turning(5));
   EXPECT_THAT(line.stops, IsEmpty());
 }
 

@@ -240,6 +240,7 @@ class BridgedSite final : public Site, private BridgeLine {
   }
   void check() override {}
   void take_over(OwedStop) override {}
+  void drop_stops() override {}
 
   std::size_t port_;
   Duration longest_delay_{};

@@ -75,19 +75,28 @@ void BridgeClient::take_over(OwedStop stop) {
   stopper_ = std::jthread([this](const std::stop_token& end) { go_on_with_stops(end); });
 }
 
+void BridgeClient::drop_stops() {
+  const std::lock_guard lock(stops_mutex_);
+  stops_.clear();
+  ++drops_;
+}
+
 void BridgeClient::go_on_with_stops(const std::stop_token& end) {
   constexpr std::chrono::milliseconds pause{100};
   std::unique_lock lock(stops_mutex_);
   while (stops_changed_.wait(lock, end, [&] { return !stops_.empty(); })) {
     std::vector<OwedStop> now = std::exchange(stops_, {});
-    lock.unlock();
+    const std::uint64_t drops = drops_;
     for (OwedStop& stop : now) {
+      if (drops_ != drops) break;
+      lock.unlock();
       const auto began = OwedStop::Clock::now();
       const Result<void> ended = client_.run(stop.attempt());
-      if (stop.take(ended, began) != OwedStop::State::owed) continue;
-      const std::lock_guard again(stops_mutex_);
-      stops_.push_back(std::move(stop));
+      const bool is_owed = stop.take(ended, began) == OwedStop::State::owed;
+      lock.lock();
+      if (is_owed && drops_ == drops) stops_.push_back(std::move(stop));
     }
+    lock.unlock();
     std::this_thread::sleep_for(pause);
     lock.lock();
     if (end.stop_requested()) return;

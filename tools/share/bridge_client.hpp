@@ -42,6 +42,7 @@ class BridgeClient final : public BridgeLine {
   void release_line() override { gate_.release(); }
   void check() override { client_.check(); }
   void take_over(OwedStop stop) override;
+  void drop_stops() override;
 
   ReconnectingClient& client() { return client_; }
 
@@ -59,6 +60,7 @@ class BridgeClient final : public BridgeLine {
   std::mutex stops_mutex_;
   std::condition_variable_any stops_changed_;
   std::vector<OwedStop> stops_;
+  std::uint64_t drops_ = 0;
   std::jthread stopper_;  // waits for the attempts
 };
 

@@ -512,6 +512,7 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
     calls_[tag] = {.asker = asker, .id = request.id, .is_due_soon = is_due_soon};
     askers_.asked(tag, asker, request, now());
     stops_.asked(*port, tag, request);
+    if (request.policy.moves && !request.policy.stops) line_.drop_stops();
     ++host.pending;
     request.host = host.id;
   }

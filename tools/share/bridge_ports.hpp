@@ -57,6 +57,8 @@ class BridgeLine {
 
   /// Goes on with a stop until it is done.
   virtual void take_over(OwedStop stop) = 0;
+  /// A host moves the camera: what was taken over is owed no longer.
+  virtual void drop_stops() = 0;
 };
 
 /// Gives each host the responses to its own requests, the samples of the data streams that it has
