@@ -173,6 +173,7 @@ TEST_P(StopTest, WithoutRestItFailsAndSaysSo) {
   const auto stopped = programs.await(
       programs.start(0, tasks::stop({.timeout = milliseconds(300), .rest = milliseconds(500)})));
   ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
   EXPECT_EQ(stopped.error().message, "the camera has not come to rest");
 }
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from typing import Any
 
 import pytest
 
+from bridge import Host, bridge_to
 from brokers import Message
+from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
 from motion_test import emulated_speed
-from safety_test import TURN, Stage, stage_, start_turning
+from safety_test import TURN, Line, Stage, stage_, start_turning
+from sbgc_command import run
 
 __all__ = ["stage_"]
 STATE = "sbgc/studio/front/state"
@@ -102,3 +106,71 @@ def test_stops_on_a_line_that_loses_bytes(stage: Stage) -> None:
         stage.line.loss = 0.02
         stage.result("stop")
         eventually(stage.stands)
+
+
+def owe_a_stop(stage: Stage) -> None:
+    start_turning(stage)
+    stage.line.cut()
+    eventually(lambda: state(stage)["state"] == "offline")
+    assert stage.result("stop")["status"] == "failed"
+    assert state(stage)["stopping"]
+
+
+def await_no_stop(stage: Stage) -> None:
+    stage.line.is_up = True
+    eventually(lambda: state(stage)["state"] == "online" and "stopping" not in state(stage))
+
+
+def test_what_stands_after_a_reconnection_stays_with_rc(stage: Stage) -> None:
+    rc_speed = ("rc_map.pitch=raw:133", "rc.pitch.rc_mode=1")  # API channel 5
+    assert run("params", "set", *rc_speed, "--yes", "-p", stage.front.address).status == 0
+    with running_gateway(stage.folder, stage.fleet()):
+        owe_a_stop(stage)
+        assert run("stop", "-p", stage.front.address).status == 0
+        assert run("send", "Control", "--yes", "-p", stage.front.address).status == 0
+        await_no_stop(stage)
+        channels = "val_ch=" + ",".join(["0.9"] * 32)
+        run("send", "ApiVirtChControl", channels, "--yes", "-p", stage.front.address)
+        eventually(stage.turns)
+        assert stage.result("stop")["status"] == "done"
+        assert stage.stands()
+
+
+def test_a_board_that_is_switched_off_and_on_is_owed_nothing(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()), emulated_gimbal() as after:
+        owe_a_stop(stage)
+        host, port = after.address.removeprefix("tcp:").split(":")
+        stage.line.target = (host, int(port))
+        await_no_stop(stage)
+        stage.front = after
+        start_turning(stage)
+
+
+def test_a_slow_line_with_other_programs_is_not_silent(stage: Stage) -> None:
+    with (
+        emulated_gimbal("--tcp", "0", "--baud", "9600") as slow,
+        bridge_to(slow.address) as bridge,
+    ):
+        stage.line = Line(bridge.address)
+        stage.front = slow
+        fleet = stage.fleet().replace("stop-after = 1", "stop-after = 3")
+        with running_gateway(stage.folder, fleet):
+            stage.motors_on()
+            assert stage.result("raw", TURN)["status"] == "done"
+            is_over = threading.Event()
+
+            def ask() -> None:
+                other = Host(bridge.address)
+                while not is_over.is_set():
+                    other.send(21, b"\0")  # CMD_READ_PARAMS_3, 155 bytes of answer
+                    other.receive()
+
+            others = [threading.Thread(target=ask) for _ in range(3)]
+            for one in others:
+                one.start()
+            time.sleep(8)
+            is_over.set()
+            for one in others:
+                one.join()
+            assert not has_event(stage, "silent") and stage.online() == 1
+            assert stage.turns()
