@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from closed_terminal_test import CASES, CHANGING, prepare
 from emulated_gimbal import emulated_gimbal
 from relay import relay_to
 from sbgc_command import run
@@ -43,3 +44,21 @@ def test_silence_is_no_success(
         assert done.status == status, done.error
         assert sentence in " ".join(done.error.split())
         assert not (tmp_path / "sbgc").exists(), "no defaults are kept"
+
+
+# `send` does not wait for what a request does, and what stands already is stopped. `jog` has no end.
+@pytest.mark.parametrize("name", sorted(set(CASES) - {"send", "stop", "script stop", "jog"}))
+def test_no_command_succeeds_without_its_effect(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    case = CASES[name]
+    monkeypatch.chdir(tmp_path)
+    board = ("--board", "3.6", "--firmware", case.firmware)
+    with (
+        emulated_gimbal(*board) as gimbal,
+        relay_to(gimbal.address, lambda data: b"" if data[1] in CHANGING else data) as address,
+    ):
+        prepare(name, gimbal, tmp_path)
+        words = [*name.split(), *case.arguments.format(folder=tmp_path).split()]
+        done = run(*words, "--yes", "--timeout", "600ms", "-p", address)
+        assert done.status in (1, 3) and done.error, done
