@@ -57,7 +57,7 @@ class Gimbal(Link):
         self._loop.add_reader(self._link.descriptor, self._ring)
 
     def _ring(self) -> None:
-        self._link.silence()
+        self._link.drain()
         self._rung.set()
         self._rung = asyncio.Event()
 

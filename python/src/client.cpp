@@ -161,7 +161,7 @@ void bind_client(py::module_& module) {
              });
            })
       .def_property_readonly("descriptor", [](Link& one) { return one.bell()->descriptor(); })
-      .def("silence", [](Link& one) { one.bell()->silence(); })
+      .def("drain", [](Link& one) { one.bell()->drain(); })
       .def("now", [](Link& one) { return static_cast<double>(one.now().us) / 1e6; })
       .def("description", &Link::description)
       .def("is_connected", &Link::is_connected)

@@ -19,7 +19,7 @@ void Bell::ring() const noexcept {
   const eventfd_t one = 1;
   static_cast<void>(eventfd_write(descriptor_, one));
 }
-void Bell::silence() const noexcept {
+void Bell::drain() const noexcept {
   eventfd_t count = 0;
   static_cast<void>(eventfd_read(descriptor_, &count));
 }

@@ -29,7 +29,7 @@ class Bell {
   ~Bell();
 
   void ring() const noexcept;
-  void silence() const noexcept;
+  void drain() const noexcept;
   int descriptor() const noexcept { return descriptor_; }
 
  private:

@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gateway/allowance.hpp"
-#include "gateway/newest.hpp"
+#include "gateway/latest_by_topic.hpp"
+#include "gateway/rate_limiter.hpp"
 
 namespace sbgc::tools {
 namespace {
@@ -139,8 +139,8 @@ TEST(Payload, a_stop_needs_nothing) {
   EXPECT_LT(read_stop_payload(many + reply + '}', topics, payload).size(), 20U);
 }
 
-TEST(Newest, the_newest_of_each_topic_wins) {
-  Newest newest;
+TEST(LatestByTopic, the_newest_of_each_topic_wins) {
+  LatestByTopic newest;
   EXPECT_TRUE(newest.put("a", "1"));
   EXPECT_FALSE(newest.put("b", "2"));
   EXPECT_FALSE(newest.put("a", "3"));
@@ -161,10 +161,10 @@ TEST(Keys, what_is_one) {
   EXPECT_FALSE(is_key(std::string(129, 'a')));
 }
 
-TEST(Allowance, it_comes_back_with_time) {
+TEST(RateLimiter, it_comes_back_with_time) {
   using std::chrono::milliseconds;
-  const Allowance::Time start = Allowance::Time() + std::chrono::hours(1);
-  Allowance allowance(2, 3);
+  const RateLimiter::Time start = RateLimiter::Time() + std::chrono::hours(1);
+  RateLimiter allowance(2, 3);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(allowance.take(start));
   EXPECT_FALSE(allowance.take(start));
   EXPECT_FALSE(allowance.take(start + milliseconds(400)));

@@ -121,7 +121,7 @@ class Stage:
 
     def motors_on(self) -> None:
         eventually(self.online)
-        # Motion waits until the fence is open.
+        # Motion waits until the barrier is open.
         eventually(self.accepts_motion)
 
     def accepts_motion(self) -> bool:

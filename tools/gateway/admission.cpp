@@ -16,8 +16,8 @@ using WallTime = std::chrono::system_clock::time_point;
 
 constexpr const char* stop_task = "stop";
 
-/// How long our own message of a fence may take.
-constexpr std::chrono::seconds fence_patience{10};
+/// How long our own message of a barrier may take.
+constexpr std::chrono::seconds barrier_patience{10};
 /// Refusals that are answered: garbage must not keep the disk busy.
 constexpr double refusals_per_second = 50;
 constexpr int most_refusals_at_once = 500;
@@ -36,16 +36,16 @@ Admission::Admission(const BrokerSettings& settings, const Topics& topics, const
       disk_(disk),
       outbox_(outbox),
       mqtt_(mqtt),
-      fences_{Fence(topics_.of(gateway_level, "cmd/fence")),
-              Fence(topics_.of(gateway_level, "raw"))},
-      echo_(fences_[0].topic()),
+      barriers_{SubscriptionBarrier(topics_.of(gateway_level, "cmd/fence")),
+                SubscriptionBarrier(topics_.of(gateway_level, "raw"))},
+      echo_(barriers_[0].topic()),
       refusals_(refusals_per_second, most_refusals_at_once) {}
 
 void Admission::take(std::vector<MqttMessage> messages) {
   const auto now = GimbalTasks::Clock::now();
   watch_delays(now);
   for (MqttMessage& message : messages) {
-    if (see_fence(message)) continue;
+    if (see_barrier(message)) continue;
     std::optional<CommandTopic> topic = topics_.command(message.topic);
     if (!topic || stop_at_once(*topic, message)) continue;
     queue(*std::move(topic), std::move(message), now);
@@ -60,17 +60,17 @@ void Admission::watch_delays(GimbalTasks::Clock::time_point now) {
   if (was_late || now > last_turn_ + GimbalTasks::longest_silence) {
     speeds_from_ = now + GimbalTasks::longest_silence;
     echo_.close("");
-  } else if (echo_.token().empty() && fences_[0].is_open()) {
-    const std::string token = fmt::format("{}-{}", fences_[0].token(), ++echoes_);
+  } else if (echo_.token().empty() && barriers_[0].is_open()) {
+    const std::string token = fmt::format("{}-{}", barriers_[0].token(), ++echoes_);
     if (mqtt_.publish({.topic = echo_.topic(), .payload = token})) echo_.close(token);
   }
   last_turn_ = now;
 }
 
-bool Admission::see_fence(const MqttMessage& message) {
+bool Admission::see_barrier(const MqttMessage& message) {
   if (message.topic == echo_.topic()) echo_.saw(message.payload);
-  for (Fence& fence : fences_) {
-    if (message.topic == fence.topic()) return fence.saw(message.payload), true;
+  for (SubscriptionBarrier& barrier : barriers_) {
+    if (message.topic == barrier.topic()) return barrier.saw(message.payload), true;
   }
   return false;
 }
@@ -91,11 +91,11 @@ bool Admission::stop_at_once(const CommandTopic& topic, const MqttMessage& messa
 void Admission::queue(CommandTopic topic, MqttMessage message,
                       GimbalTasks::Clock::time_point arrived) {
   const auto station = stations_.find(topic.gimbal);
-  const Fence& fence = fences_[topic.task == "raw" ? 1 : 0];
+  const SubscriptionBarrier& barrier = barriers_[topic.task == "raw" ? 1 : 0];
   Received received{.arrived = arrived,
                     .time = std::chrono::system_clock::now(),
                     .connected_at = connected_at_,
-                    .fence = fence.is_open() ? nullptr : &fence,
+                    .barrier = barrier.is_open() ? nullptr : &barrier,
                     .may_be_old = arrived < speeds_from_ || !echo_.is_open(),
                     .stops = station == stations_.end() ? 0 : station->second.tasks->stops()};
   received.topic = std::move(topic);
@@ -329,12 +329,12 @@ void Admission::check_freshness(const Received& received, const CommandPayload& 
   if (*payload.sent < received.connected_at - settings_.clock_skew) {
     throw Refusal("queued", "it was published while the gateway was not connected");
   }
-  if (received.fence != nullptr) {
+  if (received.barrier != nullptr) {
     throw Refusal(
         "queued",
         fmt::format("it may have waited: the broker has not yet returned a message to {}, "
                     "which the gateway must be allowed to write and to read",
-                    received.fence->topic()));
+                    received.barrier->topic()));
   }
 }
 
@@ -368,34 +368,35 @@ void Admission::refuse(const CommandTopic& topic, const CommandPayload& payload,
 void Admission::connected() {
   connected_at_ = std::chrono::system_clock::now();
   const auto now = unix_milliseconds(connected_at_);
-  for (Fence& fence : fences_) fence.close(fmt::format("{}-{}", ::getpid(), now));
-  echo_.close(fences_[0].token());
+  for (SubscriptionBarrier& barrier : barriers_)
+    barrier.close(fmt::format("{}-{}", ::getpid(), now));
+  echo_.close(barriers_[0].token());
   last_turn_ = GimbalTasks::Clock::now();
   speeds_from_ = last_turn_ + GimbalTasks::longest_silence;
   mqtt_.subscribe({topics_.of("+", "cmd/+"), topics_.of("+", "raw")}, 1);
 }
 
 void Admission::subscribed() {
-  for (const Fence& fence : fences_)
-    mqtt_.publish({.topic = fence.topic(), .payload = fence.token()});
-  fenced_ = MqttConnection::Clock::now();
+  for (const SubscriptionBarrier& barrier : barriers_)
+    mqtt_.publish({.topic = barrier.topic(), .payload = barrier.token()});
+  barred_ = MqttConnection::Clock::now();
 }
 
 void Admission::lost() {
-  for (Fence& fence : fences_) fence.close("");
+  for (SubscriptionBarrier& barrier : barriers_) barrier.close("");
   echo_.close("");
-  fenced_.reset();
+  barred_.reset();
 }
 
-void Admission::watch_fences() {
-  if (!fenced_ || MqttConnection::Clock::now() < *fenced_ + fence_patience) return;
-  fenced_.reset();
-  for (const Fence& fence : fences_) {
-    if (fence.is_open()) continue;
+void Admission::watch_barriers() {
+  if (!barred_ || MqttConnection::Clock::now() < *barred_ + barrier_patience) return;
+  barred_.reset();
+  for (const SubscriptionBarrier& barrier : barriers_) {
+    if (barrier.is_open()) continue;
     remark(
         "sbgc: warning: motion is refused, because the broker has not returned a message to {}: "
         "the gateway must be allowed to write and to read it\n",
-        fence.topic());
+        barrier.topic());
   }
 }
 

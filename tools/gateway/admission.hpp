@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "gateway/allowance.hpp"
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
 #include "gateway/gimbal_tasks.hpp"
@@ -21,6 +20,7 @@
 #include "gateway/mqtt.hpp"
 #include "gateway/outbox.hpp"
 #include "gateway/payload.hpp"
+#include "gateway/rate_limiter.hpp"
 #include "gateway/worker.hpp"
 
 namespace sbgc::tools {
@@ -36,9 +36,9 @@ using Stations = std::map<std::string, Station>;
 
 /// Detects what was published before a subscription: commands come in their order, so those that
 /// come before our own message have waited at the broker.
-class Fence {
+class SubscriptionBarrier {
  public:
-  explicit Fence(std::string topic) : topic_(std::move(topic)) {}
+  explicit SubscriptionBarrier(std::string topic) : topic_(std::move(topic)) {}
 
   const std::string& topic() const noexcept { return topic_; }
   bool is_open() const noexcept { return is_open_; }
@@ -75,8 +75,8 @@ class Admission {
   void connected();
   void subscribed();
   void lost();
-  /// Who may command, but not read the topic of a fence, would wonder why nothing moves.
-  void watch_fences();
+  /// Who may command, but not read the topic of a barrier, would wonder why nothing moves.
+  void watch_barriers();
 
   /// On the thread of the journal: commands go to their gimbals when they are on the disk.
   void settle();
@@ -102,10 +102,10 @@ class Admission {
     GimbalTasks::Clock::time_point arrived{};
     std::chrono::system_clock::time_point time{};  // the same
     std::chrono::system_clock::time_point connected_at{};
-    const Fence* fence{};   // that was closed: it may be older than the connection
-    bool may_be_old{};      // as a speed: something was suspended
-    bool is_excess{};       // too much waits for the disk
-    std::uint64_t stops{};  // see GimbalTasks::Job
+    const SubscriptionBarrier* barrier{};  // that was closed: it may be older than the connection
+    bool may_be_old{};                     // as a speed: something was suspended
+    bool is_excess{};                      // too much waits for the disk
+    std::uint64_t stops{};                 // see GimbalTasks::Job
   };
   /// A command that is to be carried out once it is on the disk.
   struct Admitted {
@@ -114,7 +114,7 @@ class Admission {
   };
 
   void watch_delays(GimbalTasks::Clock::time_point now);
-  bool see_fence(const MqttMessage& message);
+  bool see_barrier(const MqttMessage& message);
   bool stop_at_once(const CommandTopic& topic, const MqttMessage& message);
   GimbalTasks::Done answer_of_stop(const CommandTopic& topic, const MqttMessage& message);
   void finish_stop(const std::string& gimbal, Stop& stop);
@@ -143,12 +143,12 @@ class Admission {
   std::atomic<bool> is_closing_{false};
 
   // Of the thread of the connection:
-  std::array<Fence, 2> fences_;  // of cmd and raw
-  std::optional<MqttConnection::Clock::time_point> fenced_{};
+  std::array<SubscriptionBarrier, 2> barriers_;  // of cmd and raw
+  std::optional<MqttConnection::Clock::time_point> barred_{};
   std::chrono::system_clock::time_point connected_at_{};
   GimbalTasks::Clock::time_point last_turn_{};
   GimbalTasks::Clock::time_point speeds_from_{};  // earlier ones may be old
-  Fence echo_;                                    // and those before our own message
+  SubscriptionBarrier echo_;                      // and those before our own message
   std::uint64_t echoes_ = 0;
 
   // Shared:
@@ -156,7 +156,7 @@ class Admission {
   std::vector<Received> received_{};
   std::size_t received_bytes_ = 0;
   bool is_settling_ = false;
-  Allowance refusals_;
+  RateLimiter refusals_;
 };
 
 }  // namespace sbgc::tools

@@ -15,13 +15,13 @@
 
 #include "command/remark.hpp"
 #include "gateway/admission.hpp"
+#include "gateway/duplicate_gateway_detector.hpp"
 #include "gateway/gimbal_tasks.hpp"
 #include "gateway/journal.hpp"
 #include "gateway/mqtt.hpp"
 #include "gateway/outbox.hpp"
 #include "gateway/payload.hpp"
 #include "gateway/reports.hpp"
-#include "gateway/rivals.hpp"
 #include "gateway/worker.hpp"
 
 namespace sbgc::tools {
@@ -77,7 +77,7 @@ class Broker::Impl {
   const bool has_metrics_;
   const Topics topics_;
   const std::string state_topic_;
-  Rivals rivals_{};
+  DuplicateGatewayDetector duplicates_{};
   Journal journal_;
   Stations stations_{};
   Outbox outbox_;
@@ -101,7 +101,7 @@ Broker::Impl::Impl(const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>
       journal_(settings_.journal, {.most_waiting = settings_.most_waiting,
                                    .history = settings_.history,
                                    .keep = settings_.longest_deadline + 2 * settings_.clock_skew}),
-      outbox_(settings_, topics_, rivals_, journal_, disk_, mqtt_),
+      outbox_(settings_, topics_, duplicates_, journal_, disk_, mqtt_),
       admission_(settings_, topics_, stations_, journal_, disk_, outbox_, mqtt_),
       disk_(
           [this] {
@@ -132,7 +132,7 @@ MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
 MqttPublication Broker::Impl::will() const {
   // Without a time: the broker keeps it until it is needed.
   Json json{{"version", payload_version}, {"state", "offline"}};
-  rivals_.sign(json);
+  duplicates_.sign(json);
   return {.topic = state_topic_, .payload = payload_text(json), .is_retained = true};
 }
 
@@ -178,7 +178,9 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
 
 void Broker::Impl::take(std::vector<MqttMessage> messages) {
   for (const MqttMessage& one : messages) {
-    if (one.topic != state_topic_ || !rivals_.read(one.payload, Rivals::Clock::now())) continue;
+    if (one.topic != state_topic_ ||
+        !duplicates_.read(one.payload, DuplicateGatewayDetector::Clock::now()))
+      continue;
     has_rival_ = true;
     throw std::runtime_error("another gateway of this fleet is at the broker, and was there first");
   }
@@ -205,7 +207,7 @@ void Broker::Impl::lost(const std::string& reason) {
 bool Broker::Impl::idle() {
   disk_.check();
   if (!mqtt_.is_connected()) return false;
-  admission_.watch_fences();
+  admission_.watch_barriers();
   return outbox_.publish();
 }
 

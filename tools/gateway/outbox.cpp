@@ -25,11 +25,12 @@ constexpr std::size_t most_refusals_told = 100;
 
 }  // namespace
 
-Outbox::Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
-               Journal& journal, Worker& disk, MqttConnection& mqtt)
+Outbox::Outbox(const BrokerSettings& settings, const Topics& topics,
+               const DuplicateGatewayDetector& duplicates, Journal& journal, Worker& disk,
+               MqttConnection& mqtt)
     : settings_(settings),
       topics_(topics),
-      rivals_(rivals),
+      duplicates_(duplicates),
       journal_(journal),
       disk_(disk),
       mqtt_(mqtt) {
@@ -97,7 +98,7 @@ std::string Outbox::gateway_state(const char* state) const {
   const OutboxStatistics figures = statistics();
   Json json = stamped();
   json["state"] = state;
-  rivals_.sign(json);
+  duplicates_.sign(json);
   json["waiting"] = figures.waiting;
   json["most_waiting"] = figures.most_waiting;
   json["dropped"] = figures.dropped;
@@ -315,7 +316,7 @@ void Outbox::publish_states() {
 bool Outbox::publish_telemetry() {
   constexpr std::chrono::seconds lifetime{10};
   while (mqtt_.can_publish() && mqtt_.unsent() < most_unsent) {
-    std::optional<Newest::Entry> sample = telemetry_.take();
+    std::optional<LatestByTopic::Entry> sample = telemetry_.take();
     if (!sample) return false;
     mqtt_.publish({.topic = std::move(sample->topic),
                    .payload = std::move(sample->payload),

@@ -18,13 +18,13 @@
 
 #include <sbgc/json_dom.hpp>
 
+#include "gateway/duplicate_gateway_detector.hpp"
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal_tasks.hpp"
 #include "gateway/journal.hpp"
+#include "gateway/latest_by_topic.hpp"
 #include "gateway/mqtt.hpp"
-#include "gateway/newest.hpp"
 #include "gateway/payload.hpp"
-#include "gateway/rivals.hpp"
 #include "gateway/worker.hpp"
 
 namespace sbgc::tools {
@@ -45,8 +45,9 @@ struct OutboxStatistics {
 class Outbox {
  public:
   /// `disk`, which calls record(), and `mqtt` can be constructed later.
-  Outbox(const BrokerSettings& settings, const Topics& topics, const Rivals& rivals,
-         Journal& journal, Worker& disk, MqttConnection& mqtt);
+  Outbox(const BrokerSettings& settings, const Topics& topics,
+         const DuplicateGatewayDetector& duplicates, Journal& journal, Worker& disk,
+         MqttConnection& mqtt);
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
   ~Outbox() = default;
@@ -123,13 +124,13 @@ class Outbox {
 
   const BrokerSettings& settings_;
   const Topics& topics_;
-  const Rivals& rivals_;
+  const DuplicateGatewayDetector& duplicates_;
   Journal& journal_;
   Worker& disk_;
   MqttConnection& mqtt_;
 
   // Shared:
-  Newest telemetry_{};
+  LatestByTopic telemetry_{};
   mutable std::mutex mutex_{};
   std::deque<Happening> happenings_{};
   std::vector<std::int64_t> delivered_{};            // messages of the journal, acknowledged

@@ -106,7 +106,7 @@ Instant BridgePorts::silent_since(std::size_t port) const {
       streams_, [&](const auto& one) { return one.second.shares.contains(port); });
   const bool has_line = exclusive_ && exclusive_->port == port;
   const bool is_busy =
-      host.pending != 0 || has_stream || has_line || askers_.awaits_answer(port, now());
+      host.pending != 0 || has_stream || has_line || owners_.awaits_answer(port, now());
   return is_busy ? Instant::never : later(host.heard, host.told);
 }
 
@@ -120,7 +120,7 @@ void BridgePorts::expel(std::size_t port, const char* reason) {
 void BridgePorts::disconnect(std::size_t port) {
   hosts_[port].reset();
   places_.leave(port);
-  askers_.left(port);
+  owners_.left(port);
   for (OwedStop& stop : stops_.left(port)) {
     log(fmt::format("host {} has left before its stop was done: the bridge goes on with it", port));
     line_.take_over(std::move(stop));
@@ -173,7 +173,7 @@ bool BridgePorts::is_quiet(std::size_t port) const {
   const Host& host = *hosts_[port];
   const bool is_restarting = exclusive_ && exclusive_->port == port && !exclusive_->is_active;
   return host.pending == 0 && host.output.empty() && !is_restarting &&
-         !askers_.awaits_answer(port, now());
+         !owners_.awaits_answer(port, now());
 }
 
 void BridgePorts::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
@@ -426,13 +426,14 @@ void BridgePorts::take_stream_request(std::size_t port, const RawRequest& reques
   if (may_mix && stream != streams_.end()) stream->second.starting = tag;
 }
 
-void BridgePorts::refuse_stream(const Asker& asker, const StreamKey& key, const char* reason) {
+void BridgePorts::refuse_stream(const RequestOwner& asker, const StreamKey& key,
+                                const char* reason) {
   give_error(asker, roles::StreamRequest::command, roles::ErrorReason::temporary);
   log(fmt::format("host {}: a stream of {} is refused, because {}", asker.port,
                   to_string(static_cast<msg::CommandFromBoard>(key.first)), reason));
 }
 
-void BridgePorts::give_error(const Asker& asker, msg::CommandToBoard command,
+void BridgePorts::give_error(const RequestOwner& asker, msg::CommandToBoard command,
                              roles::ErrorReason reason) {
   msg::ErrorExt error;
   error.cmd_id = command;
@@ -507,10 +508,10 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
   const std::uint64_t tag = ++last_tag_;
   if (port) {
     Host& host = *hosts_[*port];
-    const Asker asker{*port, host.framing};
+    const RequestOwner asker{*port, host.framing};
     const bool is_due_soon = !request.policy.is_answered_at_end();
     calls_[tag] = {.asker = asker, .id = request.id, .is_due_soon = is_due_soon};
-    askers_.asked(tag, asker, request, now());
+    owners_.asked(tag, asker, request, now());
     stops_.asked(*port, tag, request);
     if (request.policy.moves && !request.policy.stops) line_.drop_stops();
     ++host.pending;
@@ -523,7 +524,7 @@ std::uint64_t BridgePorts::send(std::optional<std::size_t> port, RawRequest requ
 // The board's side.
 
 void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
-  askers_.answered(tag, frame, now());
+  owners_.answered(tag, frame, now());
   stops_.answered(tag, frame);
   const auto place = calls_.find(tag);
   if (place == calls_.end()) return;
@@ -569,9 +570,9 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
   const bool timed_out = failure == ErrorCode::timeout;
   if (timed_out) ++unanswered_;
   if (failure && was_not_sent(*failure)) {
-    askers_.withdrawn(tag);
+    owners_.withdrawn(tag);
   } else {
-    askers_.ended(tag, timed_out, now());
+    owners_.ended(tag, timed_out, now());
   }
   for (auto place = streams_.begin(); place != streams_.end();) {
     Stream& stream = place->second;
@@ -582,7 +583,7 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
   // Taken out first, because answers wake the host, which may send at once.
   const auto call = calls_.extract(tag);
   if (call.empty()) return;
-  const Asker asker = call.mapped().asker;
+  const RequestOwner asker = call.mapped().asker;
   const std::size_t port = asker.port;
   if (failure == ErrorCode::overload) refused_by_line(tag, call.mapped());
   if (failure == ErrorCode::superseded) {
@@ -621,7 +622,7 @@ void BridgePorts::arrived(const BoardFrame& message) {
 
 /// A message that answers no request which has not ended: unsolicited, or a late answer.
 void BridgePorts::give_unclaimed(const Frame& frame) {
-  const Askers::Claim claim = askers_.claim(frame, now());
+  const RequestOwners::Claim claim = owners_.claim(frame, now());
   // What nobody waits for may be dropped, as what nobody has asked for.
   if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
   if (claim.is_answer) return;
@@ -692,7 +693,7 @@ void BridgePorts::give(std::size_t port, const Frame& frame, bool may_be_dropped
   give({port, hosts_[port]->framing}, frame, may_be_dropped);
 }
 
-void BridgePorts::give(const Asker& to, const Frame& frame, bool may_be_dropped) {
+void BridgePorts::give(const RequestOwner& to, const Frame& frame, bool may_be_dropped) {
   Host& host = *hosts_[to.port];
   if (host.must_leave) return;
   if (may_be_dropped && host.output.size() > most_for_samples) {

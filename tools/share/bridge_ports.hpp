@@ -23,9 +23,9 @@
 
 #include "hosts/fewer_reports.hpp"
 #include "hosts/host_ports.hpp"
-#include "share/askers.hpp"
 #include "share/host_places.hpp"
 #include "share/host_stops.hpp"
+#include "share/request_owners.hpp"
 
 namespace sbgc::tools {
 
@@ -65,7 +65,7 @@ class BridgeLine {
 /// asked for, and all unsolicited messages.
 ///
 /// - A response that comes when its request has ended still goes to the host that asked; see
-///   Askers.
+///   RequestOwners.
 /// - The bodies of requests and responses pass unchanged; a response is rewritten in the framing of
 ///   its request, other messages in that of the last request of the host.
 /// - The board gets the shortest interval that a host wants for a data stream; each host gets every
@@ -195,7 +195,7 @@ class BridgePorts final : public hosts::HostPorts {
   /// Identifies a data stream by the id of its messages and its configuration.
   using StreamKey = std::pair<std::uint8_t, std::array<std::uint8_t, max_stream_config>>;
   struct Call {
-    Asker asker{};
+    RequestOwner asker{};
     std::uint8_t id{};
     bool is_due_soon{};                 // the answer to it
     std::optional<StreamKey> stream{};  // that it starts, changes or ends
@@ -261,14 +261,15 @@ class BridgePorts final : public hosts::HostPorts {
   RawRequest merged(std::size_t port, const RawRequest& request);
   void refused(std::uint64_t tag, const Call& call);
   void refused_by_line(std::uint64_t tag, const Call& call);
-  void refuse_stream(const Asker& asker, const StreamKey& key, const char* reason);
+  void refuse_stream(const RequestOwner& asker, const StreamKey& key, const char* reason);
   bool may_pass(std::size_t port, const Frame& request);
-  void give_error(const Asker& asker, msg::CommandToBoard command, roles::ErrorReason reason);
+  void give_error(const RequestOwner& asker, msg::CommandToBoard command,
+                  roles::ErrorReason reason);
   Streams::iterator end_if_unused(Streams::iterator place);
   bool has_other_configuration(const StreamKey& key) const;
   std::uint64_t send(std::optional<std::size_t> port, RawRequest request);
   void give(std::size_t port, const Frame& frame, bool may_be_dropped);
-  void give(const Asker& to, const Frame& frame, bool may_be_dropped);
+  void give(const RequestOwner& to, const Frame& frame, bool may_be_dropped);
   void give_all(const Frame& frame);
   void give_sample(const Frame& frame);
   void wake(std::size_t port);
@@ -286,7 +287,7 @@ class BridgePorts final : public hosts::HostPorts {
   std::uint64_t last_tag_ = 0;
   std::unordered_map<std::uint64_t, Call> calls_;
   std::uint16_t last_host_ = 0;
-  Askers askers_;
+  RequestOwners owners_;
   HostStops stops_;
   Streams streams_;
   std::map<std::uint8_t, Instant> ended_streams_{};  // when the last host left, by message

@@ -22,7 +22,7 @@ inline constexpr std::size_t most_answers = 6;
 /// sums is rare, and hardly ever the same twice. `seen` are answers that are known already, and
 /// `what` is the operation, for the error.
 template <class T, class Read>
-Task<Result<T>> read_surely(Read read, std::string what, std::vector<T> seen = {}) {
+Task<Result<T>> read_until_two_agree(Read read, std::string what, std::vector<T> seen = {}) {
   const TaskMachine& task = co_await tasks::this_task();
   std::size_t answers = seen.size();
   while (true) {
@@ -45,12 +45,12 @@ Task<Result<T>> read_surely(Read read, std::string what, std::vector<T> seen = {
 
 /// The same for the answer to a request.
 template <Message M>
-Task<CallResult<M>> call_surely(M request, std::string what, CallOptions options = {}) {
+Task<CallResult<M>> call_verified(M request, std::string what, CallOptions options = {}) {
   using Answer = typename CallResult<M>::value_type;
   const auto read = [&]() -> Task<Result<Answer>> {
     co_return co_await tasks::call(request, options);
   };
-  co_return co_await read_surely<Answer>(read, std::move(what));
+  co_return co_await read_until_two_agree<Answer>(read, std::move(what));
 }
 
 }  // namespace sbgc::detail

@@ -54,9 +54,10 @@ Task<Result<Bytes>> read_pages(detail::PageRun run, const detail::Deadline& dead
 }
 
 /// The same, but bytes that an undetected error of the line has changed are not accepted.
-Task<Result<Bytes>> read_pages_surely(detail::PageRun run, const detail::Deadline& deadline) {
+Task<Result<Bytes>> read_pages_verified(detail::PageRun run, const detail::Deadline& deadline) {
   const auto read = [&] { return read_pages(run, deadline); };
-  co_return co_await detail::read_surely<Bytes>(read, "reading the EEPROM at " + hex(run.address));
+  co_return co_await detail::read_until_two_agree<Bytes>(
+      read, "reading the EEPROM at " + hex(run.address));
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
   for (const auto& run : detail::page_runs(address, size, eeprom_page, eeprom_most_read)) {
     auto going = detail::go_on(task, options.progress, {done(), size, task}, deadline);
     if (!going) co_return going.error();
-    const Result<Bytes> block = co_await read_pages_surely(run, deadline);
+    const Result<Bytes> block = co_await read_pages_verified(run, deadline);
     if (!block) co_return block.error();
     pages.insert(pages.end(), block->begin(), block->end());
   }
@@ -109,7 +110,7 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
     const std::uint64_t last = std::min(run.address + run.size, end);
     Bytes block(run.size);
     if (last - first != run.size) {  // other bytes of these pages must be kept
-      Result<Bytes> present = co_await read_pages_surely(run, deadline);
+      Result<Bytes> present = co_await read_pages_verified(run, deadline);
       if (!present) co_return fail(present.error());
       block = *std::move(present);
     }

@@ -432,7 +432,7 @@ Task<Result<msg::ControlConfig>> detail::control_timeout_request(
   msg::ReadParams3Request active;
   active.profile_id = msg::ReadParams3Request::active_profile;
   const std::string what = "reading the expo rate";
-  const Result<msg::ReadParams3> parameters = co_await call_surely(active, what);
+  const Result<msg::ReadParams3> parameters = co_await call_verified(active, what);
   if (!parameters) co_return during(what, parameters.error());
   msg::ControlConfig config;
   config.timeout_ms = msg::Milliseconds(static_cast<std::uint16_t>(timeout.count()));

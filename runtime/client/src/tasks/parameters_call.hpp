@@ -16,9 +16,8 @@ Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
                                   const Deadline& deadline);
 
 /// The same, but a value that an undetected error of the line has changed is not accepted; see
-/// read_surely(). `seen` are answers that are known already.
-Task<Result<Parameters>> read_one_surely(const ParametersKind& kind, std::uint8_t copy,
-                                         const Deadline& deadline,
-                                         std::vector<Parameters> seen = {});
+/// read_until_two_agree(). `seen` are answers that are known already.
+Task<Result<Parameters>> read_verified(const ParametersKind& kind, std::uint8_t copy,
+                                       const Deadline& deadline, std::vector<Parameters> seen = {});
 
 }  // namespace sbgc::detail

@@ -35,8 +35,8 @@ namespace tasks {
 namespace {
 
 Task<Result<msg::ReadProfileNames>> read_names() {
-  co_return co_await detail::call_surely(msg::ReadProfileNamesRequest{},
-                                         "reading the profile names");
+  co_return co_await detail::call_verified(msg::ReadProfileNamesRequest{},
+                                           "reading the profile names");
 }
 
 /// Changes the names on the board with `change(message)`.

@@ -32,11 +32,11 @@ Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
   co_return Parameters{id, *std::move(body)};
 }
 
-Task<Result<Parameters>> read_one_surely(const ParametersKind& kind, std::uint8_t copy,
-                                         const Deadline& deadline, std::vector<Parameters> seen) {
+Task<Result<Parameters>> read_verified(const ParametersKind& kind, std::uint8_t copy,
+                                       const Deadline& deadline, std::vector<Parameters> seen) {
   const auto read = [&] { return read_one(kind, copy, deadline); };
   std::string what = fmt::format("reading {}", to_text({kind.name(), copy}));
-  co_return co_await read_surely<Parameters>(read, std::move(what), std::move(seen));
+  co_return co_await read_until_two_agree<Parameters>(read, std::move(what), std::move(seen));
 }
 
 }  // namespace detail
@@ -57,7 +57,7 @@ Task<Result<ParameterSet>> read_parameters(ReadOptions options) {
     const auto going = detail::go_on(task, options.progress, progress, deadline);
     if (!going) co_return going.error();
     const detail::ParametersKind& kind = *detail::find_parameters_kind(id.message);
-    Result<Parameters> block = co_await detail::read_one_surely(kind, id.copy, deadline);
+    Result<Parameters> block = co_await detail::read_verified(kind, id.copy, deadline);
     if (!block) co_return block.error();
     if (const auto done = result.put(*std::move(block)); !done) co_return done.error();
   }

@@ -13,7 +13,7 @@ namespace sbgc::tasks {
 namespace {
 
 Task<Result<msg::ReadExternalData>> read_user_data() {
-  co_return co_await detail::call_surely(msg::ReadExternalDataRequest{}, "reading the user data");
+  co_return co_await detail::call_verified(msg::ReadExternalDataRequest{}, "reading the user data");
 }
 
 }  // namespace

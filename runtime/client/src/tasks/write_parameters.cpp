@@ -96,7 +96,7 @@ class Writing {
     std::vector<Parameters> seen;
     if (present) seen.push_back(*std::move(present));
     if (!seen.empty() && !has_only_sums(task_.framing())) co_return std::move(seen.front());
-    co_return co_await detail::read_one_surely(kind, copy, deadline_, std::move(seen));
+    co_return co_await detail::read_verified(kind, copy, deadline_, std::move(seen));
   }
 
   /// Validates the fields that change.

@@ -14,7 +14,7 @@
 namespace sbgc::tools {
 
 /// A host that has asked the board, and the framing of its request.
-struct Asker {
+struct RequestOwner {
   std::size_t port{};
   Framing framing = basic_framing;
 };
@@ -27,7 +27,7 @@ struct Asker {
 /// without one, it confirms the end of the last task that has begun. Without a task, it answers the
 /// request that was answered a moment ago, because some have several answers. An answer that comes
 /// much too late goes to the host that has asked, or to nobody if several have.
-class Askers {
+class RequestOwners {
  public:
   /// An answer can be so late, after the time that the policy of its request allows.
   static constexpr Duration lateness = sbgc::milliseconds(500);
@@ -37,7 +37,7 @@ class Askers {
   static constexpr std::size_t most = 4096;
 
   /// A request is sent. Tags increase.
-  void asked(std::uint64_t tag, const Asker& asker, const RawRequest& request, Instant now);
+  void asked(std::uint64_t tag, const RequestOwner& asker, const RawRequest& request, Instant now);
   /// A frame has answered it.
   void answered(std::uint64_t tag, const Frame& frame, Instant now);
   /// The line waits no longer for the request, which has, or has not, `timed_out`.
@@ -51,9 +51,9 @@ class Askers {
   bool awaits_answer(std::size_t port, Instant now) const;
 
   struct Claim {
-    bool is_answer = false;        ///< else nobody has asked for it
-    bool is_awaited = false;       ///< it is the answer to a request without one
-    std::optional<Asker> asker{};  ///< if it is known, and has not left
+    bool is_answer = false;               ///< else nobody has asked for it
+    bool is_awaited = false;              ///< it is the answer to a request without one
+    std::optional<RequestOwner> asker{};  ///< if it is known, and has not left
   };
   /// Tells whose a frame is, and counts it as an answer.
   Claim claim(const Frame& frame, Instant now);
@@ -61,7 +61,7 @@ class Askers {
  private:
   struct Entry {
     std::uint64_t tag{};
-    std::optional<Asker> asker{};
+    std::optional<RequestOwner> asker{};
     Responses responses{};
     unsigned missing{};    // answers
     unsigned confirmed{};  // how often

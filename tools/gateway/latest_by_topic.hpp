@@ -12,7 +12,7 @@
 namespace sbgc::tools {
 
 /// Thread-safe. Topics are taken in the order in which they became new, so that none starves.
-class Newest {
+class LatestByTopic {
  public:
   struct Entry {
     std::string topic{};

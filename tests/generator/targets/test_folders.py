@@ -18,7 +18,7 @@ from support import GENERATOR, PROJECT, write_spec
 NAMES = [target.name for target in targets()]
 # Packages from the lowest to the highest layer; a module uses only its own package and lower ones.
 # Modules outside of them (the command line and its helpers) use all.
-ROOMS = ("model", "spec", "oracle", "views", "targets")
+FOLDERS = ("model", "spec", "oracle", "views", "targets")
 
 TOY = '''
 from collections.abc import Sequence
@@ -179,13 +179,13 @@ def test_templates_of_a_target_use_no_other_one() -> None:
                 assert other == target.name or f'"{other}/' not in text, path
 
 
-def test_rooms_use_lower_ones_only() -> None:
+def test_folders_use_lower_ones_only() -> None:
     root = GENERATOR / "sbgcgen"
     for path, tree in modules():
-        room = path.relative_to(root).parts[0]
-        if room not in ROOMS:
+        folder = path.relative_to(root).parts[0]
+        if folder not in FOLDERS:
             continue
-        higher = ROOMS[ROOMS.index(room) + 1 :]
+        higher = FOLDERS[FOLDERS.index(folder) + 1 :]
         for module in imports(tree):
             used = f"{module}.".removeprefix("sbgcgen.").split(".")[0]
             assert not module.startswith("sbgcgen.") or used not in higher, f"{path}: {module}"

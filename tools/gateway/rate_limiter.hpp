@@ -7,11 +7,11 @@
 namespace sbgc::tools {
 
 /// At most `most` at once, and afterwards `per_second`.
-class Allowance {
+class RateLimiter {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  Allowance(double per_second, double most) : per_second_(per_second), most_(most), left_(most) {}
+  RateLimiter(double per_second, double most) : per_second_(per_second), most_(most), left_(most) {}
 
   /// Returns false if it is too often.
   bool take(Time now) {

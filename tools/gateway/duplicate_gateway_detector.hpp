@@ -14,11 +14,11 @@ namespace sbgc::tools {
 /// Two gateways with one client id take the connection to the broker from each other. Each puts its
 /// name into the retained state of the gateway. Who has read its own name there, and then the
 /// other's, knows that the other is alive: it is not what an earlier process has left behind.
-class Rivals {
+class DuplicateGatewayDetector {
  public:
   using Clock = std::chrono::steady_clock;
 
-  Rivals();
+  DuplicateGatewayDetector();
 
   /// Puts the name of this gateway into its state.
   void sign(Json& state) const;

@@ -1,4 +1,4 @@
-#include "gateway/rivals.hpp"
+#include "gateway/duplicate_gateway_detector.hpp"
 
 #include <random>
 #include <utility>
@@ -22,14 +22,15 @@ std::string random_name() {
 
 }  // namespace
 
-Rivals::Rivals() : name_{unix_milliseconds(std::chrono::system_clock::now()), random_name()} {}
+DuplicateGatewayDetector::DuplicateGatewayDetector()
+    : name_{unix_milliseconds(std::chrono::system_clock::now()), random_name()} {}
 
-void Rivals::sign(Json& state) const {
+void DuplicateGatewayDetector::sign(Json& state) const {
   state["since"] = name_.first;
   state["process"] = name_.second;
 }
 
-bool Rivals::read(const std::string& state, Clock::time_point now) {
+bool DuplicateGatewayDetector::read(const std::string& state, Clock::time_point now) {
   const Json json = Json::parse(state, nullptr, false);
   const auto since = json.find("since");
   const auto process = json.find("process");

@@ -1,4 +1,4 @@
-#include "share/askers.hpp"
+#include "share/request_owners.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,8 @@
 
 namespace sbgc::tools {
 
-void Askers::asked(std::uint64_t tag, const Asker& asker, const RawRequest& request, Instant now) {
+void RequestOwners::asked(std::uint64_t tag, const RequestOwner& asker, const RawRequest& request,
+                          Instant now) {
   const ResponsePolicy& policy = request.policy;
   // Of what is only remembered, the last request of a kind says as much as all.
   std::erase_if(entries_, [&](const Entry& entry) {
@@ -26,44 +27,44 @@ void Askers::asked(std::uint64_t tag, const Asker& asker, const RawRequest& requ
        .at = now});
 }
 
-auto Askers::find(std::uint64_t tag) -> Entry* {
+auto RequestOwners::find(std::uint64_t tag) -> Entry* {
   const auto place = std::ranges::lower_bound(entries_, tag, {}, &Entry::tag);
   return place == entries_.end() || place->tag != tag ? nullptr : &*place;
 }
 
-void Askers::Entry::take(const Frame& frame, Instant now) {
+void RequestOwners::Entry::take(const Frame& frame, Instant now) {
   if (roles::is_confirmation(frame)) ++confirmed;
   if (missing != 0) missing = roles::is_error(frame) ? 0 : missing - 1;
   if (missing == 0) due = now + lateness;
 }
 
-void Askers::answered(std::uint64_t tag, const Frame& frame, Instant now) {
+void RequestOwners::answered(std::uint64_t tag, const Frame& frame, Instant now) {
   if (Entry* const entry = find(tag)) entry->take(frame, now);
 }
 
-void Askers::ended(std::uint64_t tag, bool timed_out, Instant now) {
+void RequestOwners::ended(std::uint64_t tag, bool timed_out, Instant now) {
   Entry* const entry = find(tag);
   if (entry == nullptr || entry->missing == 0) return;
   entry->due = now + (timed_out ? lateness : entry->patience);
 }
 
-void Askers::withdrawn(std::uint64_t tag) {
+void RequestOwners::withdrawn(std::uint64_t tag) {
   std::erase_if(entries_, [&](const Entry& entry) { return entry.tag == tag; });
 }
 
-void Askers::left(std::size_t port) {
+void RequestOwners::left(std::size_t port) {
   for (Entry& entry : entries_) {
     if (entry.asker && entry.asker->port == port) entry.asker.reset();
   }
 }
 
-bool Askers::awaits_answer(std::size_t port, Instant now) const {
+bool RequestOwners::awaits_answer(std::size_t port, Instant now) const {
   return std::ranges::any_of(entries_, [&](const Entry& entry) {
     return entry.asker && entry.asker->port == port && entry.is_due(now);
   });
 }
 
-bool Askers::Entry::can_be_answered_by(const Frame& frame) const {
+bool RequestOwners::Entry::can_be_answered_by(const Frame& frame) const {
   if (roles::is_confirmation(frame)) {
     return roles::confirmed_command(frame) == responses.command &&
            responses.confirmation.holds(frame.body);
@@ -80,11 +81,11 @@ bool Askers::Entry::can_be_answered_by(const Frame& frame) const {
                       [&](const ResponseForm& form) { return form.id == frame.id; });
 }
 
-bool Askers::is_same_host(const Entry& one, const Entry& other) {
+bool RequestOwners::is_same_host(const Entry& one, const Entry& other) {
   return one.asker && other.asker && one.asker->port == other.asker->port;
 }
 
-auto Askers::claim(const Frame& frame, Instant now) -> Claim {
+auto RequestOwners::claim(const Frame& frame, Instant now) -> Claim {
   if (roles::is_reset(frame)) return {};
   const bool is_error = roles::is_error(frame);
   const bool is_anonymous = is_error && roles::failed_command(frame) == 0;

@@ -1,6 +1,6 @@
 // Two gateways of one fleet, as each reads the states of both.
 
-#include "gateway/rivals.hpp"
+#include "gateway/duplicate_gateway_detector.hpp"
 
 #include <chrono>
 #include <initializer_list>
@@ -16,13 +16,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::string state_of(const Rivals& gateway) {
+std::string state_of(const DuplicateGatewayDetector& gateway) {
   Json state{{"version", 1}, {"state", "online"}};
   gateway.sign(state);
   return detail::json_text(state);
 }
 
-Rivals later_one() {
+DuplicateGatewayDetector later_one() {
   std::this_thread::sleep_for(5ms);
   return {};
 }
@@ -30,14 +30,15 @@ Rivals later_one() {
 class TwoGateways : public testing::Test {
  protected:
   /// After what a gateway reads when the other has taken its connection and it has taken it back.
-  bool gives_way(Rivals& reader, const Rivals& other, std::chrono::seconds time) {
+  bool gives_way(DuplicateGatewayDetector& reader, const DuplicateGatewayDetector& other,
+                 std::chrono::seconds time) {
     reader.read(state_of(reader), start_ + time);
     return reader.read(state_of(other), start_ + time);
   }
 
-  const Rivals::Clock::time_point start_{};
-  Rivals first_{};
-  Rivals second_ = later_one();
+  const DuplicateGatewayDetector::Clock::time_point start_{};
+  DuplicateGatewayDetector first_{};
+  DuplicateGatewayDetector second_ = later_one();
 };
 
 TEST_F(TwoGateways, TheLaterOneGivesWay) {
