@@ -55,7 +55,7 @@ class Broker::Impl {
   void close();
   Statistics statistics() const;
   std::string failure() const;
-  bool has_rival() const noexcept { return has_rival_; }
+  bool has_duplicate() const noexcept { return has_rival_; }
   bool has_left_moving() const noexcept { return has_left_moving_; }
 
  private:
@@ -287,6 +287,6 @@ std::string Broker::failure() const { return impl_->failure(); }
 
 bool Broker::has_left_moving() const { return impl_->has_left_moving(); }
 
-bool Broker::has_rival() const { return impl_->has_rival(); }
+bool Broker::has_duplicate() const { return impl_->has_duplicate(); }
 
 }  // namespace sbgc::tools

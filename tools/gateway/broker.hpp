@@ -41,7 +41,7 @@ class Broker {
   /// end. "" if it can.
   std::string failure() const;
   /// True if that is another gateway of the same fleet.
-  bool has_rival() const;
+  bool has_duplicate() const;
 
  private:
   class Impl;
