@@ -24,6 +24,7 @@
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/duration.hpp"
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"

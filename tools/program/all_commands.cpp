@@ -6,6 +6,7 @@
 
 #include "command/command_line_facts.hpp"
 #include "command/commands.hpp"
+#include "command/subcommand.hpp"
 #include "command/usage.hpp"
 #include "motion/guard.hpp"
 
@@ -26,11 +27,7 @@ const std::vector<Heading> headings{
      {add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module,
       add_reset}},
     {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
-#ifdef SBGC_HAS_GATEWAY
     {"Share", {add_bridge, add_gateway}},
-#else
-    {"Share", {add_bridge}},
-#endif
     {"Shell", {add_shell, add_help, add_completion, add_manual}},
 };
 
@@ -48,6 +45,21 @@ void require_use_of_gimbal_options(const CLI::App& app) {
 }
 
 }  // namespace
+
+#ifdef SBGC_GATEWAY_MISSING
+void add_gateway(CLI::App& app, CommandContext& context) {
+  const Subcommand<NoOptions> command(app, context, "gateway",
+                                      "Not in this sbgc, which was built without it");
+  command->allow_extras();
+  command->footer("To have it, install from Debian, and build sbgc again: " SBGC_GATEWAY_MISSING
+                  ".");
+  command.runs([](const NoOptions&) -> int {
+    throw CommandError(
+        "this sbgc was built without the gateway; to have it, install from Debian, and build sbgc "
+        "again: " SBGC_GATEWAY_MISSING);
+  });
+}
+#endif
 
 void add_commands(CLI::App& app, CommandContext& context) {
   add_gimbal_options(app, context.gimbal);

@@ -13,7 +13,7 @@ from certificates import certificates
 from emulated_gimbal import emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
 
-ACL = Path(__file__).parents[2] / "tools/gateway/deploy/mosquitto.acl"
+ACL = Path(__file__).parents[1] / "deploy/mosquitto.acl"
 
 
 def fleet(broker: Mosquitto, gimbal: str, more: str) -> str:

@@ -19,7 +19,7 @@ from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
 
 HERE = Path(__file__).parent
-SAMPLES = HERE.parents[1] / "tools/gateway/deploy"
+SAMPLES = HERE.parent / "deploy"
 
 
 def promtool(*arguments: str) -> None:

@@ -14,7 +14,7 @@ name = "studio"
 [gimbal.front]
 port = "tcp:127.0.0.1:1"
 """
-SAMPLE = Path(__file__).parents[2] / "tools/gateway/deploy/fleet.toml"
+SAMPLE = Path(__file__).parents[1] / "deploy/fleet.toml"
 
 
 def test_the_sample_is_a_fleet(tmp_path: Path) -> None:

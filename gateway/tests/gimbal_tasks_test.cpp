@@ -21,8 +21,8 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/control.hpp>
 
-#include "../client/collector.hpp"
-#include "../client/emulated_board.hpp"
+#include "collector.hpp"
+#include "emulated_board.hpp"
 
 namespace sbgc::tools {
 namespace {
