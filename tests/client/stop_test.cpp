@@ -113,6 +113,10 @@ class Owner {
     task_.wake();
     return speed_->set({.yaw = 20_deg_per_s}, programs_.board->now);
   }
+  Result<void> stop() {
+    task_.wake();
+    return speed_->stop();
+  }
   /// Sets it every 20 ms until that fails.
   void set_again() {
     if (is_over_ || programs_.board->now < next_) return;
@@ -238,6 +242,21 @@ TEST_P(StopTest, AHeldSpeedOfTheSameClientFailsOnceAndThenTurnsAgain) {
   ASSERT_TRUE(owner.set());
   programs.run_for(sbgc::milliseconds(300));
   EXPECT_FALSE(programs.stands());
+}
+
+// As keys that are held, released and held again, or a machine that stalls.
+TEST_P(StopTest, AHeldSpeedMayBeginAgainAfterItsOwnStop) {
+  Owner owner(programs, 0, true);
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_TRUE(owner.set());
+    programs.run_for(sbgc::milliseconds(300));
+    EXPECT_FALSE(programs.stands());
+    if (i % 2 == 0) {
+      ASSERT_TRUE(owner.stop());
+    }
+    programs.run_for(sbgc::seconds(2));
+    EXPECT_TRUE(programs.stands());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmware, StopTest, ::testing::Values(2430, 2590, 2745));

@@ -173,6 +173,7 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
     task.set_number(next.task);
     Result<void> result;
     if (next.action == Action::stop) {
+      yielding = Yielding();
       result = co_await motion.stop([&] { return speed->is_turning(); });
       // What still turns may be this motion: it is stopped again, and the control timeout stays.
       if (!result && result.error().code == ErrorCode::interrupted) {
