@@ -13,7 +13,7 @@
 #include <sbgc/client/result.hpp>
 
 #include "gateway/gimbal.hpp"
-#include "motion/owed_stop.hpp"
+#include "move/owed_stop.hpp"
 
 namespace sbgc::tools {
 

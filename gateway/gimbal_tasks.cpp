@@ -13,7 +13,7 @@
 #include <sbgc/messages/realtime.hpp>
 
 #include "gateway/parameter_tasks.hpp"
-#include "motion/axis_values.hpp"
+#include "values/axis_values.hpp"
 #include "values/message_json.hpp"
 
 namespace sbgc::tools {

@@ -9,7 +9,7 @@
 
 #include "gateway/fleet.hpp"
 #include "gateway/payload.hpp"
-#include "motion/axis_values.hpp"
+#include "values/axis_values.hpp"
 
 namespace sbgc::tools {
 

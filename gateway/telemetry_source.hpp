@@ -9,7 +9,7 @@
 #include <sbgc/any.hpp>
 #include <sbgc/client/async_reconnecting_client.hpp>
 
-#include "line/stream_type.hpp"
+#include "frames/stream_type.hpp"
 
 namespace sbgc::tools {
 

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "../emulator/device/host.hpp"
-#include "doctor/findings.hpp"
-#include "doctor/polling.hpp"
+#include "care/doctor/findings.hpp"
+#include "care/doctor/polling.hpp"
 #include "serving/faults.hpp"
 
 namespace sbgc::tools {

@@ -1,6 +1,6 @@
 // Files with bytes of an EEPROM.
 
-#include "memory/eeprom_image.hpp"
+#include "care/memory/eeprom_image.hpp"
 
 #include <cstddef>
 #include <cstdint>

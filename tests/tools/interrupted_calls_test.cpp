@@ -14,8 +14,8 @@
 #include <unistd.h>
 
 #include "command/system.hpp"
-#include "motion/guard_channel.hpp"
-#include "motion/raw_terminal.hpp"
+#include "move/guard_channel.hpp"
+#include "move/raw_terminal.hpp"
 
 namespace sbgc::tools {
 namespace {

@@ -1,6 +1,6 @@
 // Tests of the way of a motion to angles.
 
-#include "motion/move_way.hpp"
+#include "move/move_way.hpp"
 
 #include <string>
 

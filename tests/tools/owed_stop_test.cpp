@@ -1,4 +1,4 @@
-#include "motion/owed_stop.hpp"
+#include "move/owed_stop.hpp"
 
 #include <array>
 #include <chrono>

@@ -22,7 +22,7 @@
 #include <sbgc/roles.hpp>
 
 #include "../client/virtual_client.hpp"
-#include "motion/menu_action.hpp"
+#include "move/menu_action.hpp"
 #include "parameters/factory_defaults.hpp"
 
 namespace sbgc::tools {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "board/configuration_text.hpp"
+#include "values/configuration_text.hpp"
 
 namespace sbgc::tools {
 

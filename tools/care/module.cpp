@@ -17,13 +17,13 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
+#include "command/local_file.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
-#include "memory/local_file.hpp"
 
 namespace sbgc::tools {
 

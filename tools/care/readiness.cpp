@@ -17,8 +17,8 @@
 #include "care/sensor_motion.hpp"
 #include "command/arming.hpp"
 #include "command/remark.hpp"
-#include "motion/axis_values.hpp"
-#include "motion/motor_state.hpp"
+#include "move/motor_state.hpp"
+#include "values/axis_values.hpp"
 
 namespace sbgc::tools {
 

@@ -8,7 +8,7 @@
 #include "command/commands.hpp"
 #include "command/subcommand.hpp"
 #include "command/usage.hpp"
-#include "motion/guard.hpp"
+#include "move/guard.hpp"
 
 namespace sbgc::tools {
 

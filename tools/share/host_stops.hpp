@@ -9,7 +9,7 @@
 #include <sbgc/frame.hpp>
 #include <sbgc/time.hpp>
 
-#include "motion/owed_stop.hpp"
+#include "move/owed_stop.hpp"
 
 namespace sbgc::tools {
 

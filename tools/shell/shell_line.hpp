@@ -13,7 +13,7 @@
 #include <sbgc/io/detail/descriptor.hpp>
 
 #include "hosts/endpoint.hpp"
-#include "motion/guard.hpp"
+#include "move/guard.hpp"
 #include "share/shared_line.hpp"
 
 namespace sbgc::tools {

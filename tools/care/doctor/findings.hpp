@@ -1,0 +1,60 @@
+/// What the measurements of `sbgc doctor` mean.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "care/doctor/measurements.hpp"
+
+namespace sbgc::tools {
+
+/// The limits beyond which a measurement is a finding.
+enum class Limit : std::uint8_t {
+  power,
+  balance,
+  vibration,
+  resonance,
+  contrast,
+  cycle,
+  i2c_errors,
+  serial_errors,
+  damaged,
+  gravity_error,
+};
+
+/// All are assumptions: no document says what is normal.
+struct Threshold {
+  Limit limit{};
+  const char* name{};
+  double value{};
+  const char* unit{};
+  const char* meaning{};
+};
+std::span<const Threshold> thresholds();
+double threshold(Limit limit);
+
+/// The frequencies to show.
+inline std::span<const Frequency> strongest(const std::vector<Frequency>& all) {
+  constexpr std::size_t most = 3;
+  return std::span(all).first(std::min(all.size(), most));
+}
+
+/// Something that is wrong, and what helps.
+struct Finding {
+  std::string id{};                   ///< what was found, such as "vibration"
+  std::optional<std::size_t> axis{};  ///< 0 roll, 1 pitch, 2 yaw
+  std::string sentence{};
+  std::string advice{};
+  std::string command{};         ///< that helps; may be ""
+  std::optional<Limit> limit{};  ///< that was exceeded
+};
+
+/// Judges the measurements. The order of findings is that in which to deal with them.
+std::vector<Finding> findings_of(const Measurements& measured);
+
+}  // namespace sbgc::tools

@@ -1,0 +1,328 @@
+// sbgc tune: lets the board find the gains of its controllers.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <sbgc/client/parameters.hpp>
+#include <sbgc/detail/words.hpp>
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/messages/parameters.hpp>
+#include <sbgc/messages/realtime.hpp>
+
+#include "board/connection.hpp"
+#include "board/progress_bar.hpp"
+#include "command/arming.hpp"
+#include "command/choices.hpp"
+#include "command/interruption.hpp"
+#include "command/number_range.hpp"
+#include "command/remark.hpp"
+#include "command/subcommand.hpp"
+#include "move/end_tuning.hpp"
+#include "move/moving_gimbal.hpp"
+#include "parameters/profile_choice.hpp"
+#include "parameters/write_outcome.hpp"
+#include "values/axis_values.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using TuningClock = std::chrono::steady_clock;
+
+struct TuneOptions {
+  std::vector<std::string> axes{};
+  double gain = 50;  // percent
+  bool from_current = false;
+  bool filters = false;
+  ProfileOption profile{};
+  Arming arming{};
+};
+
+/// Returns the chosen axes, all of them if none is named.
+Axes<bool> chosen_axes(const TuneOptions& options) {
+  Axes<bool> chosen{};
+  for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+    chosen[axis] = options.axes.empty() ||
+                   std::ranges::find(options.axes, axis_names[axis]) != options.axes.end();
+  }
+  return chosen;
+}
+
+msg::AutoPidRequest request_of(const TuneOptions& options, std::uint8_t profile) {
+  constexpr std::array flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
+                             msg::AutoPidFlag::yaw};
+  msg::AutoPidRequest request;
+  request.profile_id = profile;
+  request.cfg_flags = msg::AutoPidFlag::send_gui;
+  const Axes<bool> chosen = chosen_axes(options);
+  for (std::size_t axis = 0; axis < flags.size(); ++axis) {
+    if (chosen[axis]) request.cfg_flags.set(flags[axis]);
+  }
+  request.cfg_flags.set(msg::AutoPidFlag::keep_current, options.from_current);
+  request.cfg_flags.set(msg::AutoPidFlag::tune_lpf_freq, options.filters);
+  constexpr double most = 255;
+  request.gain_vs_stability = static_cast<std::uint8_t>(std::lround(options.gain / 100 * most));
+  return request;
+}
+
+/// The messages with which the board reports its tuning. Thread-safe.
+class Reports {
+ public:
+  void add(const msg::AutoPid& report) {
+    const std::lock_guard lock(mutex_);
+    last_ = report;
+    at_ = TuningClock::now();
+  }
+  void restart() {
+    const std::lock_guard lock(mutex_);
+    last_.reset();
+    at_ = TuningClock::now();
+  }
+  std::optional<msg::AutoPid> last() const {
+    const std::lock_guard lock(mutex_);
+    return last_;
+  }
+  /// Since the last one, or since the beginning.
+  TuningClock::duration silence() const {
+    const std::lock_guard lock(mutex_);
+    return TuningClock::now() - at_;
+  }
+
+ private:
+  mutable std::mutex mutex_{};
+  std::optional<msg::AutoPid> last_{};
+  TuningClock::time_point at_ = TuningClock::now();
+};
+
+std::string report_text(const msg::AutoPid& report, const Axes<bool>& chosen) {
+  std::string text = fmt::format("round {}", report.iter_num);
+  for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+    if (!chosen[axis]) continue;
+    text += fmt::format("; {} P {} I {:.2f} D {}, error {:.2f}", axis_names[axis], report.p[axis],
+                        0.01 * report.i[axis], report.d[axis], report.axes[axis].tracking_error);
+  }
+  return text;
+}
+
+/// Prints what the tuning has changed, with the values before and after side by side.
+void print_changes(const ParameterSet& before, const ParameterSet& after,
+                   const Availability& versions) {
+  const auto value = [](const std::string& raw, const std::string& meaning) {
+    return meaning.empty() ? raw : meaning;
+  };
+  fmt::print("{:<34}{:>14}{:>14}\n", "parameter", "old", "new");
+  bool has_changes = false;
+  for (const ParametersChange& block : diff(before, after, versions, versions)) {
+    for (const FieldChange& field : block.fields) {
+      has_changes = true;
+      fmt::print("{:<34}{:>14}{:>14}\n", field.path, value(field.before, field.before_meaning),
+                 value(field.after, field.after_meaning));
+    }
+  }
+  if (!has_changes) fmt::print("(nothing has changed)\n");
+  std::fflush(stdout);
+}
+
+class TuningRun {
+ public:
+  TuningRun(MovingGimbal& gimbal, const TuneOptions& options)
+      : gimbal_(gimbal),
+        options_(options),
+        profile_(choose_profile(gimbal.client(), options.profile)),
+        request_(request_of(options, profile_.index)) {}
+
+  /// Returns once the new values are kept.
+  void run() {
+    Client& client = gimbal_.client();
+    require_known(client);
+    require_possible(client, request_);
+    before_ = read();
+    arm(options_.arming, consequences());
+    const MustFinish way_back(write_bound,
+                              "the camera may still turn, and have new values; a guard process "
+                              "stops it and writes the old ones if it can");
+    gimbal_.begins_to_move(AfterStop::end_tuning, before_);
+    const Subscription reports = client.subscribe<msg::AutoPid>(
+        [this](const msg::AutoPid& report) { reports_.add(report); });
+    reports_.restart();
+    CallOptions call;
+    call.expect_confirmation = true;
+    // Few boards confirm it; the reports show that it runs.
+    const Result<Reply> started = client.transact(request_, call);
+    if (!started) give_up(started.error());
+    wait_for_end();
+    gimbal_.has_stopped();
+    try {
+      print_changes(before_, read(), client.identity().versions());
+    } catch (const std::exception&) {  // also of a terminal that is gone
+      remark("The new values could not be read or shown; the old ones return.\n");
+      restore();
+      throw;
+    }
+    const bool is_kept = options_.arming.yes || wants_to_keep();
+    if (is_kept && !gimbal_.must_stop()) return;
+    restore();
+    if (gimbal_.must_stop())
+      throw CommandError("interrupted; the old values are back", interrupted);
+    throw CommandError("not kept; the old values are back");
+  }
+
+ private:
+  static void require_known(const Client& client) {
+    const Availability versions = client.identity().versions();
+    if (is_supported<msg::AutoPidRequest>(versions) || !is_supported<msg::AutoPid2>(versions)) {
+      return;
+    }
+    throw CommandError(
+        "this firmware tunes with CMD_AUTO_PID2 instead of CMD_AUTO_PID: no document says what its "
+        "gain means, nor how the board reports its progress and a failure, so this command does "
+        "not "
+        "send it; tune with the vendor's program, and keep the old values with `sbgc params "
+        "backup`");
+  }
+
+  ParameterSet read() {
+    return read_parameters(gimbal_.client(), [&](const ParametersId& id) {
+      const bool has_gains = id.message == ParametersOf<msg::ReadParams3>::name ||
+                             id.message == ParametersOf<msg::ReadParamsExt>::name;
+      return has_gains && id.copy == profile_.index;
+    });
+  }
+
+  std::string consequences() const {
+    std::string names;
+    const Axes<bool> chosen = chosen_axes(options_);
+    for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+      if (chosen[axis]) names += (names.empty() ? "" : ", ") + std::string(axis_names[axis]);
+    }
+    return fmt::format(
+        "The board shakes the camera about {} for some minutes and stores new gains in {}. Balance "
+        "the camera, fasten the frame and keep your hands off. Ctrl-C ends it, and the old values "
+        "return.",
+        names, profile_.text());
+  }
+
+  /// Waits until the board ends the tuning.
+  void wait_for_end() {
+    // Assumption: a board that does not say that it tunes reports its progress more often.
+    constexpr std::chrono::seconds longest_silence{5};
+    constexpr std::chrono::seconds longest_start{20};
+    const ProgressBar bar;
+    bool has_said_so = false;  // in its live data
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    auto answered = now();
+    for (;;) {
+      gimbal_.wait(std::chrono::milliseconds(200));
+      if (gimbal_.must_stop()) give_up({});
+      const std::optional<msg::AutoPid> last = reports_.last();
+      if (last) bar.show(report_text(*last, chosen_axes(options_)));
+      const Result<bool> says_so = is_tuning(gimbal_.client());
+      if (!says_so) {  // which does not mean that it has ended
+        if (now() - answered > longest_silence) give_up(says_so.error());
+        continue;
+      }
+      answered = now();
+      if (has_said_so && !*says_so) return;
+      has_said_so = has_said_so || *says_so;
+      if (*says_so) continue;
+      if (last && reports_.silence() > longest_silence) return;
+      if (!last && reports_.silence() > longest_start) {
+        give_up({ErrorCode::timeout, "the board reports no progress of the tuning"});
+      }
+    }
+  }
+
+  bool wants_to_keep() const {
+    remark_as_is("Keep the new values? [y/N] ");
+    while (!gimbal_.wait(std::chrono::seconds(1), STDIN_FILENO)) {
+      if (gimbal_.must_stop()) return false;
+    }
+    std::string answer;
+    std::getline(std::cin, answer);
+    return detail::is_same_word(answer, "y") || detail::is_same_word(answer, "yes");
+  }
+
+  /// Writes the old values, if the board has others.
+  void restore() { check_outcome(gimbal_.client().write_parameters(before_)); }
+
+  /// Ends a tuning that went wrong.
+  [[noreturn]] void give_up(const ClientError& problem) {
+    Client& client = gimbal_.client();
+    const Result<void> ended = end_tuning(client);
+    const Result<void> stopped = client.stop();
+    if (stopped && ended) gimbal_.has_stopped();
+    if (!ended) {
+      remark("The board may go on tuning, and store new gains at its end: {}\n",
+             ended.error().message);
+    }
+    const WriteReport restored = client.write_parameters(before_);
+    remark("{}\n", restored ? "The old values are on the board."
+                            : "The old values could not be written: " + to_text(restored));
+    gimbal_.give_up(problem);
+  }
+
+  MovingGimbal& gimbal_;
+  const TuneOptions& options_;
+  ChosenProfile profile_;
+  msg::AutoPidRequest request_;
+  ParameterSet before_{};
+  Reports reports_{};
+};
+
+int tune(const TuneOptions& options, const CommandContext& context) {
+  {
+    MovingGimbal gimbal(context.gimbal);
+    TuningRun(gimbal, options).run();
+  }  // from here on, no guard would restore the old values
+  remark("The new values are kept.\n");
+  return success;
+}
+
+}  // namespace
+
+void add_tune(CLI::App& app, CommandContext& context) {
+  const Subcommand<TuneOptions> command(app, context, "tune", "Tune the controllers automatically");
+  auto& options = command.options();
+  command->add_option("axes", options.axes, "The axes to tune; without any, all")
+      ->transform(one_of({"roll", "pitch", "yaw"}));
+  command
+      ->add_option("--gain", options.gain,
+                   "From 0, which prefers stability, to 100, which prefers high gains")
+      ->type_name("PERCENT")
+      ->check(number_range(0.0, 100.0))
+      ->capture_default_str();
+  command->add_flag("--from-current", options.from_current, "Begin with the present gains");
+  command->add_flag("--filters", options.filters, "Tune the low-pass filters as well");
+  add_profile_option(*command, options.profile);
+  command->footer(
+      "The motors must be on. It shows the progress, then the values before and after, and asks "
+      "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
+      "--yes keeps them. After a signal, the way back may take 60 s, whatever signals come. If the "
+      "command dies before that, or at a second Ctrl-C half a second after the first or later, a "
+      "guard process ends the tuning and "
+      "writes the old values back. Firmware from 2.73 on tunes with another request, of which too "
+      "little is documented, and which this command does not send.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc tune\n"
+      "  sbgc tune pitch --gain 30 --from-current\n"
+      "\n"
+      "The exit status is 0 if the new values are kept, 1 if not, 2 for wrong usage, 130 after "
+      "Ctrl-C.");
+  command.runs(tune);
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,49 @@
+/// Recording of frequency responses, at one or several positions of the camera.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <sbgc/client/bode.hpp>
+#include <sbgc/client/motion.hpp>
+
+#include "move/moving_gimbal.hpp"
+
+namespace sbgc::tools {
+
+/// How many seconds a recording may take. Assumption: what is longer is a mistake.
+inline constexpr double longest_recording = 60;
+
+/// Where the camera looks, in degrees. The pan axis stays where it is.
+struct RecordingPosition {
+  double roll{}, pitch{};
+};
+
+/// Reads "ROLL,PITCH" in degrees. Throws CommandError.
+RecordingPosition parse_position(const std::string& text);
+
+/// The speed between positions, in deg/s.
+inline constexpr double position_speed = 20;
+
+MoveTarget target_of(const RecordingPosition& position);
+
+class BodeRecorder {
+ public:
+  /// With `motors_off`, the first signal turns the motors off, otherwise the second.
+  BodeRecorder(MovingGimbal& gimbal, const msg::BodeTestStartStopRequest& request, bool motors_off)
+      : gimbal_(gimbal), request_(request), motors_off_(motors_off) {}
+
+  /// Records where the camera is. The first signal waits for the end. Throws CommandError.
+  BodeRecording record() const;
+  /// Turns the camera, and waits until it is calm. Throws CommandError.
+  void go_to(const RecordingPosition& position) const;
+
+ private:
+  [[noreturn]] void turn_motors_off() const;
+
+  MovingGimbal& gimbal_;
+  msg::BodeTestStartStopRequest request_;
+  bool motors_off_;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,42 @@
+#include "move/menu_action.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <sbgc/client/profiles.hpp>
+#include <sbgc/messages/control.hpp>
+
+namespace sbgc::tools {
+
+namespace {
+
+constexpr std::array profiles{msg::MenuCommand::profile1, msg::MenuCommand::profile2,
+                              msg::MenuCommand::profile3, msg::MenuCommand::profile4,
+                              msg::MenuCommand::profile5};
+
+}  // namespace
+
+Task<Result<void>> perform(msg::MenuCommand action, CallOptions options) {
+  const TaskMachine& task = co_await tasks::this_task();
+  Result<void> done;
+  if (is_supported<msg::ExecuteMenuExt>(task.identity().versions())) {
+    msg::ExecuteMenuExt request;
+    request.cmd_id = action;
+    request.param = msg::ExecuteMenuFlag::confirm;
+    done = co_await tasks::call(request, confirming(options));
+  } else {
+    done = co_await tasks::call(msg::ExecuteMenu{.cmd_id = action}, confirming(options));
+  }
+  // It may have been done, also if a confirmation that was asked for is missing.
+  if (!done && done.error().code == ErrorCode::timeout) {
+    done = ClientError{ErrorCode::unconfirmed, done.error().message};
+  }
+  const auto* const wanted = std::ranges::find(profiles, action);
+  const bool is_unknown = !done && done.error().code == ErrorCode::unconfirmed;
+  if (!is_unknown || wanted == profiles.end()) co_return done;
+  const Result<std::size_t> active = co_await tasks::active_profile();
+  const bool is_it = active && *active == static_cast<std::size_t>(wanted - profiles.begin());
+  co_return is_it ? Result<void>() : done;
+}
+
+}  // namespace sbgc::tools
