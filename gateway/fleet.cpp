@@ -14,9 +14,9 @@
 #include "command/command_error.hpp"
 #include "command/duration.hpp"
 #include "command/wording.hpp"
+#include "frames/stream_type.hpp"
 #include "values/effect_text.hpp"
 #include "values/field_patterns.hpp"
-#include "frames/stream_type.hpp"
 
 namespace sbgc::tools {
 

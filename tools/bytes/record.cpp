@@ -38,8 +38,8 @@
 #include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
-#include "values/stream_interval.hpp"
 #include "frames/stream_type.hpp"
+#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 

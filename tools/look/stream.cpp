@@ -18,21 +18,21 @@
 #include <sbgc/meta/realtime.hpp>
 
 #include "board/reconnecting.hpp"
-#include "command/line_queue.hpp"
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/duration.hpp"
 #include "command/help_text.hpp"
 #include "command/interruption.hpp"
+#include "command/line_queue.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/wording.hpp"
 #include "frames/sample_writer.hpp"
-#include "values/stream_interval.hpp"
+#include "frames/stream_type.hpp"
 #include "values/field_patterns.hpp"
 #include "values/message_json.hpp"
-#include "frames/stream_type.hpp"
+#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 

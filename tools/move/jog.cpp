@@ -21,9 +21,9 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
+#include "command/terminal_restorer.hpp"
 #include "move/moving_gimbal.hpp"
 #include "move/raw_terminal.hpp"
-#include "command/terminal_restorer.hpp"
 #include "values/axis_values.hpp"
 
 namespace sbgc::tools {

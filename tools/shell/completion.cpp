@@ -26,13 +26,13 @@
 #include "command/command_line_facts.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "frames/stream_type.hpp"
 #include "shell/scripts.hpp"
 #include "values/axis_values.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
 #include "values/names.hpp"
 #include "values/search_words.hpp"
-#include "frames/stream_type.hpp"
 
 namespace sbgc::tools {
 

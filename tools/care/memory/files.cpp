@@ -11,9 +11,9 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/local_file.hpp"
 #include "command/arming.hpp"
 #include "command/interruption.hpp"
+#include "command/local_file.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"

@@ -17,11 +17,11 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
+#include "command/terminal_restorer.hpp"
 #include "look/monitor/gimbal_state.hpp"
 #include "look/monitor/pages.hpp"
 #include "look/monitor/recording.hpp"
 #include "look/monitor/screen.hpp"
-#include "command/terminal_restorer.hpp"
 
 namespace sbgc::tools {
 

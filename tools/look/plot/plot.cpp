@@ -28,12 +28,12 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/sample_writer.hpp"
+#include "frames/stream_type.hpp"
 #include "look/plot/drawing.hpp"
 #include "look/plot/table.hpp"
-#include "values/stream_interval.hpp"
 #include "signal/frequencies.hpp"
 #include "values/field_patterns.hpp"
-#include "frames/stream_type.hpp"
+#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 
