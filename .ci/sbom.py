@@ -31,6 +31,7 @@ PARTS = {
     r"sbgc-.*\.whl": (*LIBRARY, "pybind11-dev"),
     r"sbgc-site-.*\.zip": ("libc++-dev-wasm32", "libfmt-dev", "nlohmann-json3-dev", "wasi-libc"),
     r"sbgc-arduino-.*\.zip": (),
+    r"sbgc-fuzz-seeds-.*\.zip": (),
     r"sbgc-.*\.tar\.gz": (),
     r"sbgc\.hpp": (),
 }

@@ -24,7 +24,6 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 AREAS = Path(__file__).with_name("areas.yaml")
-INPUTS = ("generated/fuzz", "fuzz/corpus", "fuzz/regressions")
 
 Lines = dict[int, bool]  # by number: whether the line is covered
 
@@ -51,7 +50,8 @@ def replay(program: Path, folder: Path) -> dict[str, Lines]:
     """Runs a fuzzer on its committed inputs; returns the lines of each file of the project."""
     name = program.name[len("fuzz_") :]
     raw, profile = folder / f"{name}.profraw", folder / f"{name}.profdata"
-    inputs = [str(ROOT / kind / name) for kind in INPUTS]
+    places = (program.parent / "seeds", program.parent / "corpus", ROOT / "fuzz/regressions")
+    inputs = [str(place / name) for place in places]
     done = subprocess.run(
         [program, *inputs],
         env={**os.environ, "LLVM_PROFILE_FILE": str(raw)},

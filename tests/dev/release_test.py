@@ -120,6 +120,7 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
         found.append({path.name: path.read_bytes() for path in folder.iterdir()})
     archives = {
         f"sbgc-arduino-{version()}": "library.properties",
+        f"sbgc-fuzz-seeds-{version()}": "sbgc.dict",
         f"sbgc-site-{version()}": "index.html",
     }
     others = (f"sbgc-{version()}.tar.gz", f"sbgc-{version()}.spdx.json", "sbgc.hpp")

@@ -19,7 +19,7 @@ from sbgc_command import PROGRAM, run
 from screens import terminal
 
 PATIENCE = 60.0
-VENDOR_FILE = Path(__file__).parents[2] / "fuzz/corpus/vendor_file/one_profile"
+VENDOR_FILE = Path(__file__).parents[2] / "tests/data/studio.profile"
 
 SERVERS = ("emulate", "bridge", "replay")
 """Commands that go on until a signal."""

@@ -503,7 +503,7 @@ def test_every_message_has_a_seed_that_decodes() -> None:
     forms = forms_of(layout)
     found = set()
     for name, content in target("seeds").files(layout, PROJECT):
-        if name.startswith("fuzz/messages/"):
+        if name.startswith("messages/"):
             direction = "from_board" if content[0] else "to_board"
             message = choose_message(forms, direction, content[1], len(content) - 2)
             decode(message, content[2:])

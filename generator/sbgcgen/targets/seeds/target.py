@@ -29,15 +29,19 @@ _LARGEST_STREAM = 2000
 
 
 class Seeds(Target):
-    """The seed corpora of the fuzzers, and their dictionary."""
+    """The seed corpora of the fuzzers, and their dictionary. Not committed: the build makes them."""
+
+    committed = False
+    help = "write the seeds of the fuzzers; they are not part of generated/"
+    mark = "sbgc.dict"
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
         """The seeds and the dictionary by path."""
-        yield "fuzz/sbgc.dict", _dictionary(layout).encode()
+        yield "sbgc.dict", _dictionary(layout).encode()
         bodies = {id(message): _bodies(message) for message in layout.messages}
         for message in layout.messages:
             head = bytes((message.direction == "from_board", message.id))
-            name = f"fuzz/messages/{message.direction}_{message.identifier}"
+            name = f"messages/{message.direction}_{message.identifier}"
             for number, body in enumerate(bodies[id(message)]):
                 yield f"{name}_{number}", head + body
         for family in layout.families:
@@ -47,7 +51,7 @@ class Seeds(Target):
                     for message in family.messages
                 ]
                 stream = b"".join(frames)[:_LARGEST_STREAM]
-                name = f"fuzz/framing/{family.name}_{framing.name}"
+                name = f"framing/{family.name}_{framing.name}"
                 yield f"{name}_whole", bytes((_FEED_ALL,)) + stream
                 yield f"{name}_cut", b"".join(_cut(stream))
                 yield f"{name}_noise", b"".join(_cut(_noisy(layout, frames)))
@@ -58,16 +62,16 @@ class Seeds(Target):
                     if message.direction != "from_board"
                     for body in dict.fromkeys([*bodies[id(message)], *_various(message)])
                 ]
-                yield f"fuzz/session/{family.name}", b"".join(_session(requests))
+                yield f"session/{family.name}", b"".join(_session(requests))
                 for name, options in _BOARDS.items():
-                    yield f"fuzz/board/{family.name}_{name}", b"".join(_board(options, requests))
+                    yield f"board/{family.name}_{name}", b"".join(_board(options, requests))
                 lines = [_line(m, body) for m in family.messages for body in bodies[id(m)][:2]]
-                yield f"fuzz/json/{family.name}", "".join(lines).encode()
-        yield "fuzz/eeprom/variables", b"".join(_variables(layout))
+                yield f"json/{family.name}", "".join(lines).encode()
+        yield "eeprom/variables", b"".join(_variables(layout))
         for name, text in _hostile_json().items():
-            yield f"fuzz/json/{name}", text.encode()
-        yield "fuzz/framing/written", b"".join(_written(layout))
-        yield "fuzz/framing/no_frames", b"".join(_no_frames(layout))
+            yield f"json/{name}", text.encode()
+        yield "framing/written", b"".join(_written(layout))
+        yield "framing/no_frames", b"".join(_no_frames(layout))
 
 
 def _bodies(message: Message) -> list[bytes]:
