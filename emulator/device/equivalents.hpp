@@ -53,7 +53,7 @@ inline msg::SelectImu3Calibrate equivalent(const msg::SelectImu3CalibrateShort& 
 inline msg::ServoOut equivalent(const msg::ServoOutFour& request) {
   msg::ServoOut all;
   all.servo_time.fill(msg::ServoPulse(msg::ServoOut::floating));
-  std::ranges::copy(request.servo_time, all.servo_time.begin());
+  std::copy(request.servo_time.begin(), request.servo_time.end(), all.servo_time.begin());
   return all;
 }
 

@@ -249,10 +249,11 @@ Instant Line::next() const {
 }
 
 bool Line::is_silent(Instant from, Instant until) const {
-  return std::ranges::any_of(options_.faults.silences, [&](const Silence& silence) {
-    const Instant begin = beginning_ + silence.from;
-    return from < begin + silence.length && (from >= begin || until > begin);
-  });
+  return std::any_of(options_.faults.silences.begin(), options_.faults.silences.end(),
+                     [&](const Silence& silence) {
+                       const Instant begin = beginning_ + silence.from;
+                       return from < begin + silence.length && (from >= begin || until > begin);
+                     });
 }
 
 bool Line::happens(Fault fault, double share, std::uint64_t number) const {

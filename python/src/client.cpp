@@ -13,7 +13,7 @@
 #include "driving/order_of.hpp"
 #include "emulator.hpp"
 #include "link.hpp"
-#include "tasks/hold_speed.hpp"
+#include "shared_speed.hpp"
 
 namespace sbgc::python {
 
@@ -48,7 +48,7 @@ OperationPointer call(const LinkPointer& link, const AnyMessage& request,
 class HeldSpeed {
  public:
   HeldSpeed(const LinkPointer& link, Seconds silence)
-      : speed_(std::make_shared<detail::HeldSpeed>(
+      : speed_(std::make_shared<detail::SharedSpeed>(
             detail::DeadMansSwitch(milliseconds(milliseconds_of(silence, "silence").count()),
                                    milliseconds(SpeedControlOptions{}.repeat.count())),
             detail::order_of(link->conversation()))),
@@ -87,7 +87,7 @@ class HeldSpeed {
     wake_();
   }
 
-  std::shared_ptr<detail::HeldSpeed> speed_;
+  std::shared_ptr<detail::SharedSpeed> speed_;
   OperationPointer operation_;
   std::function<void()> wake_{};
 };

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/client/task.hpp>
+#include <sbgc/client/passive_client.hpp>
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/messages.hpp>
 
-#include "conversation/dialogue.hpp"
+#include "passive_state.hpp"
 #include "tasks/hold_speed.hpp"
 
 namespace sbgc::test {
@@ -72,10 +71,10 @@ class VirtualClient {
       : board_(std::move(board)),
         line_(line != nullptr ? *line : perfect_line_),
         port_(board_->emulator.connect(true, board_->now).value()),
-        client_(std::move(client)) {
+        client_(client, line_.may_repeat()) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);
-    identity_.info = *info;
+    client_.set_identity({*info});
   }
   VirtualClient(const VirtualClient&) = delete;
   VirtualClient& operator=(const VirtualClient&) = delete;
@@ -102,31 +101,19 @@ class VirtualClient {
   /// Starts a task beside others; proceed() runs them.
   template <class R, class Done>
   TaskMachine& start(Task<R> task, Done done) {
-    const auto own = std::make_shared<Task<R>>(std::move(task));
-    TaskMachine& machine = own->begin(identity_);
-    machine.set_number(calls_->order().begin());
-    machine.set_repeating_line(line_.may_repeat() || client_.duplicate_window.count() != 0);
-    const auto running = std::make_shared<Running>();
-    running->machine = &machine;
-    running->finish = [own, done = std::move(done)] { done(std::move(*own).result()); };
-    running->notices = delivery_.on_notice([&machine](const Notice& one) { machine.notice(one); });
-    running->strays = delivery_.on_frame([&machine](const BoardFrame& one) {
-      if (!one.belongs_to_call) machine.overheard(one.frame.id);
-    });
-    running_.push_back(running);
-    return machine;
+    return client_.start(std::move(task), std::move(done));
   }
 
   /// Runs what can run now, and exchanges bytes; returns when to call it again, which is now if
   /// there is more to do.
   Instant proceed() {
-    Instant next = Instant::never;
-    const auto tasks = running_;  // a task that ends may start another one
-    for (const auto& running : tasks) next = earlier(next, step(*running));
-    const auto is_over = [](const auto& one) { return one->is_over; };
-    std::erase_if(running_, is_over);
-    next = earlier(next, exchange_bytes());
-    return std::exchange(has_news_, false) ? now() : next;
+    const auto requests = client_.advance(now());
+    if (!requests.empty()) {
+      if (!is_cut_) line_.send(Way::to_board, requests, now());
+      client_.written(now());
+    }
+    exchange_bytes();
+    return earlier(client_.deadline(), earlier(emulator().next(), line_.next()));
   }
 
   /// Lets time pass, in which tasks run.
@@ -142,98 +129,30 @@ class VirtualClient {
     return std::make_shared<detail::HeldSpeed>(
         detail::DeadMansSwitch(milliseconds(500), milliseconds(100)),
         detail::HeldSpeed::Order{
-            .begin = [this] { return calls_->order().begin(); },
+            .begin = [this] { return client_.state().order().begin(); },
             .is_superseded =
-                [this](TaskNumber one) { return calls_->order().is_superseded(one); }});
+                [this](TaskNumber one) { return client_.state().order().is_superseded(one); }});
   }
   Instant now() const noexcept { return board_->now; }
   emulator::Gimbal& gimbal() { return emulator().board().gimbal(); }
   emulator::Emulator& emulator() { return board_->emulator; }
   /// Cuts the line from the host to the board.
   void cut_the_line() { is_cut_ = true; }
-  std::size_t pending() const { return calls_->size(); }
-  detail::Delivery& delivery() { return delivery_; }
-  const BoardIdentity& identity() const { return identity_; }
+  std::size_t pending() const { return client_.state().pending(); }
+  detail::Delivery& delivery() { return client_.state().delivery(); }
+  const BoardIdentity& identity() const { return client_.identity(); }
 
  private:
   using Way = VirtualLine::Way;
   using Bytes = VirtualLine::Bytes;
-
-  struct Running {
-    TaskMachine* machine{};
-    std::function<void()> finish{};
-    detail::Delivery::Registration notices{};
-    detail::Delivery::Registration strays{};
-    TaskNumber joined{};
-    bool is_over = false;
-  };
 
   static Task<Result<msg::BoardInfo>> introduction() {
     // The board is starting.
     co_return co_await tasks::call(msg::BoardInfoRequest{}, {.retries = 2});
   }
 
-  /// Runs a task until it waits or ends; returns until when it waits.
-  Instant step(Running& running) {
-    TaskMachine& task = *running.machine;
-    while (true) {
-      TaskStep step = task.step(now());
-      switch (step.kind) {
-        case TaskStep::Kind::done:
-          calls_->order().leave(running.joined);
-          running.is_over = true;
-          running.finish();
-          has_news_ = true;
-          return Instant::never;
-        case TaskStep::Kind::call: begin(running, std::move(step)); break;
-        case TaskStep::Kind::cancel: cancel(step.call); break;
-        case TaskStep::Kind::wait: return step.until;
-      }
-    }
-  }
-
-  void begin(Running& running, TaskStep step) {
-    TaskMachine& task = *running.machine;
-    const CallId id = step.call;
-    if (!step.request) return task.replied(id, std::move(step.request).error());
-    if (step.request->is_motion && running.joined != task.number()) {
-      calls_->order().leave(running.joined);
-      running.joined = task.number();
-      calls_->order().join(running.joined, [&task, this](TaskNumber by) {
-        has_news_ = true;
-        task.supersede(by);
-      });
-    }
-    step.options.on_confirmation = [&task, this, id](unsigned) {
-      has_news_ = true;
-      task.confirmed(id);
-    };
-    step.options.on_series = [&task, this, id](const Frame& frame) {
-      has_news_ = true;
-      task.received(id, {frame.body.begin(), frame.body.end()});
-    };
-    const detail::CallPointer call =
-        detail::make_call(id, *std::move(step.request), step.options, client_, now(),
-                          [&task, this, id](Result<Reply> reply) {
-                            has_news_ = true;
-                            task.replied(id, std::move(reply));
-                          });
-    call->task = task.number();
-    if (auto refusal = calls_.begin(call)) return task.replied(id, *std::move(refusal));
-  }
-
-  void cancel(CallId id) {
-    if (const auto call = calls_->take(id)) dialogue_.forget(*call);
-  }
-
-  /// Transfers bytes in both directions; returns when to call it again.
-  Instant exchange_bytes() {
-    const Output output = dialogue_.advance(now(), true);
-    if (!output.bytes.empty()) {
-      if (!is_cut_) line_.send(Way::to_board, output.bytes, now());
-      dialogue_.written(now());
-      has_news_ = true;
-    }
+  /// Transfers bytes to the board, and from it.
+  void exchange_bytes() {
     const Bytes requests = line_.receive(Way::to_board, now());
     if (!requests.empty()) emulator().from_host(port_, requests, now());
     emulator().advance(now());
@@ -242,26 +161,15 @@ class VirtualClient {
       line_.send(Way::to_host, sent, now());
       emulator().take(port_, sent.size(), now());
     }
-    const Bytes answers = line_.receive(Way::to_host, now());
-    if (!answers.empty()) {
-      dialogue_.feed(answers, now());
-      has_news_ = true;
-    }
-    return earlier(output.deadline, earlier(emulator().next(), line_.next()));
+    client_.receive(line_.receive(Way::to_host, now()), now());
   }
 
   std::shared_ptr<VirtualBoard> board_;
   bool is_cut_ = false;
-  bool has_news_ = false;
   VirtualLine perfect_line_{};
   VirtualLine& line_;
   std::size_t port_;
-  ConnectOptions client_;
-  BoardIdentity identity_{};
-  detail::SharedCalls calls_{std::size_t{64}};
-  detail::Delivery delivery_{};
-  detail::Dialogue dialogue_{client_, calls_, delivery_};
-  std::vector<std::shared_ptr<Running>> running_{};
+  PassiveClient client_;
 };
 
 }  // namespace sbgc::test

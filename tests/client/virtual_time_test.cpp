@@ -208,7 +208,7 @@ TEST_F(VirtualTime, ASilentOwnerStopsTheCamera) {
   EXPECT_TRUE(done);
   EXPECT_NEAR(fastest, 20, 5);
   EXPECT_NEAR(yaw_speed(), 0, 1);
-  EXPECT_EQ(speed->state(), SpeedControl::State::silenced);
+  EXPECT_EQ(speed->state(), SpeedControlState::silenced);
 }
 
 }  // namespace

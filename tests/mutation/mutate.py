@@ -43,14 +43,20 @@ AT_ONCE = 2 * (os.cpu_count() or 1)
 def areas() -> list[tuple[list[str], float]]:
     """Returns files that one translation unit can include, and the share of their mutants to try."""
     core = "runtime/core/include/sbgc/**/*.hpp"
-    parameters = ("parameter*.cpp", "backup.cpp", "atomic_file.cpp")
+    parameters = ("parameter*.cpp", "backup_text.cpp")
     parameters += ("tasks/*param*.cpp", "tasks/restore.cpp", "tasks/profiles.cpp")
     parameters += ("tasks/variables.cpp",)
     return [
         (_files(core), 0.075),
         (_files("runtime/session/include/sbgc/**/*.hpp"), 0.15),
         (_files("runtime/any/src/*.cpp"), 0.15),
-        (_files(*(f"runtime/client/src/{name}" for name in parameters)), 0.15),
+        (
+            _files(
+                *(f"runtime/tasks/src/{name}" for name in parameters),
+                *(f"runtime/client/src/{name}.cpp" for name in ("backup", "atomic_file")),
+            ),
+            0.15,
+        ),
         (_files("runtime/io/src/capture*.cpp"), 0.3),
         *((_files(f"tools/{folder}/*.cpp"), 0.045) for folder in TOOLS),
         # Its libraries conflict with those of the others.
@@ -90,8 +96,10 @@ def candidates(only: list[str]) -> tuple[list[Mutant], list[Mutant], set[str]]:
 def compile_flags() -> list[str]:
     """Returns the include folders and definitions of all targets."""
     folders = ["generated/include", "emulator/include", "emulator", "tools"]
-    folders += [f"runtime/{layer}/include" for layer in ("core", "session", "any", "io", "client")]
-    folders += ["runtime/client/src", "runtime/io", "runtime/io/src"]
+    folders += [
+        f"runtime/{layer}/include" for layer in ("core", "session", "any", "tasks", "io", "client")
+    ]
+    folders += ["runtime/tasks/src", "runtime/client/src", "runtime/io", "runtime/io/src"]
     definitions = ["ASIO_STANDALONE", "ASIO_NO_DEPRECATED", "FMT_HEADER_ONLY"]
     return [f"-I{ROOT / folder}" for folder in folders] + [f"-D{name}" for name in definitions]
 

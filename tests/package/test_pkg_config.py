@@ -39,6 +39,7 @@ def build(compiler: str, package: str, source: str, moved: Path, *options: str) 
     [
         ("sbgc-json", "json.cpp"),
         ("sbgc-any", "any.cpp"),
+        ("sbgc-tasks", "tasks.cpp"),
         ("sbgc-analysis", "analysis.cpp"),
         ("sbgc-emulator", "emulator.cpp"),
         ("sbgc-client", "client.cpp"),

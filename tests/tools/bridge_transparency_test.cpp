@@ -18,6 +18,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/client/conversation.hpp>
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>

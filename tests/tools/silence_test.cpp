@@ -159,7 +159,7 @@ Result<void> turn(VirtualClient& client) {
   machine.wake();
   while (!has_ended) client.pass(sbgc::milliseconds(10));
   if (!set) return set;
-  return stopping ? speed->wait([&] { return client.now(); }) : stopping;
+  return stopping ? speed->outcome() : stopping;
 }
 
 const std::vector<std::uint8_t> content(300, 'x');

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <sbgc/detail/find_by.hpp>
 #include <sbgc/detail/meta_limits.hpp>
 #include <sbgc/meta/calibration.hpp>
 #include <sbgc/meta/parameters.hpp>
@@ -52,7 +53,9 @@ constexpr KindFacts kinds[] = {
     {Kind::momentum, msg::CalibMode::momentum, seconds(10)},
 };
 
-const KindFacts& facts_of(Kind kind) { return *std::ranges::find(kinds, kind, &KindFacts::kind); }
+const KindFacts& facts_of(Kind kind) {
+  return *sbgc::detail::find_by(kinds, kind, &KindFacts::kind);
+}
 
 const Vector& gyro_of(const Sample& sample, std::size_t imu) {
   return imu == 0 ? sample.gyro : sample.frame_gyro;

@@ -41,8 +41,8 @@ std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
 }
 
 std::uint8_t Parameters::variable_count() const {
-  return static_cast<std::uint8_t>(std::ranges::count_if(
-      EnumMeta<msg::VariableId>::values,
+  return static_cast<std::uint8_t>(std::count_if(
+      std::begin(EnumMeta<msg::VariableId>::values), std::end(EnumMeta<msg::VariableId>::values),
       [this](const ValueInfo& value) { return is_available(value.since, versions_); }));
 }
 

@@ -50,8 +50,8 @@ std::span<const std::uint8_t> Eeprom::bytes(std::size_t address, std::size_t siz
 
 void Eeprom::write(std::size_t address, std::span<const std::uint8_t> bytes) {
   const auto place = std::span(memory_.eeprom).subspan(address, bytes.size());
-  if (!memory_.is_unsaved && std::ranges::equal(place, bytes)) return;
-  std::ranges::copy(bytes, place.begin());
+  if (!memory_.is_unsaved && std::equal(place.begin(), place.end(), bytes.begin())) return;
+  std::copy(bytes.begin(), bytes.end(), place.begin());
   ++memory_.revision;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <sbgc/detail/crc32.hpp>
+#include <sbgc/detail/find_by.hpp>
 #include <sbgc/units.hpp>
 #include <sbgc/wire.hpp>
 
@@ -32,7 +33,8 @@ FileSystem::FileSystem(Memory& memory) : eeprom_(memory) {}
 std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
   const auto table = eeprom_.bytes(layout::files, table_size);
   std::vector<File> files;
-  if (std::ranges::all_of(table, [](std::uint8_t byte) { return byte == erased; })) return files;
+  if (std::all_of(table.begin(), table.end(), [](std::uint8_t byte) { return byte == erased; }))
+    return files;
   const auto sum = wire::load<std::uint32_t>(table.data() + entries_size);
   if (sum != sbgc::detail::crc32(table.first(entries_size))) return std::nullopt;
   std::size_t at = 0;
@@ -42,7 +44,7 @@ std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
     if (size == no_file) continue;
     File file{wire::load<std::uint16_t>(entry), wire::load<std::uint32_t>(entry + 4), {}};
     // A valid checksum does not mean that a board wrote the table.
-    const bool is_there_twice = std::ranges::find(files, file.id, &File::id) != files.end();
+    const bool is_there_twice = sbgc::detail::find_by(files, file.id, &File::id) != files.end();
     if (size == 0 || is_there_twice || size > data_size - at) return std::nullopt;
     const auto content = eeprom_.bytes(data_begin + at, size);
     file.content.assign(content.begin(), content.end());
@@ -62,7 +64,8 @@ void FileSystem::store(const std::vector<File>& files) {
     wire::store(entry + 2, static_cast<std::uint16_t>(file.content.size()));
     wire::store(entry + 4, file.checksum);
     entry += entry_size;
-    std::ranges::copy(file.content, data.begin() + static_cast<std::ptrdiff_t>(at));
+    std::copy(file.content.begin(), file.content.end(),
+              data.begin() + static_cast<std::ptrdiff_t>(at));
     at += pages(file.content.size()) * page_size;
   }
   wire::store(table.data() + entries_size,
@@ -75,7 +78,7 @@ FileSystem::Part FileSystem::read(std::uint16_t file, std::uint16_t page,
                                   std::size_t max_size) const {
   const auto files = load();
   if (!files) return {.error = msg::FileError::fat};
-  const auto found = std::ranges::find(*files, file, &File::id);
+  const auto found = sbgc::detail::find_by(*files, file, &File::id);
   if (found == files->end()) return {.error = msg::FileError::file_not_found};
   const std::span content(found->content);
   if (sbgc::detail::crc32(content) != found->checksum) return {.error = msg::FileError::crc};
@@ -90,7 +93,7 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
                                  std::span<const std::uint8_t> data) {
   auto files = load();
   if (!files) return msg::FileError::fat;
-  auto found = std::ranges::find(*files, file, &File::id);
+  auto found = sbgc::detail::find_by(*files, file, &File::id);
   const bool is_present = found != files->end();
   if (data.empty()) {
     if (!is_present) return msg::FileError::file_not_found;
@@ -107,7 +110,7 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
   // A new checksum would hide the remaining damaged bytes.
   if (sbgc::detail::crc32(found->content) != found->checksum) return msg::FileError::crc;
   found->content.resize(size);
-  std::ranges::copy(data, found->content.begin() + static_cast<std::ptrdiff_t>(begin));
+  std::copy(data.begin(), data.end(), found->content.begin() + static_cast<std::ptrdiff_t>(begin));
   found->checksum = sbgc::detail::crc32(found->content);
   std::size_t taken = 0;
   for (const File& each : *files) taken += pages(each.content.size());

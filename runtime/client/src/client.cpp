@@ -5,7 +5,6 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 
-#include <sbgc/any.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
 
@@ -58,19 +57,6 @@ Result<Client> detail::connect_client(const Opener& opener, const ConnectOptions
 
 Result<Client> Client::connect(const std::string& address, const ConnectOptions& options) {
   return detail::connect_client(detail::opener_of(address, options), options);
-}
-
-template <>
-Result<std::optional<AnyMessage>> detail::read_any(const Result<Reply>& reply) {
-  if (!reply) return reply.error();
-  const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
-  const MessageType* const type =
-      find_message(Direction::from_board, reply->id, reply->body.size(), contexts);
-  if (type == nullptr) return std::optional<AnyMessage>();
-  AnyMessage message = type->make();
-  const Status status = message.decode(reply->body, contexts);
-  if (!status) return detail::decode_error(status, *reply);
-  return std::optional(std::move(message));
 }
 
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options) {

@@ -16,7 +16,7 @@
 #include "driving/asio_driver.hpp"
 #include "driving/order_of.hpp"
 #include "driving/task_driver.hpp"
-#include "tasks/hold_speed.hpp"
+#include "shared_speed.hpp"
 
 namespace sbgc {
 
@@ -27,7 +27,7 @@ class SpeedControl::Worker {
  public:
   Worker(Client& client, const SpeedControlOptions& options,
          const asio::any_io_executor& executor = {})
-      : speed_(std::make_shared<detail::HeldSpeed>(
+      : speed_(std::make_shared<detail::SharedSpeed>(
             DeadMansSwitch(milliseconds(options.silence.count()),
                            milliseconds(options.repeat.count())),
             detail::order_of(detail::ClientMaker::conversation(client)))),
@@ -85,7 +85,7 @@ class SpeedControl::Worker {
     driver_->put([](TaskMachine& task) { task.wake(); });
   }
 
-  std::shared_ptr<detail::HeldSpeed> speed_;
+  std::shared_ptr<detail::SharedSpeed> speed_;
   std::shared_ptr<Task<Result<void>>> task_;
   std::function<Instant()> now_;  // the time of the task
   std::shared_ptr<detail::TaskDriver> driver_;

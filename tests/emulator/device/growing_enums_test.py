@@ -11,7 +11,11 @@ import pytest
 ROOT = Path(__file__).resolve().parents[3]
 FOLDERS = ("emulator", "tools", "runtime", "examples")
 INCLUDES = [ROOT / "emulator", ROOT / "emulator/include", ROOT / "tools"]
-INCLUDES += [*ROOT.glob("runtime/*/include"), ROOT / "runtime/client/src"]
+INCLUDES += [
+    *ROOT.glob("runtime/*/include"),
+    ROOT / "runtime/client/src",
+    ROOT / "runtime/tasks/src",
+]
 # A value that no enum has.
 VALUE = 113
 

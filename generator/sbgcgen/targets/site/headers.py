@@ -366,4 +366,4 @@ _BLOCKS: dict[str, Callable[[Markup], Markup]] = {
 }
 
 # The libraries, in the order in which one gets to know them.
-_ORDER = ("core", "session", "any", "io", "client", "emulator")
+_ORDER = ("core", "session", "any", "tasks", "io", "client", "emulator")

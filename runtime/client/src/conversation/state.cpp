@@ -40,9 +40,9 @@ class Conversation::State::Busy {
 Conversation::State::State(Strand strand, const ConnectOptions& options)
     : options_(options),
       clock_(strand),
-      calls_(options.queue_limit),
+      calls_(options.queue_limit, make_mutex()),
       question_(opening_frame(options.password)),
-      detector_(DetectorOptions{.question = question_}),
+      detector_(make_mutex(), DetectorOptions{.question = question_}),
       dialogue_(options, calls_, delivery_),
       channel_(std::move(strand)) {}
 

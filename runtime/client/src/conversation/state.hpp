@@ -22,9 +22,10 @@
 #include "calls/polls.hpp"
 #include "calls/stream_listeners.hpp"
 #include "channel.hpp"
-#include "delivery.hpp"
-#include "dialogue.hpp"
-#include "shared_calls.hpp"
+#include "conversation/delivery.hpp"
+#include "conversation/dialogue.hpp"
+#include "conversation/shared_calls.hpp"
+#include "mutex.hpp"
 
 namespace sbgc::detail {
 
@@ -121,12 +122,12 @@ class Conversation::State : public Channel::User,
   BoardIdentity board_;
   std::atomic<bool> may_repeat_ = false;
   SharedCalls calls_;
-  Guarded<StreamListeners> streams_;
-  Guarded<Polls> polls_;
+  Guarded<StreamListeners> streams_{make_mutex()};
+  Guarded<Polls> polls_{make_mutex()};
   const std::vector<std::uint8_t> question_;  // of the detector
   Guarded<Detector> detector_;
   bool is_searching_ = false;  // only on the strand
-  Delivery delivery_;
+  Delivery delivery_{make_mutex};
   Dialogue dialogue_;
   Channel channel_;
 

@@ -13,6 +13,7 @@
 #include <sbgc/client/client.hpp>
 
 #include "conversation/handlers.hpp"
+#include "mutex.hpp"
 
 namespace sbgc::detail {
 
@@ -61,8 +62,8 @@ struct KeptHandler {
       : begin(std::move(begun)), membership(handlers->add({}, std::move(handler))) {}
 
   Begin begin;
-  CallOptions options{};                                                      // of `begin`
-  std::shared_ptr<KeptHandlers> handlers = std::make_shared<KeptHandlers>();  // with one handler
+  CallOptions options{};  // of `begin`
+  std::shared_ptr<KeptHandlers> handlers = std::make_shared<KeptHandlers>(make_mutex);  // with one
   std::unique_ptr<Subscription::Registration> membership;  // of the handler; the owner releases it
   std::chrono::microseconds interval{};                    // of a data stream, else 0
   std::atomic<std::int64_t> messages{};                    // received

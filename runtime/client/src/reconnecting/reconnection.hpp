@@ -147,8 +147,8 @@ class Reconnection : public std::enable_shared_from_this<Reconnection> {
   std::optional<asio::strand<asio::any_io_executor>> strand_{};  // of the executor
   Adapter adapter_;
   const std::shared_ptr<HandlerTurn> turn_ = std::make_shared<HandlerTurn>();
-  const std::shared_ptr<KeptHandlers> notices_ = std::make_shared<KeptHandlers>();
-  const std::shared_ptr<KeptHandlers> changes_ = std::make_shared<KeptHandlers>();
+  const std::shared_ptr<KeptHandlers> notices_ = std::make_shared<KeptHandlers>(make_mutex);
+  const std::shared_ptr<KeptHandlers> changes_ = std::make_shared<KeptHandlers>(make_mutex);
   RunningTasks tasks_;
 
   mutable std::mutex mutex_;

@@ -160,6 +160,8 @@ Json to_dom(const M& message, Secrets secrets = Secrets::hidden) {
   return sink.take();
 }
 
+#if defined(__cpp_exceptions)
+
 /// Reads `message` from `json`, as from_json() does from text. Throws JsonError if `json` does not
 /// describe an M.
 template <class M>
@@ -170,5 +172,7 @@ void from_dom(const Json& json, M& message) {
   if (!reader.message(result)) throw JsonError(reader.field(), reader.reason());
   message = result;
 }
+
+#endif
 
 }  // namespace sbgc

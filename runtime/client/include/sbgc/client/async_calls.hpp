@@ -11,7 +11,9 @@
 #include <utility>
 
 #include <sbgc/client/async_operations.hpp>
+#include <sbgc/client/backup.hpp>
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/stream_requests.hpp>
 #include <sbgc/client/tasks.hpp>
 #include <sbgc/roles.hpp>
 

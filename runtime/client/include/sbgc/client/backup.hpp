@@ -1,64 +1,18 @@
-/// Backups of all parameters of a board, and restoring them.
-///
-/// The file is JSON. The bodies in hex are authoritative. The decoded fields are for human readers;
-/// a file in which they disagree with the bodies is rejected. The format:
-///
-///     {"format": "sbgc-backup", "version": 1, "created": "2024-05-01T12:00:00Z",
-///      "board": {"model": "3.0", "firmware": "2.59", "serial_number": "…",
-///                "info": {"message": "BoardInfo", "body": "…", "fields": {…}},
-///                "details": {"message": "BoardInfo3", …}},
-///      "contents": [{"message": "ReadParams3", "copies": [0, 1, 2, 3, 4]}, …],
-///      "checksum": "…",
-///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "names": "…",
-///                    "fields": {…}}, …]}
-///
-/// `copy` is the profile, counted from 0. `details` and `serial_number` are absent if the board
-/// does not report them.
-///
-/// What was edited is noticed if it is the identity of the board or `contents`: the CRC-32 of the
-/// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike, but not the
-/// names of fields, whose CRC-32 is `names`. What was removed from `settings` is Backup::missing.
-/// Files of version 0.1.0 have no `contents` and `checksum`, so only left_alone() tells what they
-/// may have lost, and files of early versions no `names`.
-///
-/// Restored parameters take effect at once, and the camera can move. See docs/2-safety.md.
+/// Backups of all parameters: their files, and the tasks that make and restore them, which
+/// <sbgc/client/backup_tasks.hpp> describes.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include <sbgc/client/board_identity.hpp>
-#include <sbgc/client/parameters.hpp>
-#include <sbgc/client/progress.hpp>
+#include <sbgc/client/backup_tasks.hpp>
 #include <sbgc/client/result.hpp>
-#include <sbgc/client/task.hpp>
 
 namespace sbgc {
 
-/// The parameters of a board, and the identity of that board.
-struct Backup {
-  BoardIdentity board{};
-  ParameterSet parameters{};
-  std::string created{};  ///< UTC, e.g. "2024-05-01T12:00:00Z"
-  /// What the file lists but does not hold: somebody removed it.
-  std::vector<ParametersId> missing{};
-};
-
 /// Returns the current time of the host in the format of Backup::created.
 std::string utc_now();
-
-/// Returns the content of a backup file.
-std::string to_json_text(const Backup& backup);
-
-/// Parses the content of a backup file. Fails with ErrorCode::bad_file, and names the place, if
-/// anything is missing, unknown, contradictory or duplicated; with ErrorCode::incompatible if the
-/// format is newer. The JsonLimits of <sbgc/parse_json.hpp> apply: 16 MiB, 64 levels.
-Result<Backup> parse_backup(std::string_view text);
 
 /// What to do if the file already exists.
 enum class Existing : std::uint8_t {
@@ -74,51 +28,7 @@ Result<void> save_backup(const Backup& backup, const std::filesystem::path& file
 /// Reads a backup file. Fails with ErrorCode::not_found, io, bad_file or incompatible.
 Result<Backup> load_backup(const std::filesystem::path& file);
 
-/// Returns the reasons why the parameters do not fit this board, e.g. "the board is a 3.1, the
-/// backup is of a 3.0". A board of the same model with the same firmware fits.
-std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
-
-/// Returns the parameters of this board that the backup does not hold: restoring leaves them alone.
-std::vector<ParametersId> left_alone(const BoardIdentity& board, const Backup& backup);
-
-/// Stores a backup. Runs on the thread that drives the task; an error ends the task.
-using BackupHandler = std::function<Result<void>(const Backup&)>;
-
 /// Saves to a file that must not exist yet; see save_backup().
 BackupHandler save_to(std::filesystem::path file);
 
-/// Options of restore().
-struct RestoreOptions {
-  /// Stores the current parameters before anything is written. Required unless `dry_run`.
-  BackupHandler save_current{};
-  /// Only reports what would change.
-  bool dry_run = false;
-  /// Restore even if the backup is from another board model or firmware.
-  bool allow_other_model = false;
-  bool allow_other_firmware = false;
-  /// Restore what the backup holds even if Backup::missing is not empty.
-  bool allow_partial = false;
-  /// Reject values that the protocol does not allow, as write_parameters() does: for parameters
-  /// that no board held before.
-  bool validate = false;
-  /// For the whole operation.
-  std::chrono::milliseconds timeout{180'000};
-  ProgressHandler progress{};
-};
-
-/// Fails with ErrorCode::incompatible if restore() refuses a backup of that board on this one.
-Result<void> check_fit(const BoardIdentity& board, const BoardIdentity& backup,
-                       const RestoreOptions& options);
-
-namespace tasks {
-
-/// Reads all parameters of the board. `created` is stored in the backup: a task has no clock.
-Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
-
-/// Sets the parameters of the board to those of a backup; others keep their values. Writes as
-/// write_parameters() does, but by default does not validate values, because a board held them
-/// before. Fails with ErrorCode::bad_file if parameters are missing, or if there are none at all.
-Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
-
-}  // namespace tasks
 }  // namespace sbgc

@@ -26,6 +26,7 @@
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
+#include <sbgc/client/stream_requests.hpp>
 #include <sbgc/client/subscription.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/client/task_calls.hpp>

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include <sbgc/client/message_key.hpp>
 #include <sbgc/client/notice.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/raw_request.hpp>
@@ -24,18 +25,6 @@ struct BoardIdentity;
 
 namespace detail {
 
-/// Identifies the messages that a subscriber receives.
-struct MessageKey {
-  std::uint8_t id{};
-  Form form{};
-  bool is_raw{};  ///< the subscriber gets each Frame with this id, also of unknown messages
-
-  bool operator==(const MessageKey&) const = default;
-};
-
-template <Message M>
-inline constexpr MessageKey key_of{static_cast<std::uint8_t>(M::command), M::form};
-
 /// A handle to the conversation with one board, which lasts until close(). Thread-safe.
 ///
 /// Handlers run one at a time on the executor of the transport; handlers of calls may also run on
@@ -43,8 +32,7 @@ inline constexpr MessageKey key_of{static_cast<std::uint8_t>(M::command), M::for
 class Conversation {
  public:
   using ReplyHandler = std::function<void(Result<Reply>)>;
-  /// Takes the decoded message of the subscribed key.
-  using MessageHandler = std::function<void(const void* message)>;
+  using MessageHandler = detail::MessageHandler;
 
   class State;
 

@@ -5,18 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/client/own_json.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/detail/foreign_kind.hpp>
-#include <sbgc/json_dom.hpp>
 
 namespace sbgc::detail {
 
 /// Reads a text file of at most `most` bytes: without a byte order mark, lines end with '\n' alone.
 /// Fails with ErrorCode::bad_file, too, if the content is of a foreign kind or has a NUL byte.
 Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most);
-
-/// Parses a JSON object with the `format`. Fails with ErrorCode::bad_file if it is anything else
-/// than `what`, such as "an sbgc backup".
-Result<Json> parse_own_json(std::string_view text, const char* format, const char* what);
 
 }  // namespace sbgc::detail

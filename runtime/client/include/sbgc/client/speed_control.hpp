@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include <sbgc/client/clock.hpp>
+#include <sbgc/client/motion_bound.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
@@ -16,19 +17,6 @@ namespace sbgc {
 class AsyncReconnectingClient;
 class Client;
 class ReconnectingClient;
-
-/// What ends the motion if the line is lost, so that no command can reach the board.
-enum class MotionBound : std::uint8_t {
-  /// `timeout` with firmware that has it, otherwise `target`.
-  automatic,
-  /// The board ends serial control when it receives no command for a while: set_control_timeout().
-  /// RC takes over; the camera stops unless RC turns it.
-  timeout,
-  /// Each command is an angle a short way ahead, where the camera stops by itself and holds.
-  target,
-  /// Nothing: the camera keeps turning.
-  none,
-};
 
 /// Options of SpeedControl.
 struct SpeedControlOptions {
@@ -77,12 +65,7 @@ struct SpeedControlOptions {
 /// executor needs. SpeedControlOptions::clock has no effect.
 class SpeedControl {
  public:
-  enum class State : std::uint8_t {
-    idle,      ///< it holds no speed, initially or after a stop
-    turning,   ///< it holds a speed
-    silenced,  ///< it stopped the camera because the owner was silent
-    failed,    ///< sending failed; final
-  };
+  using State = SpeedControlState;
 
   /// `client` must outlive this object.
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});

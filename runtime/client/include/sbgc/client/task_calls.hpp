@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <sbgc/client/backup.hpp>
 #include <sbgc/client/calls.hpp>
 #include <sbgc/client/tasks.hpp>
 

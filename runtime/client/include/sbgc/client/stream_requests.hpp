@@ -1,0 +1,41 @@
+/// The requests of data streams, for all clients.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/polls.hpp>
+#include <sbgc/client/typed.hpp>
+
+namespace sbgc::detail {
+
+/// Returns the requests that start and end the data stream that `request` selects.
+template <Message Request>
+Conversation::StreamRequests stream_requests(const Conversation& conversation,
+                                             const Request& request, const CallOptions& options) {
+  Request end = request;
+  auto& interval = roles::stream_interval(end);
+  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
+  return {conversation.prepare(request, options), conversation.prepare(end, options)};
+}
+
+/// Returns the requests that start and end the data stream of M; `request` starts it. Where the
+/// firmware has no streams, M is polled if a request without content asks for it.
+template <Message M, Message Request>
+Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
+                                             const CallOptions& options) {
+  choose_stream<M>(request);
+  if (const auto error = conversation.stream_refusal<M>()) return {*error, *error};
+  Conversation::StreamRequests requests = stream_requests(conversation, request, options);
+  using Poll = typename roles::Poll<M>::type;
+  if constexpr (!std::is_void_v<Poll>) {
+    if (!requests.start && requests.start.error().code == ErrorCode::unsupported) {
+      requests.polling = {stream_interval(request), requests.start.error().message};
+      requests.start = conversation.prepare(Poll{}, options);
+    }
+  }
+  return requests;
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,17 @@
+/// std::ranges::find() with a projection, which libc++ 14 does not have.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace sbgc::detail {
+
+/// Returns where the first element is whose `member` is this value; the end if there is none.
+template <class Range, class Value, class Member>
+constexpr auto find_by(Range&& range, const Value& value, Member member) {
+  return std::find_if(std::begin(range), std::end(range),
+                      [&](const auto& element) { return std::invoke(member, element) == value; });
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,33 @@
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/own_json.hpp>
+#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/parse_json.hpp>
+#include <sbgc/text/values.hpp>
+
+namespace sbgc::detail {
+
+Result<Json> parse_own_json(std::string_view text, const char* format, const char* what) {
+  const auto refused = [&](std::string_view kind) {
+    return ClientError{ErrorCode::bad_file, fmt::format("this is {}, not {}", kind, what)};
+  };
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (const std::string_view kind = foreign_kind(text); !kind.empty()) return refused(kind);
+  if (start == std::string_view::npos) return refused("an empty file");
+  if (text[start] != '{' && text[start] != '[') return refused("text");
+  ParsedJson document = parse_json(text);
+  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
+  const Json& value = document.value;
+  const auto said = value.is_object() ? value.find("format") : value.end();
+  if (said == value.end() || !said->is_string()) return refused("other JSON");
+  const auto& name = said->get_ref<const std::string&>();
+  constexpr std::size_t longest = 32;  // that an error quotes
+  if (name != format)
+    return refused(fmt::format("JSON of the format {}", detail::quoted(name.substr(0, longest))));
+  return std::move(document.value);
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,187 @@
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/client/passive_client.hpp>
+#include <sbgc/roles.hpp>
+
+#include "introduction.hpp"
+#include "passive_state.hpp"
+
+namespace sbgc {
+
+namespace {
+
+Task<Result<roles::Introduction>> introduce(std::optional<std::string> password) {
+  if (!password) co_return co_await tasks::call(roles::IntroductionRequest{});
+  const auto request = detail::opening_request(*password);
+  if (!request) co_return request.error();
+  co_return co_await tasks::call(*request);
+}
+
+using Details = detail::CallResponse<roles::DetailsRequest>;
+
+Task<Result<Details>> ask_details() { co_return co_await tasks::call(roles::DetailsRequest{}); }
+
+}  // namespace
+
+PassiveClient::PassiveClient(const ConnectOptions& options, bool line_may_repeat)
+    : state_(std::make_unique<State>(options, line_may_repeat)) {}
+
+PassiveClient::~PassiveClient() = default;
+
+void PassiveClient::connect(std::function<void(const Result<void>&)> done) {
+  start(introduce(state_->options().password), [this, done = std::move(done)](auto info) mutable {
+    if (!info) return done(std::move(info).error());
+    set_identity({.info = *std::move(info)});
+    if (!is_supported<roles::DetailsRequest>(identity().versions())) return done({});
+    start(ask_details(), [this, done = std::move(done)](auto details) {
+      if (!details) return done(std::move(details).error());
+      state_->identity().details = *std::move(details);
+      done({});
+    });
+  });
+}
+
+const BoardIdentity& PassiveClient::identity() const noexcept { return state_->identity(); }
+
+void PassiveClient::set_identity(const BoardIdentity& board) { state_->identity() = board; }
+
+TaskMachine& PassiveClient::start(TaskMachine& task, std::function<void()> finish) {
+  return state_->start(task, std::move(finish));
+}
+
+Subscription PassiveClient::subscribe(detail::MessageKey key, detail::MessageHandler handler) {
+  return Subscription(state_->delivery().subscribe(key, std::move(handler)));
+}
+
+Subscription PassiveClient::on_notice(std::function<void(const Notice&)> handler) {
+  return Subscription(state_->delivery().on_notice(std::move(handler)));
+}
+
+Subscription PassiveClient::on_frame(std::function<void(const BoardFrame&)> handler) {
+  return Subscription(state_->delivery().on_frame(std::move(handler)));
+}
+
+void PassiveClient::receive(std::span<const std::uint8_t> bytes, Instant now) {
+  state_->receive(bytes, now);
+}
+
+std::span<const std::uint8_t> PassiveClient::advance(Instant now) { return state_->advance(now); }
+
+void PassiveClient::written(Instant now) { state_->written(now); }
+
+Instant PassiveClient::deadline() const noexcept { return state_->deadline(); }
+
+// The state
+
+TaskMachine& PassiveClient::State::start(TaskMachine& task, std::function<void()> finish) {
+  task.set_number(calls_->order().begin());
+  task.set_repeating_line(line_may_repeat_);
+  const auto running = std::make_shared<Running>();
+  running->machine = &task;
+  running->finish = std::move(finish);
+  running->notices = delivery_.on_notice([&task](const Notice& one) { task.notice(one); });
+  running->strays = delivery_.on_frame([&task](const BoardFrame& one) {
+    if (!one.belongs_to_call) task.overheard(one.frame.id);
+  });
+  running_.push_back(running);
+  has_news_ = true;
+  return task;
+}
+
+void PassiveClient::State::receive(std::span<const std::uint8_t> bytes, Instant now) {
+  now_ = later(now_, now);
+  if (bytes.empty()) return;
+  has_news_ = true;
+  dialogue_.feed(bytes, now);
+}
+
+std::span<const std::uint8_t> PassiveClient::State::advance(Instant now) {
+  now_ = later(now_, now);
+  has_news_ = false;
+  Instant next = Instant::never;
+  const auto tasks = running_;  // a task that ends may start another one
+  for (const auto& running : tasks) next = earlier(next, step(*running));
+  std::erase_if(running_, [](const auto& one) { return one->is_over; });
+  const Output output = dialogue_.advance(now, !is_writing_);
+  is_writing_ = is_writing_ || !output.bytes.empty();
+  deadline_ = earlier(next, output.deadline);
+  return output.bytes;
+}
+
+void PassiveClient::State::written(Instant now) {
+  now_ = later(now_, now);
+  if (!std::exchange(is_writing_, false)) return;
+  dialogue_.written(now);
+  has_news_ = true;
+}
+
+Instant PassiveClient::State::step(Running& running) {
+  TaskMachine& task = *running.machine;
+  while (true) {
+    TaskStep step = task.step(now_);
+    switch (step.kind) {
+      case TaskStep::Kind::done: end(running); return Instant::never;
+      case TaskStep::Kind::call: begin(running, std::move(step)); break;
+      case TaskStep::Kind::cancel:
+        if (running.calls.erase(step.call) != 0) cancel(step.call);
+        break;
+      case TaskStep::Kind::wait: return step.until;
+    }
+  }
+}
+
+void PassiveClient::State::end(Running& running) {
+  calls_->order().leave(running.joined);
+  for (const CallId id : running.calls) cancel(id);
+  running.is_over = true;
+  has_news_ = true;
+  running.notices.reset();
+  running.strays.reset();
+  running.finish();
+}
+
+void PassiveClient::State::begin(Running& running, TaskStep step) {
+  TaskMachine& task = *running.machine;
+  const CallId id = step.call;
+  if (!step.request) return task.replied(id, std::move(step.request).error());
+  if (step.request->is_motion) join_order(running);
+  step.options.on_confirmation = [this, &task, id](unsigned) {
+    has_news_ = true;
+    task.confirmed(id);
+  };
+  step.options.on_series = [this, &task, id](const Frame& frame) {
+    has_news_ = true;
+    task.received(id, {frame.body.begin(), frame.body.end()});
+  };
+  const auto replied = [this, &running, id](Result<Reply> reply) {
+    has_news_ = true;
+    running.calls.erase(id);
+    running.machine->replied(id, std::move(reply));
+  };
+  const detail::CallPointer call =
+      detail::make_call(id, *std::move(step.request), step.options, options_, now_, replied);
+  call->task = task.number();
+  if (auto refusal = calls_.begin(call)) return task.replied(id, *std::move(refusal));
+  running.calls.insert(id);
+}
+
+/// Before its motion can be superseded, the task must be known.
+void PassiveClient::State::join_order(Running& running) {
+  TaskMachine& task = *running.machine;
+  if (running.joined == task.number()) return;
+  calls_->order().leave(running.joined);
+  running.joined = task.number();
+  calls_->order().join(running.joined, [this, &task](TaskNumber by) {
+    has_news_ = true;
+    task.supersede(by);
+  });
+}
+
+void PassiveClient::State::cancel(CallId id) {
+  if (const auto call = calls_->take(id)) dialogue_.forget(*call);
+}
+
+}  // namespace sbgc

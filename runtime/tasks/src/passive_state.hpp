@@ -1,0 +1,71 @@
+/// The implementation of PassiveClient.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <set>
+#include <span>
+#include <vector>
+
+#include <sbgc/client/passive_client.hpp>
+
+#include "conversation/delivery.hpp"
+#include "conversation/dialogue.hpp"
+#include "conversation/shared_calls.hpp"
+
+namespace sbgc {
+
+class PassiveClient::State {
+ public:
+  State(const ConnectOptions& options, bool line_may_repeat)
+      : options_(options),
+        line_may_repeat_(line_may_repeat || options.duplicate_window.count() != 0),
+        calls_(options.queue_limit) {}
+
+  TaskMachine& start(TaskMachine& task, std::function<void()> finish);
+  void receive(std::span<const std::uint8_t> bytes, Instant now);
+  std::span<const std::uint8_t> advance(Instant now);
+  void written(Instant now);
+  Instant deadline() const noexcept { return has_news_ ? now_ : deadline_; }
+
+  const ConnectOptions& options() const noexcept { return options_; }
+  BoardIdentity& identity() noexcept { return identity_; }
+  detail::Delivery& delivery() noexcept { return delivery_; }
+  /// The order of the tasks, for a held speed.
+  detail::MotionOrder& order() const { return calls_->order(); }
+  /// The number of calls that have not ended.
+  std::size_t pending() const { return calls_->size(); }
+
+ private:
+  struct Running {
+    TaskMachine* machine{};
+    std::function<void()> finish{};
+    detail::Delivery::Registration notices{};
+    detail::Delivery::Registration strays{};
+    TaskNumber joined{};       // under which the order of motion knows the task; or 0
+    std::set<CallId> calls{};  // that have not ended
+    bool is_over = false;
+  };
+
+  /// Runs a task until it waits or ends; returns until when it waits.
+  Instant step(Running& running);
+  void end(Running& running);
+  void begin(Running& running, TaskStep step);
+  void join_order(Running& running);
+  void cancel(CallId id);
+
+  const ConnectOptions options_;
+  const bool line_may_repeat_;
+  BoardIdentity identity_{};
+  Instant now_{};
+  Instant deadline_ = Instant::never;
+  bool has_news_ = false;  // for a task
+  bool is_writing_ = false;
+  detail::SharedCalls calls_;
+  detail::Delivery delivery_{};
+  detail::Dialogue dialogue_{options_, calls_, delivery_};
+  std::vector<std::shared_ptr<Running>> running_{};
+};
+
+}  // namespace sbgc

@@ -1,0 +1,63 @@
+/// Turning in a way that ends by itself when no more commands arrive.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+
+#include <sbgc/client/motion.hpp>
+#include <sbgc/client/motion_bound.hpp>
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/control.hpp>
+
+namespace sbgc::detail {
+
+/// The rules of turning by targets: each command leads a short way ahead.
+class ShortTargets {
+ public:
+  using Speed = Axes<msg::ControlSpeed>;
+  using Angles = Axes<msg::Angle14>;
+
+  explicit ShortTargets(std::chrono::milliseconds lookahead) noexcept : lookahead_(lookahead) {}
+
+  struct Command {
+    Speed speed{};  ///< without a sign, and never 0, which means another speed
+    Angles angle{};
+  };
+  /// Returns the command for a camera at these angles. At least one axis must have a speed; axes
+  /// without one stay where they were when they had none for the first time.
+  Command next(const Speed& speed, const Angles& measured);
+
+ private:
+  std::chrono::milliseconds lookahead_;
+  Axes<Optional<msg::Angle14>> held_{};
+};
+
+/// Turns the camera as SpeedControlOptions::bound says.
+class BoundedTurn {
+ public:
+  BoundedTurn(MotionBound bound, std::chrono::milliseconds lookahead) noexcept
+      : bound_(bound), lookahead_(lookahead), targets_(lookahead) {}
+
+  /// Commands a speed, which lasts for the lookahead; fails if it cannot before `not_after`.
+  Task<Result<void>> turn(Axes<msg::ControlSpeed> speed, Instant not_after = Instant::never);
+  /// Stops the camera, unless it `turns_again` meanwhile, and removes the timeout, so that it stays
+  /// where it is.
+  Task<Result<void>> stop(std::function<bool()> turns_again);
+  /// Removes the timeout, which also ends motion that others command.
+  Task<Result<void>> let_go();
+
+ private:
+  Task<Result<void>> begin();
+  Task<Result<void>> begin_timeout(bool is_choice);
+  Task<Result<void>> renew_timeout();
+
+  MotionBound bound_;
+  std::chrono::milliseconds lookahead_;
+  ShortTargets targets_;
+  /// The request that limits the motion, once it has been sent.
+  std::optional<msg::ControlConfig> timeout_{};
+  Instant renewal_{};
+};
+
+}  // namespace sbgc::detail
