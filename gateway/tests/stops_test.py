@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sqlite3
 import threading
 import time
+from contextlib import closing
 from typing import Any
 
 import pytest
@@ -121,11 +123,22 @@ def await_no_stop(stage: Stage) -> None:
     eventually(lambda: state(stage)["state"] == "online" and "stopping" not in state(stage))
 
 
-def test_what_stands_after_a_reconnection_stays_with_rc(stage: Stage) -> None:
+def pass_an_hour(stage: Stage) -> None:
+    """For the journal."""
+    with closing(sqlite3.connect(stage.folder / "fleet.db")) as journal, journal:
+        journal.execute("UPDATE commands SET received = received - 3600000")
+
+
+@pytest.mark.parametrize("event", ["a reconnection", "a restart an hour later"])
+def test_what_stands_stays_with_rc(stage: Stage, event: str) -> None:
     rc_speed = ("rc_map.pitch=raw:133", "rc.pitch.rc_mode=1")  # API channel 5
     assert run("params", "set", *rc_speed, "--yes", "-p", stage.front.address).status == 0
-    with running_gateway(stage.folder, stage.fleet()):
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
         owe_a_stop(stage)
+        if event != "a reconnection":
+            gateway.kill()
+            pass_an_hour(stage)
+            gateway.restart()
         assert run("stop", "-p", stage.front.address).status == 0
         assert run("send", "Control", "--yes", "-p", stage.front.address).status == 0
         await_no_stop(stage)
