@@ -120,6 +120,7 @@ def owe_a_stop(stage: Stage) -> None:
 
 def await_no_stop(stage: Stage) -> None:
     stage.line.is_up = True
+    eventually(lambda: has_event(stage, "stopped"))
     eventually(lambda: state(stage)["state"] == "online" and "stopping" not in state(stage))
 
 
