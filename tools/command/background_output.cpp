@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <cstddef>
 #include <mutex>
 #include <string_view>
@@ -17,6 +16,7 @@
 
 #include "command/command_error.hpp"
 #include "command/remark.hpp"
+#include "command/without_signals.hpp"
 
 namespace sbgc::tools {
 
@@ -44,23 +44,6 @@ int write_all(int descriptor, std::string_view text) {
   }
   return 0;
 }
-
-/// Blocks all signals for the threads that start meanwhile: the others handle them, and a write
-/// without a reader is only an error.
-class WithoutSignals {
- public:
-  WithoutSignals() {
-    sigset_t all{};
-    sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &previous_);
-  }
-  WithoutSignals(const WithoutSignals&) = delete;
-  WithoutSignals& operator=(const WithoutSignals&) = delete;
-  ~WithoutSignals() { ::pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
-
- private:
-  sigset_t previous_{};
-};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <sbgc/io/transport.hpp>
 
 #include "command/remark.hpp"
+#include "command/without_signals.hpp"
 
 namespace sbgc::tools {
 
@@ -25,6 +26,8 @@ constexpr std::chrono::seconds longest_outage{5};
 ShellLine::ShellLine(const GimbalOptions& gimbal) : line_(context_, gimbal, settings()) {
   tick();
   set_running(false);
+  // The handlers of libedit crash on another thread than that of the prompt.
+  const WithoutSignals without_signals;
   thread_ = std::thread([this] { context_.run(); });
 }
 
