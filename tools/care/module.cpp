@@ -16,11 +16,11 @@
 #include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
+#include "board/local_file.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
 #include "command/choices.hpp"
 #include "command/interruption.hpp"
-#include "command/local_file.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"

@@ -19,11 +19,11 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/validate.hpp>
 
+#include "board/local_file.hpp"
 #include "command/arming.hpp"
 #include "command/background_output.hpp"
 #include "command/choices.hpp"
 #include "command/interruption.hpp"
-#include "command/local_file.hpp"
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"

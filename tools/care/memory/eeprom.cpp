@@ -12,11 +12,11 @@
 #include <sbgc/roles.hpp>
 
 #include "board/connection.hpp"
+#include "board/local_file.hpp"
 #include "board/progress_bar.hpp"
 #include "care/memory/eeprom_image.hpp"
 #include "command/arming.hpp"
 #include "command/interruption.hpp"
-#include "command/local_file.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"

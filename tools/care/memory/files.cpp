@@ -10,10 +10,10 @@
 #include <sbgc/messages/storage.hpp>
 
 #include "board/connection.hpp"
+#include "board/local_file.hpp"
 #include "board/progress_bar.hpp"
 #include "command/arming.hpp"
 #include "command/interruption.hpp"
-#include "command/local_file.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"

@@ -11,8 +11,9 @@ from sbgc_command import ROOT
 def test_folders_form_no_circle() -> None:
     tools = ROOT / "tools"
     uses: dict[str, set[str]] = {}
-    for file in tools.glob("*/*.?pp"):
+    for file in tools.glob("**/*.?pp"):
+        folder = file.relative_to(tools).parts[0]
         used = re.findall(r'^#include "(\w+)/', file.read_text("utf-8"), re.MULTILINE)
-        uses.setdefault(file.parent.name, set()).update(set(used) - {file.parent.name})
+        uses.setdefault(folder, set()).update(set(used) - {folder})
     assert "board" in uses["parameters"], "the includes are found"
     TopologicalSorter(uses).prepare()  # raises an error that names a circle

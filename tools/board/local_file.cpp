@@ -1,4 +1,4 @@
-#include "command/local_file.hpp"
+#include "board/local_file.hpp"
 
 #include <cerrno>
 #include <filesystem>
