@@ -36,7 +36,7 @@ WARNINGS = (
 )
 
 
-PARTS = ("core", "any", "session", "io", "client")
+PARTS = ("core", "any", "session", "tasks", "io", "client")
 
 
 def only(page: Page, name: str) -> Element:

@@ -159,7 +159,8 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     files.append(ROOT / "generated/simplebgc.json")
     spec = "".join(path.read_text(encoding="utf-8") for path in files)
     # Commands and options of sbgc.
-    spec += "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tools").rglob("*.cpp"))
+    commands = [*(ROOT / "tools").rglob("*.cpp"), *(ROOT / "gateway").glob("*.cpp")]
+    spec += "".join(path.read_text(encoding="utf-8") for path in commands)
     # The Python package, and what Python itself has.
     package = [*(ROOT / "python/sbgc").glob("*.py"), *(ROOT / "generated/python").rglob("*.py")]
     spec += "".join(path.read_text(encoding="utf-8") for path in package) + " ".join(dir(builtins))
