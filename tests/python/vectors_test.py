@@ -6,6 +6,7 @@ import copy
 import json
 import pickle
 import re
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -206,15 +207,18 @@ def test_frames_in_every_framing_are_found_and_decoded() -> None:
             assert encode(found.decode(direction, contexts), framing) == frame
 
 
-def inputs_of_fuzzers() -> Iterator[bytes]:
-    folders = [ROOT / "fuzz" / "corpus", ROOT / "fuzz" / "regressions", ROOT / "generated" / "fuzz"]
-    for folder in folders:
+def inputs_of_fuzzers(seeds: Path) -> Iterator[bytes]:
+    make = [ROOT / "generator/python", "-m", "sbgcgen", "seeds", "--root", ROOT, "--output", seeds]
+    subprocess.run(make, check=True)
+    for folder in (ROOT / "fuzz" / "regressions", seeds):
         yield from (path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file())
+    for corpus in sorted((ROOT / "fuzz" / "corpus").glob("*.txt")):
+        yield from map(bytes.fromhex, corpus.read_text().splitlines())
 
 
-def test_inputs_of_the_fuzzers_decode_or_raise_and_nothing_is_lost() -> None:
+def test_inputs_of_the_fuzzers_decode_or_raise_and_nothing_is_lost(tmp_path: Path) -> None:
     decoded = refused = frames = 0
-    for data in inputs_of_fuzzers():
+    for data in inputs_of_fuzzers(tmp_path / "seeds"):
         for frame in Parser().feed(data):
             frames += 1
             try:

@@ -13,7 +13,7 @@ from captures import ANGLES, CAPTURE, FROM_BOARD, TO_BOARD, record, session
 from line import DISSECTOR, ROOT, shown, tshark
 from sbgc_command import PROGRAM, frame, run
 
-EXTCAP = ROOT / "tools" / "line" / "wireshark" / "sbgc-extcap"
+EXTCAP = ROOT / "tools" / "bytes" / "wireshark" / "sbgc-extcap"
 
 
 def test_a_capture_opens_with_its_times_and_directions(tmp_path: Path) -> None:
