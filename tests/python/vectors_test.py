@@ -208,8 +208,8 @@ def test_frames_in_every_framing_are_found_and_decoded() -> None:
 
 
 def inputs_of_fuzzers(seeds: Path) -> Iterator[bytes]:
-    make = [ROOT / "generator/python", "-m", "sbgcgen", "seeds", "--root", ROOT, "--output", seeds]
-    subprocess.run(make, check=True)
+    make = [str(ROOT / "generator/python"), *"-m sbgcgen seeds --root".split(), str(ROOT)]
+    subprocess.run([*make, "--output", str(seeds)], check=True)
     for folder in (ROOT / "fuzz" / "regressions", seeds):
         yield from (path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file())
     for corpus in sorted((ROOT / "fuzz" / "corpus").glob("*.txt")):
