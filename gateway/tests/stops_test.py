@@ -172,12 +172,13 @@ def test_a_slow_line_with_other_programs_is_not_silent(stage: Stage) -> None:
             stage.motors_on()
             assert stage.result("raw", TURN)["status"] == "done"
             is_over = threading.Event()
+            answers: list[int] = []
 
             def ask() -> None:
                 other = Host(bridge.address)
                 while not is_over.is_set():
                     other.send(21, b"\0")  # CMD_READ_PARAMS_3, 155 bytes of answer
-                    other.receive()
+                    answers.append(other.receive()[0])
 
             others = [threading.Thread(target=ask) for _ in range(3)]
             for one in others:
@@ -186,5 +187,6 @@ def test_a_slow_line_with_other_programs_is_not_silent(stage: Stage) -> None:
             is_over.set()
             for one in others:
                 one.join()
+            assert answers.count(21) > 15, "the line was busy"
             assert not has_event(stage, "silent") and stage.online() == 1
             assert stage.turns()
