@@ -78,7 +78,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
       : settings_(settings),
         options_(options_of(settings.line)),
         strand_(io.executor()),
-        client_(std::make_unique<AsyncReconnectingClient>(strand_)),
+        client_(std::make_unique<AsyncClient>(strand_)),
         timer_(strand_) {
     for (const Telemetry& one : settings_.telemetry) {
       telemetry_.push_back(std::make_unique<RunningTelemetry>(one, strand_));
@@ -307,7 +307,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
   Strand strand_;
   /// Null after end().
-  std::unique_ptr<AsyncReconnectingClient> client_;
+  std::unique_ptr<AsyncClient> client_;
 
   asio::steady_timer timer_;
   std::chrono::milliseconds pause_ = first_pause_between_attempts;
@@ -347,6 +347,6 @@ void Gimbal::close() { impl_->close(); }
 GimbalStatus Gimbal::status() const { return impl_->status(); }
 GimbalCounters Gimbal::counters() const { return impl_->counters(); }
 void Gimbal::set_stopping(bool is_stopping) { impl_->set_stopping(is_stopping); }
-AsyncReconnectingClient& Gimbal::client() noexcept { return *impl_->client_; }
+AsyncClient& Gimbal::client() noexcept { return *impl_->client_; }
 
 }  // namespace sbgc::tools

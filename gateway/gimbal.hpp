@@ -16,7 +16,7 @@
 #include <asio/strand.hpp>
 
 #include <sbgc/any.hpp>
-#include <sbgc/client/async_reconnecting_client.hpp>
+#include <sbgc/client/async_client.hpp>
 #include <sbgc/client/error.hpp>
 
 #include "gateway/fleet.hpp"
@@ -124,7 +124,7 @@ class Gimbal {
   GimbalCounters counters() const;
   /// For tasks and calls: async_run(), async_call(), SpeedControl. An operation fails at once while
   /// the gimbal is not online: nothing waits for a connection.
-  AsyncReconnectingClient& client() noexcept;
+  AsyncClient& client() noexcept;
 
  private:
   class Impl;

@@ -218,7 +218,7 @@ void GimbalTasks::begin(const Order& order) {
     }
     watch();
   }
-  AsyncReconnectingClient& client = gimbal_.client();
+  AsyncClient& client = gimbal_.client();
   const auto visit = [&](const auto& what) {
     using What = std::decay_t<decltype(what)>;
     if constexpr (std::is_same_v<What, MoveOrder>) {

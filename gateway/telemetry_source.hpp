@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <sbgc/any.hpp>
-#include <sbgc/client/async_reconnecting_client.hpp>
+#include <sbgc/client/async_client.hpp>
 
 #include "frames/stream_type.hpp"
 

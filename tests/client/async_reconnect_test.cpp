@@ -22,7 +22,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/client/async_reconnecting_client.hpp>
+#include <sbgc/client/async_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages.hpp>
@@ -113,7 +113,7 @@ class AsyncReconnecting : public ::testing::Test {
   Collector<LinkState> changes;
   asio::io_context context;
   asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
-  std::optional<AsyncReconnectingClient> client;
+  std::optional<AsyncClient> client;
   Subscription watching;
   std::thread thread;
 };

@@ -22,6 +22,7 @@
 #include <sbgc/client/own_transport.hpp>
 
 #include "conversation/state.hpp"
+#include "driving/task_driver.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {

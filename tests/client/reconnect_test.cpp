@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages.hpp>
 
@@ -73,11 +73,11 @@ class Reconnecting : public ::testing::Test {
       return is_plugged ? line(executor) : nullptr;
     };
   }
-  ReconnectingClient connect(const ReconnectOptions& options = quick_reconnect()) {
-    return watched(reconnecting_over(cable(), options));
+  Client connect(const ReconnectOptions& options = quick_reconnect()) {
+    return watched(connect_over(cable(), options));
   }
-  ReconnectingClient connect(const std::string& path, const ReconnectOptions& options) {
-    return watched(ReconnectingClient::connect(path, options));
+  Client connect(const std::string& path, const ReconnectOptions& options) {
+    return watched(Client::connect(path, options));
   }
   void pull() {
     is_plugged = false;
@@ -105,7 +105,7 @@ class Reconnecting : public ::testing::Test {
   Subscription watching;
 
  private:
-  ReconnectingClient watched(Result<ReconnectingClient> client) {
+  Client watched(Result<Client> client) {
     if (!client) throw std::runtime_error(client.error().message);
     watching = client->on_change([this](const LinkChange& change) { changes.add(change); });
     return *std::move(client);
@@ -114,14 +114,14 @@ class Reconnecting : public ::testing::Test {
 
 TEST_F(Reconnecting, TheFirstConnectionMustSucceed) {
   is_plugged = false;
-  const auto client = reconnecting_over(cable(), quick_reconnect());
+  const auto client = connect_over(cable(), quick_reconnect());
   ASSERT_FALSE(client);
   EXPECT_EQ(client.error().code, ErrorCode::not_found);
   EXPECT_EQ(attempts, 1);
 }
 
 TEST_F(Reconnecting, ALineThatIsLostComesBack) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   EXPECT_TRUE(client.get_angles());
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
@@ -140,7 +140,7 @@ TEST_F(Reconnecting, ALineThatIsLostComesBack) {
 TEST_F(Reconnecting, CallsCanWaitForTheConnection) {
   ReconnectOptions options = quick_reconnect();
   options.calls = OutagePolicy::wait;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   const auto begin = steady_clock::now();
@@ -160,7 +160,7 @@ TEST_F(Reconnecting, AStreamThatWaitsForTheConnectionHasOneDeadline) {
   board.on_lost([](const Packet& request) { return is<msg::DataStreamInterval>(request); });
   ReconnectOptions options = quick_reconnect();
   options.calls = OutagePolicy::wait;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   std::thread plugging([this] {
@@ -175,7 +175,7 @@ TEST_F(Reconnecting, AStreamThatWaitsForTheConnectionHasOneDeadline) {
 }
 
 TEST_F(Reconnecting, StreamsAndSubscriptionsGoOn) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   Collector<msg::RealtimeData4> fast;
   Collector<msg::RealtimeData3> slow;
   Collector<msg::GetAngles> angles;
@@ -214,7 +214,7 @@ TEST_F(Reconnecting, PollsOfOldFirmwareGoOn) {
   emulator::BoardOptions old = board.options();
   old.firmware = msg::FirmwareVersion(2439);
   board.become(old);
-  ReconnectingClient client = connect();
+  Client client = connect();
   std::atomic<int> samples = 0;
   const auto stream =
       client.stream<msg::RealtimeData4>(Ms(5), [&](const msg::RealtimeData4&) { ++samples; });
@@ -229,7 +229,7 @@ TEST_F(Reconnecting, PollsOfOldFirmwareGoOn) {
 
 TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
   const auto commands = [&] { return board.count<msg::Control>(); };
-  ReconnectingClient client = connect();
+  Client client = connect();
   SpeedControl control(client, {.silence = Ms(60'000), .repeat = Ms(20)});
   EXPECT_EQ(control.state(), SpeedControl::State::idle);
   EXPECT_FALSE(control.refresh());
@@ -257,7 +257,7 @@ TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
 }
 
 TEST_F(Reconnecting, SubscriptionsDoNotWaitForStreams) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(stream);
   Collector<msg::GetAngles> angles;
@@ -273,7 +273,7 @@ TEST_F(Reconnecting, SubscriptionsDoNotWaitForStreams) {
 }
 
 TEST_F(Reconnecting, ACancelledStreamStaysSo) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   std::atomic<int> cancelled_samples = 0;
   Collector<msg::RealtimeData3> kept;
   auto cancelled = client.stream<msg::RealtimeData4>(
@@ -296,7 +296,7 @@ TEST_F(Reconnecting, ACancelledStreamStaysSo) {
 }
 
 TEST_F(Reconnecting, ACancelledStreamEndsOnTheBoard) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(stream);
   stream->cancel();
@@ -305,7 +305,7 @@ TEST_F(Reconnecting, ACancelledStreamEndsOnTheBoard) {
 }
 
 TEST_F(Reconnecting, AStreamDuringAnOutageIsRefused) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   const auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
@@ -314,7 +314,7 @@ TEST_F(Reconnecting, AStreamDuringAnOutageIsRefused) {
 }
 
 TEST_F(Reconnecting, AnotherBoardIsRefused) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   const std::string number = client.identity().serial_number();
   emulator::BoardOptions other = board.options();
   pull();
@@ -341,7 +341,7 @@ TEST_F(Reconnecting, AnotherBoardIsRefused) {
 TEST_F(Reconnecting, AnotherBoardCanBeAccepted) {
   ReconnectOptions options = quick_reconnect();
   options.other_board = OtherBoard::accept;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   const std::string number = client.identity().serial_number();
   emulator::BoardOptions other = board.options();
   other.device_id[0] ^= 0xFF;
@@ -358,7 +358,7 @@ TEST_F(Reconnecting, ARestartEndsTheConnectionAndStreamsGoOn) {
   ManualClock clock;
   ReconnectOptions options = quick_reconnect();
   options.clock = &clock;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   Collector<msg::RealtimeData4> samples;
   Collector<NoticeKind> notices;
   const auto noticing = client.on_notice([&](const Notice& notice) { notices.add(notice.kind); });
@@ -386,7 +386,7 @@ TEST_F(Reconnecting, AStreamThatFellSilentIsStartedAgain) {
   ReconnectOptions options = quick_reconnect();
   options.clock = &clock;
   options.longest_silence = std::chrono::seconds(3);
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   Collector<msg::RealtimeData4> samples;
   auto stream = client.stream<msg::RealtimeData4>(
       Ms(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); });
@@ -409,7 +409,7 @@ TEST_F(Reconnecting, ASilentBoardIsLost) {
   ReconnectOptions options = quick_reconnect();
   options.clock = &clock;
   options.longest_silence = std::chrono::seconds(3);
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(stream);
   board.restart();
@@ -426,7 +426,7 @@ TEST_F(Reconnecting, ASilentBoardIsLost) {
 }
 
 TEST_F(Reconnecting, ACheckFindsASilentBoard) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   client.check();
   while (board.count<msg::BoardInfoRequest>() < 2) std::this_thread::sleep_for(Ms(1));
   EXPECT_TRUE(client.get_angles());
@@ -446,7 +446,7 @@ TEST_F(Reconnecting, ThePausesDoubleAndTheAttemptsEnd) {
   options.first_pause = Ms(100);
   options.longest_pause = Ms(300);
   options.attempts = 4;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   const auto wait_for_attempts = [&](int count) {
@@ -479,7 +479,7 @@ TEST_F(Reconnecting, ThePausesDoubleAndTheAttemptsEnd) {
 TEST_F(Reconnecting, DestructionEndsTheSearch) {
   ReconnectOptions options = quick_reconnect();
   options.first_pause = options.longest_pause = std::chrono::hours(1);
-  std::optional<ReconnectingClient> client(connect(options));
+  std::optional<Client> client(connect(options));
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   while (attempts < 2) std::this_thread::sleep_for(Ms(1));
@@ -492,7 +492,7 @@ TEST_F(Reconnecting, DestructionEndsAnAttempt) {
   ReconnectOptions options = quick_reconnect();
   options.connection.timeout = std::chrono::hours(1);
   options.connection.retries = 90;
-  std::optional<ReconnectingClient> client(connect(options));
+  std::optional<Client> client(connect(options));
   board.on_lost([](const Packet&) { return true; });
   board.unplug();
   ASSERT_TRUE(wait_for(LinkState::searching));
@@ -505,7 +505,7 @@ TEST_F(Reconnecting, DestructionEndsAnAttempt) {
 TEST_F(Reconnecting, ClosingEndsCallsThatWait) {
   ReconnectOptions options = quick_reconnect();
   options.calls = OutagePolicy::wait;
-  ReconnectingClient client = connect(options);
+  Client client = connect(options);
   pull();
   ASSERT_TRUE(wait_for(LinkState::searching));
   std::thread closing([&] {
@@ -520,7 +520,7 @@ TEST_F(Reconnecting, ClosingEndsCallsThatWait) {
 }
 
 TEST_F(Reconnecting, AHandlerMustNotWait) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   Collector<ErrorCode> errors;
   const auto asking = client.on_change([&](const LinkChange&) {
     const auto angles = client.get_angles();
@@ -531,7 +531,7 @@ TEST_F(Reconnecting, AHandlerMustNotWait) {
 }
 
 TEST_F(Reconnecting, AHandlerMayCancelItself) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   Subscription stream;
   std::atomic<int> samples = 0;
   auto begun = client.stream<msg::RealtimeData4>(Ms(20), [&](const msg::RealtimeData4&) {
@@ -546,7 +546,7 @@ TEST_F(Reconnecting, AHandlerMayCancelItself) {
 }
 
 TEST_F(Reconnecting, RawRequestsGetTheirFrames) {
-  ReconnectingClient client = connect();
+  Client client = connect();
   auto request = raw_request(static_cast<std::uint8_t>(msg::GetAnglesRequest::command), {});
   ASSERT_TRUE(request);
   Collector<Packet> frames;
@@ -586,7 +586,7 @@ class Replugged : public Reconnecting {
 
 TEST_F(Replugged, AnAdapterIsFoundUnderAnotherName) {
   ports.set({usb_port("/dev/nothing", "X"), usb_port(path, "A")});
-  ReconnectingClient client = connect(path, options);
+  Client client = connect(path, options);
   replug({usb_port("/dev/nothing", "X")});
   ASSERT_TRUE(wait_for(LinkState::searching));
   ports.set({usb_port("/dev/nothing", "X"), usb_port(path, "A")});
@@ -597,7 +597,7 @@ TEST_F(Replugged, AnAdapterIsFoundUnderAnotherName) {
 
 TEST_F(Replugged, AnAdapterWithoutSerialNumberMustBeTheOnlyOne) {
   ports.set({usb_port(path, "")});
-  ReconnectingClient client = connect(path, options);
+  Client client = connect(path, options);
   replug();
   ASSERT_TRUE(wait_for(LinkState::searching));
   ports.set({usb_port("/dev/nothing", ""), usb_port(path, "")});
@@ -614,7 +614,7 @@ TEST_F(Replugged, AnAdapterWithoutSerialNumberMustBeTheOnlyOne) {
 TEST_F(Replugged, AnotherAdapterUnderTheOldNameIsLeftAlone) {
   ports.set({usb_port(path, "A")});
   const std::string old = path;
-  ReconnectingClient client = connect(path, options);
+  Client client = connect(path, options);
   replug();
   ASSERT_TRUE(wait_for(LinkState::searching));
   ports.set({usb_port(old, "B")});

@@ -13,22 +13,22 @@ bool is_replay(const GimbalOptions& options) {
   return with_configuration(options).port.starts_with("capture:");
 }
 
-ReconnectingClient connect_for_long(const GimbalOptions& options,
-                                    const std::function<void(ConnectOptions&)>& adjust) {
+Client connect_for_long(const GimbalOptions& options,
+                        const std::function<void(ConnectOptions&)>& adjust) {
   LineChoice line = choose_line(options);
   if (adjust) adjust(line.options);
   ReconnectOptions reconnect;
   reconnect.connection = line.options;
   reconnect.list_ports = listed_ports;
-  auto client = ReconnectingClient::connect(line.address, reconnect);
+  auto client = Client::connect(line.address, reconnect);
   // A recorded board responds when it did, perhaps just before the request.
   for (int more = 4; !client && more > 0 && is_replay(options); --more) {
-    client = ReconnectingClient::connect(line.address, reconnect);
+    client = Client::connect(line.address, reconnect);
   }
   return value_of(std::move(client));
 }
 
-Subscription report_changes(ReconnectingClient& client) {
+Subscription report_changes(Client& client) {
   return client.on_change([](const LinkChange& change) {
     switch (change.state) {
       case LinkState::lost:

@@ -136,7 +136,7 @@ int record_line(const RecordOptions& options) {
 }
 
 /// Starts a stream that is asked for.
-using StreamStart = std::function<Result<Subscription>(ReconnectingClient& client)>;
+using StreamStart = std::function<Result<Subscription>(Client& client)>;
 
 /// Reads "NAME", "NAME:WITH", or for bytes "NUMBER" and "NUMBER:HEX".
 StreamStart start_of(std::string_view text, std::chrono::milliseconds interval) {
@@ -145,13 +145,11 @@ StreamStart start_of(std::string_view text, std::chrono::milliseconds interval) 
   const std::string_view with = text.substr(std::min(colon + 1, text.size()));
   if (const auto id = detail::parse_number<std::uint8_t>(name); id && *id != 0) {
     const roles::StreamRequest request = raw_stream_request(*id, with, interval);
-    return [request](ReconnectingClient& client) {
-      return client.stream_raw(request, [](const Frame&) {});
-    };
+    return [request](Client& client) { return client.stream_raw(request, [](const Frame&) {}); };
   }
   StreamType type = StreamType::find(name);
   type.configure(with);
-  return [type = std::move(type), interval](ReconnectingClient& client) {
+  return [type = std::move(type), interval](Client& client) {
     return type.start(client, interval, [](const Sample&) {});
   };
 }
@@ -213,7 +211,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
                       std::move(writer), {.on_error = fail_with});
   };
   {
-    ReconnectingClient client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
+    Client client = connect_for_long(context.gimbal, [&](ConnectOptions& connect) {
       if (connect.password) warn_of_password_in(options.file);
       connect.wrap = [record, wrap = connect.wrap](std::unique_ptr<io::Transport> transport) {
         return record(wrap ? wrap(std::move(transport)) : std::move(transport));

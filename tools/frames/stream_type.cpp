@@ -93,15 +93,14 @@ template <class M>
 StreamType::StreamType(Type<M>)
     : type_(find_message(Meta<M>::info.name)),
       request_(*find_message(Meta<roles::StreamRequest>::info.name)),
-      listen_([](ReconnectingClient& client, SampleHandler handler) {
+      listen_([](Client& client, SampleHandler handler) {
         return client.subscribe<M>(taker<M>(std::move(handler)));
       }),
-      start_([](ReconnectingClient& client, const roles::StreamRequest& request,
-                SampleHandler handler) {
+      start_([](Client& client, const roles::StreamRequest& request, SampleHandler handler) {
         return client.stream<M>(request, taker<M>(std::move(handler)));
       }),
-      async_start_([](AsyncReconnectingClient& client, const roles::StreamRequest& request,
-                      AnyHandler handler, std::function<void(Result<Subscription>)> done) {
+      async_start_([](AsyncClient& client, const roles::StreamRequest& request, AnyHandler handler,
+                      std::function<void(Result<Subscription>)> done) {
         client.async_stream<M>(request, any_taker<M>(std::move(handler)), std::move(done));
       }) {
   detail::choose_stream<M>(*request_.get_if<roles::StreamRequest>());
@@ -160,15 +159,14 @@ std::vector<StreamField> StreamType::fields() const {
   return fields;
 }
 
-Result<Subscription> StreamType::start(ReconnectingClient& client,
-                                       std::chrono::milliseconds interval,
+Result<Subscription> StreamType::start(Client& client, std::chrono::milliseconds interval,
                                        SampleHandler handler) const {
   const auto asked = request(interval);
   if (!asked) return asked.error();
   return start_(client, *asked, std::move(handler));
 }
 
-void StreamType::async_start(AsyncReconnectingClient& client, std::chrono::milliseconds interval,
+void StreamType::async_start(AsyncClient& client, std::chrono::milliseconds interval,
                              AnyHandler handler,
                              std::function<void(Result<Subscription>)> done) const {
   const auto asked = request(interval);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <sbgc/any.hpp>
-#include <sbgc/client/async_reconnecting_client.hpp>
-#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/async_client.hpp>
+#include <sbgc/client/client.hpp>
 #include <sbgc/roles.hpp>
 
 #include "frames/sample.hpp"
@@ -46,15 +46,15 @@ class StreamType {
   std::vector<StreamField> fields() const;
 
   /// Takes the messages that arrive without a request, as from a capture.
-  Subscription listen(ReconnectingClient& client, SampleHandler handler) const {
+  Subscription listen(Client& client, SampleHandler handler) const {
     return listen_(client, std::move(handler));
   }
   /// Starts the stream.
-  Result<Subscription> start(ReconnectingClient& client, std::chrono::milliseconds interval,
+  Result<Subscription> start(Client& client, std::chrono::milliseconds interval,
                              SampleHandler handler) const;
   /// The same; `done` and `handler` are called on the executor of the client.
-  void async_start(AsyncReconnectingClient& client, std::chrono::milliseconds interval,
-                   AnyHandler handler, std::function<void(Result<Subscription>)> done) const;
+  void async_start(AsyncClient& client, std::chrono::milliseconds interval, AnyHandler handler,
+                   std::function<void(Result<Subscription>)> done) const;
 
  private:
   template <class M>
@@ -65,11 +65,11 @@ class StreamType {
 
   const MessageType* type_;
   AnyMessage request_;
-  Subscription (*listen_)(ReconnectingClient& client, SampleHandler handler);
-  Result<Subscription> (*start_)(ReconnectingClient& client, const roles::StreamRequest& request,
+  Subscription (*listen_)(Client& client, SampleHandler handler);
+  Result<Subscription> (*start_)(Client& client, const roles::StreamRequest& request,
                                  SampleHandler handler);
-  void (*async_start_)(AsyncReconnectingClient& client, const roles::StreamRequest& request,
-                       AnyHandler handler, std::function<void(Result<Subscription>)> done);
+  void (*async_start_)(AsyncClient& client, const roles::StreamRequest& request, AnyHandler handler,
+                       std::function<void(Result<Subscription>)> done);
 };
 
 /// Returns the request for the bytes of a stream, also of one that is not known here; `config` is

@@ -179,7 +179,7 @@ int run_raw_stream(const StreamOptions& options, const CommandContext& context) 
   remark_in_background();
   LineQueue lines;
   std::atomic<bool> has_ended = false;
-  ReconnectingClient client = connect_for_long(context.gimbal);
+  Client client = connect_for_long(context.gimbal);
   const Interruption interruption;
   const bool ends = is_replay(context.gimbal);
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
@@ -219,7 +219,7 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   SampleCounter counter(interval);
   std::atomic<bool> has_samples = false;
   std::atomic<bool> has_unreadable = false;
-  ReconnectingClient client = connect_for_long(context.gimbal);
+  Client client = connect_for_long(context.gimbal);
   const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
   const bool ends = is_replay(context.gimbal);
   std::atomic<bool> has_ended = false;

@@ -26,8 +26,7 @@ struct OwnFrame {
 
 }  // namespace
 
-BridgeClient::BridgeClient(asio::any_io_executor executor, ReconnectingClient client,
-                           LineGate& gate)
+BridgeClient::BridgeClient(asio::any_io_executor executor, Client client, LineGate& gate)
     : executor_(std::move(executor)), gate_(gate), client_(std::move(client)) {}
 
 BridgeClient::~BridgeClient() {

@@ -13,7 +13,7 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/client.hpp>
 
 #include "share/bridge_ports.hpp"
 #include "share/line_gate.hpp"
@@ -26,7 +26,7 @@ class BridgeClient final : public BridgeLine {
  public:
   /// The executor must not run any more when this is destroyed.
   /// The transports of the client pass through the gate.
-  BridgeClient(asio::any_io_executor executor, ReconnectingClient client, LineGate& gate);
+  BridgeClient(asio::any_io_executor executor, Client client, LineGate& gate);
   BridgeClient(const BridgeClient&) = delete;
   BridgeClient& operator=(const BridgeClient&) = delete;
   ~BridgeClient() override;
@@ -44,7 +44,7 @@ class BridgeClient final : public BridgeLine {
   void take_over(OwedStop stop) override;
   void drop_stops() override;
 
-  ReconnectingClient& client() { return client_; }
+  Client& client() { return client_; }
 
  private:
   void go_on_with_stops(const std::stop_token& end);
@@ -53,7 +53,7 @@ class BridgeClient final : public BridgeLine {
   LineGate& gate_;
   BridgePorts* ports_ = nullptr;
   std::function<void(const LinkChange&)> on_change_;
-  ReconnectingClient client_;
+  Client client_;
   Subscription frames_;
   Subscription changes_;
 

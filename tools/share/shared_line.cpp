@@ -30,7 +30,7 @@ SharedLine::SharedLine(asio::io_context& context, const GimbalOptions& gimbal, S
   line_.begin(ports_, [this](const LinkChange& change) { changed(change); });
 }
 
-ReconnectingClient SharedLine::connect(const GimbalOptions& gimbal) {
+Client SharedLine::connect(const GimbalOptions& gimbal) {
   return connect_for_long(gimbal, [this](ConnectOptions& options) {
     if (options.password && !settings_.allows_passwords) {
       throw CommandError(

@@ -30,13 +30,13 @@ class SharedLine {
   SharedLine& operator=(const SharedLine&) = delete;
   ~SharedLine() = default;
 
-  ReconnectingClient& client() { return line_.client(); }
+  Client& client() { return line_.client(); }
   BridgePorts& ports() { return ports_; }
   /// To be called about ten times per second.
   void tick() { ports_.tick(); }
 
  private:
-  ReconnectingClient connect(const GimbalOptions& gimbal);
+  Client connect(const GimbalOptions& gimbal);
   void changed(const LinkChange& change);
 
   Settings settings_;

@@ -1,5 +1,9 @@
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <asio/post.hpp>
@@ -8,150 +12,155 @@
 #include <sbgc/client/async_client.hpp>
 
 #include "connect.hpp"
-#include "driving/running_tasks.hpp"
+#include "connection.hpp"
+#include "reconnecting/reconnection.hpp"
 
 namespace sbgc {
 
-class AsyncClient::Impl : public detail::AsyncOperations,
-                          public std::enable_shared_from_this<AsyncClient::Impl> {
+/// The link of the last async_connect().
+class AsyncClient::Links {
  public:
-  explicit Impl(asio::any_io_executor executor) : executor_(std::move(executor)) {}
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-  ~Impl() override {
+  using Link = std::shared_ptr<detail::Link>;
+  using Done = detail::Completion<Result<void>>;
+
+  explicit Links(asio::any_io_executor executor) : executor_(std::move(executor)) {}
+  Links(const Links&) = delete;
+  Links& operator=(const Links&) = delete;
+  ~Links() {
     end(true);
-    worker_.join();
+    if (worker_) worker_->join();
   }
 
-  const asio::any_io_executor& executor() const noexcept override { return executor_; }
-
-  void connect(const detail::Opener& opener, const ConnectOptions& options,
-               const Completion<Result<void>>& done) {
-    asio::post(worker_, [this, opener, options, done] {
+  void connect(const detail::Opener& opener, const ConnectOptions& options, const Done& done) {
+    if (!worker_) worker_.emplace(1);
+    asio::post(*worker_, [this, opener, options, done] {
       end(false);
       auto conversation =
           detail::connect(executor_, opener, options, [this](const auto& begun) { adopt(begun); });
       if (!conversation) return done(std::move(conversation).error());
-      {
-        const std::lock_guard lock(mutex_);
-        is_connected_ = true;
-      }
+      set(std::make_shared<detail::Connection>(nullptr, executor_, *std::move(conversation)));
       done({});
     });
   }
-  detail::Stop closer() {
-    return [weak = weak_from_this()] {
-      if (const auto impl = weak.lock()) impl->end(false);
+  detail::Stop connect(const std::string& address, const TransportFactory& make,
+                       const ReconnectOptions& options, const Done& done) {
+    const auto begun = std::make_shared<detail::Reconnection>(address, make, options, executor_);
+    Link previous = set(detail::owner_of(begun));
+    if (previous) previous->close();
+    begun->start(std::move(previous), done);
+    return [weak = std::weak_ptr(begun)] {
+      if (const auto connecting = weak.lock()) connecting->close();
     };
   }
 
-  detail::Stop call(const Prepare& prepare, const CallOptions& options,
-                    const detail::Completion<Result<Reply>>& done) override {
-    const auto conversation = connected();
-    if (!conversation) return done(conversation.error()), detail::Stop{};
-    return stop_of(*conversation, conversation->start(prepare(*conversation), options, done));
-  }
-  detail::Stop stream(const PrepareStream& prepare, detail::MessageKey key,
-                      detail::Conversation::MessageHandler handler, std::chrono::microseconds,
-                      const CallOptions& options,
-                      const detail::Completion<Result<Subscription>>& done) override {
-    const auto conversation = connected();
-    if (!conversation) return done(conversation.error()), detail::Stop{};
-    return stop_of(*conversation, conversation->start_stream(prepare(*conversation), key,
-                                                             std::move(handler), options, done));
-  }
-  detail::Stop run(const BeginTask& begin,
-                   const detail::Completion<std::optional<ClientError>>& done) override {
-    const auto conversation = connected();
-    if (!conversation) return done(conversation.error()), detail::Stop{};
-    return tasks_.run(executor_, *conversation, begin(conversation->identity()),
-                      [done] { done(std::nullopt); });
-  }
-
-  Subscription subscribe(detail::MessageKey key,
-                         detail::Conversation::MessageHandler handler) override {
-    const auto conversation = connected();
-    return conversation ? conversation->subscribe(key, std::move(handler)) : Subscription();
-  }
-  Subscription on_notice(std::function<void(const Notice&)> handler) override {
-    const auto conversation = connected();
-    return conversation ? conversation->on_notice(std::move(handler)) : Subscription();
-  }
-
-  bool is_connected() const override { return bool(connected()); }
-  BoardIdentity identity() const override {
-    const auto conversation = connected();
-    return conversation ? conversation->identity() : BoardIdentity{};
-  }
-  std::string description() const override {
-    const auto conversation = connected();
-    return conversation ? conversation->description() : std::string();
-  }
-  ClientStatistics statistics() const override {
-    const auto conversation = connected();
-    return conversation ? conversation->statistics() : ClientStatistics{};
-  }
-  void close() noexcept override { end(false); }
-
- private:
-  static detail::Stop stop_of(const detail::Conversation& conversation, CallId id) {
-    return [conversation, id] { conversation.cancel(id); };
-  }
-
-  Result<detail::Conversation> connected() const {
+  /// Null before the first connection.
+  Link current() const {
     const std::lock_guard lock(mutex_);
-    if (is_connected_) return conversation_;
-    return ClientError{ErrorCode::not_connected, "the client is not connected"};
+    return link_;
   }
 
+  /// Closes the link, and ends connect().
   void end(bool for_good) noexcept {
-    detail::Conversation conversation;
+    detail::Conversation dialling;
+    Link link;
     {
       const std::lock_guard lock(mutex_);
-      is_connected_ = false;
       is_closed_ = is_closed_ || for_good;
-      conversation = conversation_;
+      dialling = dialling_;
+      link = link_;
     }
-    conversation.close();
-    tasks_.cancel_all();
+    dialling.close();
+    if (link) link->close();
   }
 
+ private:
+  Link set(Link link) {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(link_, std::move(link));
+  }
   void adopt(const detail::Conversation& begun) {
     bool is_closed = false;
     {
       const std::lock_guard lock(mutex_);
-      conversation_ = begun;
+      dialling_ = begun;
       is_closed = is_closed_;
     }
     if (is_closed) begun.close();
   }
 
-  asio::any_io_executor executor_;
+  const asio::any_io_executor executor_;
   mutable std::mutex mutex_;
-  detail::Conversation conversation_;
-  detail::RunningTasks tasks_;
-  bool is_connected_ = false;
-  bool is_closed_ = false;       // permanently: the client is being destroyed
-  asio::thread_pool worker_{1};  // opening a line can block
+  Link link_;
+  detail::Conversation dialling_;
+  bool is_closed_ = false;                     // permanently: the client is being destroyed
+  std::optional<asio::thread_pool> worker_{};  // opening a line can block
 };
 
 AsyncClient::AsyncClient(const asio::any_io_executor& executor)
-    : AsyncClient(std::make_shared<Impl>(executor)) {}
+    : executor_(executor), links_(std::make_shared<Links>(executor)) {}
 
-AsyncClient::AsyncClient(const std::shared_ptr<Impl>& impl) : AsyncCalls(impl), impl_(impl) {}
-
-auto AsyncClient::begin_connect(Impl& impl, const std::string& address,
-                                const ConnectOptions& options, const Completion<Result<void>>& done)
-    -> detail::Stop {
-  impl.connect(detail::opener_of(address, options), options, done);
-  return impl.closer();
+detail::Stop AsyncClient::connect(const std::shared_ptr<Links>& links, const std::string& address,
+                                  const TransportFactory& make, const ConnectOptions& options,
+                                  const Links::Done& done) {
+  links->connect(make ? detail::opener_of(make, options) : detail::opener_of(address, options),
+                 options, done);
+  return [weak = std::weak_ptr(links)] {
+    if (const auto connecting = weak.lock()) connecting->end(false);
+  };
 }
 
-auto AsyncClient::begin_connect(Impl& impl, const TransportFactory& make,
-                                const ConnectOptions& options, const Completion<Result<void>>& done)
-    -> detail::Stop {
-  impl.connect(detail::opener_of(make, options), options, done);
-  return impl.closer();
+detail::Stop AsyncClient::connect(const std::shared_ptr<Links>& links, const std::string& address,
+                                  const TransportFactory& make, const ReconnectOptions& options,
+                                  const Links::Done& done) {
+  return links->connect(address, make, options, done);
 }
+
+std::shared_ptr<detail::Link> AsyncClient::current(const Links& links) { return links.current(); }
+
+Subscription AsyncClient::subscribe(detail::MessageKey key, detail::Link::MessageHandler handler) {
+  const auto link = links_->current();
+  return link ? link->subscribe(key, std::move(handler)) : Subscription();
+}
+
+Subscription AsyncClient::on_notice(std::function<void(const Notice&)> handler) {
+  const auto link = links_->current();
+  return link ? link->on_notice(std::move(handler)) : Subscription();
+}
+
+Subscription AsyncClient::on_change(std::function<void(const LinkChange&)> handler) {
+  const auto link = links_->current();
+  return link ? link->on_change(std::move(handler)) : Subscription();
+}
+
+void AsyncClient::check() {
+  if (const auto link = links_->current()) link->check();
+}
+
+LinkState AsyncClient::state() const {
+  const auto link = links_->current();
+  return link ? link->state() : LinkState::closed;
+}
+
+std::uint64_t AsyncClient::connections() const {
+  const auto link = links_->current();
+  return link ? link->connections() : 0;
+}
+
+BoardIdentity AsyncClient::identity() const {
+  const auto link = links_->current();
+  return link ? link->identity() : BoardIdentity{};
+}
+
+std::string AsyncClient::description() const {
+  const auto link = links_->current();
+  return link ? link->description() : std::string();
+}
+
+ClientStatistics AsyncClient::statistics() const {
+  const auto link = links_->current();
+  return link ? link->statistics() : ClientStatistics{};
+}
+
+void AsyncClient::close() noexcept { links_->end(false); }
 
 }  // namespace sbgc

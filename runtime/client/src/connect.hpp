@@ -8,7 +8,6 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include <sbgc/client/client.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/own_transport.hpp>
 
@@ -33,18 +32,11 @@ using OnStarted = std::function<void(const Conversation&)>;
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnStarted& on_begun = {});
 
-/// Connects a client with an I/O thread of its own; see connect().
-Result<Client> connect_client(const Opener& opener, const ConnectOptions& options,
-                              const OnStarted& on_begun = {});
+class Connection;
 
-/// Accesses the private members of Client.
-struct ClientMaker {
-  static const Conversation& conversation(const Client& client) { return client.conversation_; }
-
-  /// `keeper` lives as long as the client.
-  static Client make(std::shared_ptr<const void> keeper, Conversation conversation) {
-    return {std::move(keeper), std::move(conversation)};
-  }
-};
+/// Connects with an I/O thread of its own; see connect().
+Result<std::shared_ptr<Connection>> connect_with_thread(const Opener& opener,
+                                                        const ConnectOptions& options,
+                                                        const OnStarted& on_begun = {});
 
 }  // namespace sbgc::detail

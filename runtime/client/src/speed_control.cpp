@@ -5,14 +5,13 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include <sbgc/client/async_reconnecting_client.hpp>
+#include <sbgc/client/async_client.hpp>
 #include <sbgc/client/client.hpp>
-#include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/detail/timer.hpp>
 
-#include "connect.hpp"
+#include "connection.hpp"
 #include "driving/asio_driver.hpp"
 #include "driving/order_of.hpp"
 #include "driving/task_driver.hpp"
@@ -25,17 +24,17 @@ using detail::DeadMansSwitch;
 /// Drives the task: on a thread of its own or, with an executor, there.
 class SpeedControl::Worker {
  public:
-  Worker(Client& client, const SpeedControlOptions& options,
-         const asio::any_io_executor& executor = {})
+  Worker(detail::Connection& connection, const SpeedControlOptions& options,
+         const asio::any_io_executor& executor)
       : speed_(std::make_shared<detail::SharedSpeed>(
             DeadMansSwitch(milliseconds(options.silence.count()),
                            milliseconds(options.repeat.count())),
-            detail::order_of(detail::ClientMaker::conversation(client)))),
+            detail::order_of(connection.conversation()))),
         task_(std::make_shared<Task<Result<void>>>(
             detail::hold_speed(speed_, detail::BoundedTurn(options.bound, options.lookahead),
                                options.ends_when_stopped))) {
-    const detail::Conversation& conversation = detail::ClientMaker::conversation(client);
-    TaskMachine& machine = task_->begin(client.identity());
+    const detail::Conversation& conversation = connection.conversation();
+    TaskMachine& machine = task_->begin(conversation.identity());
     if (executor) {
       now_ = [clock = io::detail::ExecutorClock(executor)] { return clock.now(); };
       const auto driver =
@@ -93,17 +92,20 @@ class SpeedControl::Worker {
 };
 
 SpeedControl::SpeedControl(Client& client, const SpeedControlOptions& options)
-    : options_(options), worker_(std::make_shared<Worker>(client, options)) {}
-
-SpeedControl::SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options)
     : options_(options),
-      connected_([&client] { return client.connected(); }),
-      make_worker_([this](Client& one) { return std::make_shared<Worker>(one, options_); }) {}
+      connected_([&client] { return client.link_->connected(); }),
+      make_worker_([this](detail::Connection& one) {
+        return std::make_shared<Worker>(one, options_, asio::any_io_executor());
+      }) {}
 
-SpeedControl::SpeedControl(AsyncReconnectingClient& client, const SpeedControlOptions& options)
+SpeedControl::SpeedControl(AsyncClient& client, const SpeedControlOptions& options)
     : options_(options),
-      connected_([&client] { return client.connected(); }),
-      make_worker_([this, executor = client.executor()](Client& one) {
+      connected_([&client]() -> Result<ConnectionPointer> {
+        const auto link = AsyncClient::current(*client.links_);
+        if (!link) return ClientError{ErrorCode::not_connected, "the client is not connected"};
+        return link->connected();
+      }),
+      make_worker_([this, executor = client.executor()](detail::Connection& one) {
         return std::make_shared<Worker>(one, options_, executor);
       }) {}
 
@@ -115,14 +117,13 @@ std::shared_ptr<SpeedControl::Worker> SpeedControl::worker() const {
 }
 
 Result<void> SpeedControl::renew() {
-  if (!connected_) return {};
-  auto client = connected_();
-  if (!client) return std::move(client).error();
+  auto connected = connected_();
+  if (!connected) return std::move(connected).error();
   const std::scoped_lock one_at_a_time(renewing_);
-  if (client_ == *client) return {};
-  auto renewed = make_worker_(**client);
+  if (connection_ == *connected) return {};
+  auto renewed = make_worker_(**connected);
   const std::scoped_lock lock(mutex_);
-  client_ = *std::move(client);
+  connection_ = *std::move(connected);
   worker_.swap(renewed);
   return {};
 }

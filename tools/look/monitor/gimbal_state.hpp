@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/client.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/types.hpp>

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/reconnecting_client.hpp>
+#include <sbgc/client/client.hpp>
 #include <sbgc/io/observer.hpp>
 
 #include "board/connection.hpp"
@@ -34,7 +34,7 @@ struct MonitorOptions {
 };
 
 /// Starts the stream of the newest live data that the board has.
-Result<Subscription> start_stream(ReconnectingClient& client, std::chrono::milliseconds interval,
+Result<Subscription> start_stream(Client& client, std::chrono::milliseconds interval,
                                   GimbalState& state) {
   const auto take = [&state](const auto& message) { state.add(LiveMessage(message)); };
   if (is_supported<msg::RealtimeData4Request>(client.identity().versions())) {
@@ -89,7 +89,7 @@ bool press(int pressed, View& view, const GimbalSnapshot& gimbal, Recording& rec
 
 class Monitor {
  public:
-  Monitor(ReconnectingClient& client, const GimbalState& state, Recording& recording)
+  Monitor(Client& client, const GimbalState& state, Recording& recording)
       : client_(client), state_(state), recording_(recording) {}
 
   /// Returns when the user quits, or a signal asks for the end.
@@ -124,7 +124,7 @@ class Monitor {
             std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - since_)};
   }
 
-  ReconnectingClient& client_;
+  Client& client_;
   const GimbalState& state_;
   Recording& recording_;
   std::uint64_t connections_ = 0;
@@ -162,7 +162,7 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
         *has_lost_capture = true;
         state.add(error);
       };
-  ReconnectingClient client = value_of(ReconnectingClient::connect(line.address, reconnect));
+  Client client = value_of(Client::connect(line.address, reconnect));
   const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
   const Subscription notices = client.on_notice([&](const Notice& notice) { state.add(notice); });
   const Subscription changes =

@@ -87,7 +87,7 @@ std::vector<Series> live_table(const PlotOptions& options, const CommandContext&
   }
   const auto writer = SampleWriter::make(OutputFormat::csv, stream.info().name, fields, 0);
   const auto interval = interval_of(options.rate);
-  ReconnectingClient client = connect_for_long(context.gimbal);
+  Client client = connect_for_long(context.gimbal);
   const Interruption interruption;
   const bool ends = is_replay(context.gimbal);
   std::atomic<bool> has_ended = false;

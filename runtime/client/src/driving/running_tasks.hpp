@@ -9,7 +9,7 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include <sbgc/client/async_operations.hpp>
+#include <sbgc/client/link.hpp>
 
 #include "driving/asio_driver.hpp"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include <sbgc/client/client.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/io/clock.hpp>
 
 #include "conversation/state.hpp"

@@ -62,4 +62,7 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
   std::vector<Input> inputs_;
 };
 
+/// Drives a task to completion on the calling thread.
+void drive(const Conversation& conversation, TaskMachine& task, Clock& clock);
+
 }  // namespace sbgc::detail

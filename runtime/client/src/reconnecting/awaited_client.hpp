@@ -10,7 +10,7 @@
 #include <asio/post.hpp>
 #include <asio/strand.hpp>
 
-#include <sbgc/client/client.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/io/detail/timer.hpp>
 
 namespace sbgc::detail {
@@ -19,7 +19,7 @@ namespace sbgc::detail {
 /// happens on the strand, where a pending timer or look keeps the object alive.
 class AwaitedClient : public std::enable_shared_from_this<AwaitedClient> {
  public:
-  using Found = Result<std::shared_ptr<Client>>;
+  using Found = Result<std::shared_ptr<Connection>>;
   /// Returns nothing while there is neither a client nor an error.
   using Look = std::function<std::optional<Found>()>;
   using Use = std::function<void(Found)>;

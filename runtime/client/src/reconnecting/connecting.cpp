@@ -56,11 +56,10 @@ void Reconnection::release_dropped(Lock& lock) {
 /// Registers a handler with the current connection. If it is registered already, it stays so if
 /// that fails.
 void Reconnection::begin_again(Lock& lock, const Kept& kept, bool is_running) {
-  const ClientPointer client = client_;
+  const Pointer client = client_;
   const std::uint64_t connection = connections_;
   lock.unlock();
-  Result<Subscription> begun =
-      kept->begin(ClientMaker::conversation(*client), passer_to(kept), kept->options);
+  Result<Subscription> begun = kept->begin(client->conversation(), passer_to(kept), kept->options);
   if (!begun && !is_running) {
     const ErrorCode code = begun.error().code;
     const bool is_refused = code != ErrorCode::timeout && code != ErrorCode::link_lost &&
@@ -101,9 +100,11 @@ void Reconnection::look_after_streams(Lock& lock) {
 /// Asks for a sign of life. Without one, the connection counts as lost.
 bool Reconnection::shows_life(Lock& lock) {
   is_check_wanted_ = false;
-  const ClientPointer client = client_;
+  const Pointer client = client_;
   lock.unlock();
-  const auto sign = client->call(roles::IntroductionRequest{}, {.timeout = sign_of_life_time});
+  const auto sign = client->call(
+      [](const Conversation& board) { return board.prepare(roles::IntroductionRequest{}, {}); },
+      {.timeout = sign_of_life_time});
   lock.lock();
   if (client != client_ || loss_ || is_closing_) return false;
   if (!sign) loss_ = "the board does not respond any more";
@@ -135,12 +136,12 @@ void Reconnection::recover(Lock& lock) {
 /// Releases the current connection and everything that belongs to it.
 void Reconnection::disconnect(Lock& lock) {
   std::vector<Subscription> old = kept_.take_all();
-  ClientPointer client = std::move(client_);
+  Pointer client = std::move(client_);
   if (client) statistics_ = client->statistics();
   Subscription notices = std::move(client_notices_);
   lock.unlock();
   // Close first: there is nobody to tell that the streams end, if the line is lost.
-  if (client) client->close();
+  if (client) client->conversation().close();
   old.clear();
   notices.cancel();
   client.reset();
@@ -151,7 +152,7 @@ bool Reconnection::search(Lock& lock) {
   Search search(options_);
   while (!is_closing_) {
     lock.unlock();
-    Result<Client> found = dial_same_board(search);
+    Result<Pointer> found = dial_same_board(search);
     lock.lock();
     if (is_closing_) return false;
     if (found) {
@@ -166,7 +167,7 @@ bool Reconnection::search(Lock& lock) {
   return false;
 }
 
-Result<Client> Reconnection::dial() {
+Result<Reconnection::Pointer> Reconnection::dial() {
   std::string address = address_;
   if (!make_) {
     const bool is_board_known = connections_ != 0 && board_.details.has_value();
@@ -203,24 +204,22 @@ Result<Client> Reconnection::dial() {
   return client;
 }
 
-Result<Client> Reconnection::connect_to(const Opener& opener) {
+Result<Reconnection::Pointer> Reconnection::connect_to(const Opener& opener) {
   const auto on_begun = [this](const Conversation& conversation) {
     const std::lock_guard lock(mutex_);
     dialling_ = conversation;
     if (is_closing_) conversation.close();
   };
-  if (!strand_) return connect_client(opener, options_.connection, on_begun);
+  if (!strand_) return connect_with_thread(opener, options_.connection, on_begun);
   auto conversation = connect(executor_, opener, options_.connection, on_begun);
   if (!conversation) return std::move(conversation).error();
-  const std::shared_ptr<const void> closer(nullptr,
-                                           [open = *conversation](const void*) { open.close(); });
-  return ClientMaker::make(closer, *std::move(conversation));
+  return std::make_shared<Connection>(nullptr, executor_, *std::move(conversation));
 }
 
-Result<Client> Reconnection::dial_same_board(Search& search) {
-  Result<Client> client = dial();
+Result<Reconnection::Pointer> Reconnection::dial_same_board(Search& search) {
+  Result<Pointer> client = dial();
   if (!client) return client;
-  const BoardIdentity& board = client->identity();
+  const BoardIdentity board = (*client)->identity();
   if (is_same_board(board, board_)) return client;
   const std::string text =
       "found another board, " + words_for(board) + ", instead of " + words_for(board_);
@@ -229,24 +228,24 @@ Result<Client> Reconnection::dial_same_board(Search& search) {
   return ClientError{ErrorCode::mismatch, text};
 }
 
-void Reconnection::adopt(Lock&, Client client) {
+void Reconnection::adopt(Lock&, Pointer connection) {
   ++connections_;
   loss_.reset();
   is_check_wanted_ = false;
   is_restarting_ = false;
   problem_.clear();
-  board_ = client.identity();
-  description_ = client.description();
-  client_ = std::make_shared<Client>(std::move(client));
+  client_ = std::move(connection);
+  board_ = client_->identity();
+  description_ = client_->description();
   next_look_ = options_.clock->now() + look_interval;
   client_notices_ = client_->on_notice(
       [weak = weak_from_this(), connection = connections_](const Notice& notice) {
         if (const auto self = weak.lock()) self->noticed(notice, connection);
       });
   // Before anyone knows of the connection, so that they miss no answer; streams follow in run().
-  for (const Kept& kept : kept_.without_request()) subscribe(kept);
+  for (const Kept& kept : kept_.without_request()) register_now(kept);
   // A loss before there was a handler for it.
-  if (const auto ended = ClientMaker::conversation(*client_).state()->end_reason()) {
+  if (const auto ended = client_->conversation().state()->end_reason()) {
     loss_ = ended->message;
   }
 }

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include <sbgc/client/async_operations.hpp>
+#include <sbgc/client/link.hpp>
 
 namespace sbgc::detail {
 

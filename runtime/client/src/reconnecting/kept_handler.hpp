@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include <sbgc/client/client.hpp>
+#include <sbgc/client/conversation.hpp>
 
 #include "conversation/handlers.hpp"
 #include "mutex.hpp"

@@ -68,18 +68,17 @@ Result<void> Reconnection::start() {
   return {};
 }
 
-void Reconnection::start(std::shared_ptr<Reconnection> previous,
-                         const Completion<Result<void>>& done) {
+void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result<void>>& done) {
   // What the thread has posted, and the closing of a line, need the context.
   auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
-  thread_ = std::thread(
-      [self = shared_from_this(), previous = std::move(previous), work = std::move(work), done] {
-        if (previous) previous->finish();
-        Result<void> connected = self->connect_first();
-        const bool is_connected = bool(connected);
-        done(std::move(connected));
-        if (is_connected) self->run();
-      });
+  thread_ = std::thread([self = shared_from_this(), previous = std::move(previous),
+                         work = std::move(work), done]() mutable {
+    previous.reset();
+    Result<void> connected = self->connect_first();
+    const bool is_connected = bool(connected);
+    done(std::move(connected));
+    if (is_connected) self->run();
+  });
 }
 
 /// Makes the first connection, which nobody searches for.
@@ -103,7 +102,7 @@ Result<void> Reconnection::connect_first() {
 }
 
 void Reconnection::close() noexcept {
-  ClientPointer client;
+  Pointer client;
   Conversation dialling;
   {
     const std::lock_guard lock(mutex_);
@@ -164,23 +163,23 @@ ClientError Reconnection::no_connection() const {
 
 /// Returns the client of the current connection, or why there will be none; nothing if an operation
 /// should wait. Requires the lock.
-std::optional<Result<Reconnection::ClientPointer>> Reconnection::decision() const {
+std::optional<Result<Reconnection::Pointer>> Reconnection::decision() const {
   if (client_ && !loss_ && !is_closing_) return client_;
   const bool is_final = is_closing_ || state_ == LinkState::given_up;
   if (is_final || options_.calls == OutagePolicy::fail) return no_connection();
   return std::nullopt;
 }
 
-Result<Reconnection::ClientPointer> Reconnection::connected() const {
+Result<Reconnection::Pointer> Reconnection::connected() {
   const std::lock_guard lock(mutex_);
   if (client_ && !loss_ && !is_closing_) return client_;
   return no_connection();
 }
 
-Result<Reconnection::ClientPointer> Reconnection::wait_for_client(Time deadline) {
+Result<Reconnection::Pointer> Reconnection::wait_for_client(Time deadline) {
   if (turn_->runs_in_this_thread()) return handler_waits_error();
   Lock lock(mutex_);
-  std::optional<Result<ClientPointer>> decided;
+  std::optional<Result<Pointer>> decided;
   changed_.wait_until(lock, deadline, [&] { return (decided = decision()).has_value(); });
   return decided ? *std::move(decided) : no_connection();
 }
@@ -210,13 +209,9 @@ void Reconnection::await_client(Time deadline, CurrentStop& stop, const AwaitedC
   awaited->start(Duration{std::max<std::int64_t>(left.count(), 0)});
 }
 
-Result<Reconnection::ClientPointer> Reconnection::current(const CallOptions& options) {
-  return wait_for_client(call_deadline(options));
-}
-
 /// True if the line was lost before the request could be sent, so that it may be sent over the next
 /// one.
-bool Reconnection::may_begin_again(const Result<Reply>& reply, const ClientPointer& client,
+bool Reconnection::may_begin_again(const Result<Reply>& reply, const Pointer& client,
                                    Time deadline) {
   if (reply || reply.error().code != ErrorCode::not_connected) return false;
   if (options_.calls == OutagePolicy::fail || Time::clock::now() >= deadline) return false;
@@ -229,14 +224,12 @@ bool Reconnection::may_begin_again(const Result<Reply>& reply, const ClientPoint
   return true;
 }
 
-Result<Reply> Reconnection::use(
-    const CallOptions& options,
-    const std::function<Result<Reply>(Client&, const CallOptions&)>& call) {
+Result<Reply> Reconnection::call(const Prepare& prepare, const CallOptions& options) {
   const Time deadline = call_deadline(options);
   while (true) {
-    const Result<ClientPointer> client = wait_for_client(deadline);
+    const Result<Pointer> client = wait_for_client(deadline);
     if (!client) return client.error();
-    Result<Reply> reply = call(**client, with_time_left(options, deadline));
+    Result<Reply> reply = (*client)->call(prepare, with_time_left(options, deadline));
     if (!may_begin_again(reply, *client, deadline)) return reply;
   }
 }
@@ -251,7 +244,7 @@ Stop Reconnection::start(const Prepare& prepare, const CallOptions& options,
 void Reconnection::begin(const std::shared_ptr<PendingCall>& call) {
   await_client(call->deadline, call->stop, [self = shared_from_this(), call](const auto& client) {
     if (!client) return call->done(client.error());
-    const Conversation& conversation = ClientMaker::conversation(**client);
+    const Conversation& conversation = (*client)->conversation();
     const CallId id = next_call_id();
     call->stop.set([conversation, id] { conversation.cancel(id); });
     conversation.state()->start(id, call->prepare(conversation),
@@ -266,23 +259,22 @@ void Reconnection::begin(const std::shared_ptr<PendingCall>& call) {
   });
 }
 
-Stop Reconnection::run(const AsyncOperations::BeginTask& begin,
-                       const Completion<std::optional<ClientError>>& done) {
+std::optional<ClientError> Reconnection::run(const BeginTask& begin, Clock& clock) {
+  const Result<Pointer> client = wait_for_client(call_deadline({}));
+  if (!client) return client.error();
+  return (*client)->run(begin, clock);
+}
+
+Stop Reconnection::start_task(const BeginTask& begin,
+                              const Completion<std::optional<ClientError>>& done) {
   const auto stop = std::make_shared<CurrentStop>();
   await_client(
       call_deadline({}), *stop, [self = shared_from_this(), stop, begin, done](const auto& client) {
         if (!client) return done(client.error());
-        stop->set(self->tasks_.run(self->executor_, ClientMaker::conversation(**client),
+        stop->set(self->tasks_.run(self->executor_, (*client)->conversation(),
                                    begin((*client)->identity()), [done] { done(std::nullopt); }));
       });
   return [stop] { stop->stop(); };
-}
-
-void Reconnection::start_raw(RawRequest request, const CallOptions& options,
-                             std::function<void(const Result<Reply>&)> handler) {
-  const Result<ClientPointer> client = connected();
-  if (!client) return handler(client.error());
-  (*client)->start_raw(std::move(request), options, std::move(handler));
 }
 
 // Handlers.
@@ -309,8 +301,8 @@ void Reconnection::drop(const Kept& kept) noexcept {
 }
 
 /// Registers a handler that needs no request with the current connection.
-void Reconnection::subscribe(const Kept& kept) {
-  auto begun = kept->begin(ClientMaker::conversation(*client_), passer_to(kept), {});
+void Reconnection::register_now(const Kept& kept) {
+  auto begun = kept->begin(client_->conversation(), passer_to(kept), {});
   if (begun) kept->current = *std::move(begun);
   kept->connection = connections_;
 }
@@ -318,41 +310,40 @@ void Reconnection::subscribe(const Kept& kept) {
 Subscription Reconnection::keep(KeptHandler::Begin begin, MessageHandler handler) {
   const auto kept = std::make_shared<KeptHandler>(std::move(begin), std::move(handler));
   const std::lock_guard lock(mutex_);
-  if (client_) subscribe(kept);
+  if (client_) register_now(kept);
   kept_.add(kept);
   return hold(kept);
 }
 
-Subscription Reconnection::keep(MessageKey key, MessageHandler handler) {
+Subscription Reconnection::subscribe(MessageKey key, MessageHandler handler) {
   return keep([key](const Conversation& conversation, const MessageHandler& pass_on,
                     const CallOptions&) { return conversation.subscribe(key, pass_on); },
               std::move(handler));
 }
 
-Subscription Reconnection::keep_frames(MessageHandler handler) {
+Subscription Reconnection::on_frame(std::function<void(const BoardFrame&)> handler) {
   return keep(
       [](const Conversation& conversation, const MessageHandler& pass_on, const CallOptions&) {
         return conversation.on_frame([pass_on](const BoardFrame& frame) { pass_on(&frame); });
       },
-      std::move(handler));
+      untyped(std::move(handler)));
 }
 
-auto Reconnection::kept_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
-                               std::chrono::microseconds interval, const CallOptions& options)
-    -> Kept {
+Reconnection::Kept Reconnection::kept_stream(const Stream& stream, const CallOptions& options) {
   const auto kept = std::make_shared<KeptHandler>(
-      [prepare, key](const Conversation& conversation, const MessageHandler& pass_on,
-                     const CallOptions& with) {
+      [prepare = stream.prepare, key = stream.key](const Conversation& conversation,
+                                                   const MessageHandler& pass_on,
+                                                   const CallOptions& with) {
         return conversation.stream(prepare(conversation), key, pass_on, with);
       },
-      std::move(handler));
-  kept->interval = interval;
+      stream.handler);
+  kept->interval = stream.interval;
   kept->options = options;
   return kept;
 }
 
 Result<Subscription> Reconnection::keep_begun(const Kept& kept, Result<Subscription> begun,
-                                              const ClientPointer& client) {
+                                              const Pointer& client) {
   if (!begun) return begun;
   const std::lock_guard lock(mutex_);
   // If the connection was lost meanwhile, the stream is started again with the next one.
@@ -363,33 +354,29 @@ Result<Subscription> Reconnection::keep_begun(const Kept& kept, Result<Subscript
   return hold(kept);
 }
 
-Result<Subscription> Reconnection::keep_stream(const PrepareStream& prepare, MessageKey key,
-                                               MessageHandler handler,
-                                               std::chrono::microseconds interval,
-                                               const CallOptions& options) {
-  const Kept kept = kept_stream(prepare, key, std::move(handler), interval, options);
+Result<Subscription> Reconnection::stream(const Stream& stream, const CallOptions& options) {
+  const Kept kept = kept_stream(stream, options);
   const Time deadline = call_deadline(options);
-  const Result<ClientPointer> client = wait_for_client(deadline);
+  const Result<Pointer> client = wait_for_client(deadline);
   if (!client) return client.error();
-  auto begun = kept->begin(ClientMaker::conversation(**client), passer_to(kept),
-                           with_time_left(options, deadline));
+  auto begun =
+      kept->begin((*client)->conversation(), passer_to(kept), with_time_left(options, deadline));
   return keep_begun(kept, std::move(begun), *client);
 }
 
-Stop Reconnection::start_stream(const PrepareStream& prepare, MessageKey key,
-                                MessageHandler handler, std::chrono::microseconds interval,
-                                const CallOptions& options,
+Stop Reconnection::start_stream(const Stream& stream, const CallOptions& options,
                                 const Completion<Result<Subscription>>& done) {
-  const Kept kept = kept_stream(prepare, key, std::move(handler), interval, options);
+  const Kept kept = kept_stream(stream, options);
   const Time deadline = call_deadline(options);
   const auto stop = std::make_shared<CurrentStop>();
   await_client(deadline, *stop, [=, self = shared_from_this()](const auto& client) {
     if (!client) return done(client.error());
-    const Conversation& conversation = ClientMaker::conversation(**client);
+    const Conversation& conversation = (*client)->conversation();
     const CallId id = next_call_id();
     stop->set([conversation, id] { conversation.cancel(id); });
     conversation.state()->start_stream(
-        id, prepare(conversation), key, self->passer_to(kept), with_time_left(options, deadline),
+        id, stream.prepare(conversation), stream.key, self->passer_to(kept),
+        with_time_left(options, deadline),
         [self, kept, done, used = *client](Result<Subscription> begun) {
           done(self->keep_begun(kept, std::move(begun), used));
         });

@@ -1,4 +1,4 @@
-/// A connection that is made again when it breaks, for both reconnecting clients.
+/// A client's link that is made again when it breaks.
 #pragma once
 
 #include <condition_variable>
@@ -14,11 +14,11 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/strand.hpp>
 
-#include <sbgc/client/async_operations.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/client/own_transport.hpp>
-#include <sbgc/client/reconnecting_client.hpp>
 
 #include "connect.hpp"
+#include "connection.hpp"
 #include "driving/running_tasks.hpp"
 #include "reconnecting/adapter.hpp"
 #include "reconnecting/awaited_client.hpp"
@@ -31,66 +31,50 @@ namespace sbgc::detail {
 /// One thread searches, registers handlers again and releases what others have cancelled. Each
 /// connection has a thread of its own that calls the handlers, or with an executor, everything but
 /// the search happens there.
-class Reconnection : public std::enable_shared_from_this<Reconnection> {
+class Reconnection final : public Link, public std::enable_shared_from_this<Reconnection> {
  public:
-  using ClientPointer = std::shared_ptr<Client>;
+  using Pointer = std::shared_ptr<Connection>;
   using Kept = KeptSubscriptions::Kept;
-  using MessageHandler = Conversation::MessageHandler;
-  using Prepare = AsyncOperations::Prepare;
-  using PrepareStream = AsyncOperations::PrepareStream;
 
   /// Without a factory, connects to the address.
   Reconnection(std::string address, TransportFactory make, ReconnectOptions options,
                const asio::any_io_executor& executor = {});
   Reconnection(const Reconnection&) = delete;
   Reconnection& operator=(const Reconnection&) = delete;
-  ~Reconnection() = default;
+  ~Reconnection() override = default;
 
   /// Makes the first connection and starts the thread.
   Result<void> start();
   /// Starts the thread, which releases `previous` and makes the first connection.
-  void start(std::shared_ptr<Reconnection> previous, const Completion<Result<void>>& done);
+  void start(std::shared_ptr<Link> previous, const Completion<Result<void>>& done);
   /// Closes the client and ends the thread.
   void finish() noexcept;
-  void close() noexcept;
 
-  // For blocking clients.
+  // What returns a Stop needs the executor.
 
-  Result<ClientPointer> current(const CallOptions& options);
-  Result<Reply> use(const CallOptions& options,
-                    const std::function<Result<Reply>(Client&, const CallOptions&)>& call);
-  Result<Subscription> keep_stream(const PrepareStream& prepare, MessageKey key,
-                                   MessageHandler handler, std::chrono::microseconds interval,
-                                   const CallOptions& options);
-
-  // For asynchronous clients: these need the executor.
-
+  Result<Reply> call(const Prepare& prepare, const CallOptions& options) override;
   Stop start(const Prepare& prepare, const CallOptions& options,
-             const Completion<Result<Reply>>& done);
-  Stop start_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
-                    std::chrono::microseconds interval, const CallOptions& options,
-                    const Completion<Result<Subscription>>& done);
-  Stop run(const AsyncOperations::BeginTask& begin,
-           const Completion<std::optional<ClientError>>& done);
+             const Completion<Result<Reply>>& done) override;
+  Result<Subscription> stream(const Stream& stream, const CallOptions& options) override;
+  Stop start_stream(const Stream& stream, const CallOptions& options,
+                    const Completion<Result<Subscription>>& done) override;
+  std::optional<ClientError> run(const BeginTask& begin, Clock& clock) override;
+  Stop start_task(const BeginTask& begin,
+                  const Completion<std::optional<ClientError>>& done) override;
 
-  // For both.
+  Subscription subscribe(MessageKey key, MessageHandler handler) override;
+  Subscription on_frame(std::function<void(const BoardFrame&)> handler) override;
+  Subscription on_notice(std::function<void(const Notice&)> handler) override;
+  Subscription on_change(std::function<void(const LinkChange&)> handler) override;
 
-  /// Returns the client of the current connection, without waiting.
-  Result<ClientPointer> connected() const;
-  void start_raw(RawRequest request, const CallOptions& options,
-                 std::function<void(const Result<Reply>&)> handler);
-  Subscription keep(MessageKey key, MessageHandler handler);
-  Subscription keep_frames(MessageHandler handler);
-  Subscription on_notice(std::function<void(const Notice&)> handler);
-  Subscription on_change(std::function<void(const LinkChange&)> handler);
-
-  void check();
-
-  LinkState state() const;
-  std::uint64_t connections() const;
-  BoardIdentity identity() const;
-  std::string description() const;
-  ClientStatistics statistics() const;
+  Result<Pointer> connected() override;
+  void check() override;
+  LinkState state() const override;
+  std::uint64_t connections() const override;
+  BoardIdentity identity() const override;
+  std::string description() const override;
+  ClientStatistics statistics() const override;
+  void close() noexcept override;
 
  private:
   class Hold;
@@ -102,19 +86,18 @@ class Reconnection : public std::enable_shared_from_this<Reconnection> {
   Time call_deadline(const CallOptions& options) const;
   static CallOptions with_time_left(CallOptions options, Time deadline);
   ClientError no_connection() const;
-  std::optional<Result<ClientPointer>> decision() const;
-  Result<ClientPointer> wait_for_client(Time deadline);
+  std::optional<Result<Pointer>> decision() const;
+  Result<Pointer> wait_for_client(Time deadline);
   void await_client(Time deadline, CurrentStop& stop, const AwaitedClient::Use& use);
-  bool may_begin_again(const Result<Reply>& reply, const ClientPointer& client, Time deadline);
+  bool may_begin_again(const Result<Reply>& reply, const Pointer& client, Time deadline);
   void begin(const std::shared_ptr<PendingCall>& call);
   MessageHandler passer_to(const Kept& kept);
   Subscription hold(const Kept& kept);
   Subscription keep(KeptHandler::Begin begin, MessageHandler handler);
-  static Kept kept_stream(const PrepareStream& prepare, MessageKey key, MessageHandler handler,
-                          std::chrono::microseconds interval, const CallOptions& options);
+  static Kept kept_stream(const Stream& stream, const CallOptions& options);
   Result<Subscription> keep_begun(const Kept& kept, Result<Subscription> begun,
-                                  const ClientPointer& client);
-  void subscribe(const Kept& kept);
+                                  const Pointer& client);
+  void register_now(const Kept& kept);
   void drop(const Kept& kept) noexcept;
   void noticed(const Notice& notice, std::uint64_t connection);
   void lose(const std::string& reason, std::uint64_t connection, bool is_restarting);
@@ -133,10 +116,10 @@ class Reconnection : public std::enable_shared_from_this<Reconnection> {
   void disconnect(Lock& lock);
   bool search(Lock& lock);
   bool pause(Lock& lock, std::chrono::milliseconds time);
-  Result<Client> dial();
-  Result<Client> connect_to(const Opener& opener);
-  Result<Client> dial_same_board(Search& search);
-  void adopt(Lock& lock, Client client);
+  Result<Pointer> dial();
+  Result<Pointer> connect_to(const Opener& opener);
+  Result<Pointer> dial_same_board(Search& search);
+  void adopt(Lock& lock, Pointer connection);
   void enter(Lock& lock, const LinkChange& change);
   void tell(const LinkChange& change);
 
@@ -155,7 +138,7 @@ class Reconnection : public std::enable_shared_from_this<Reconnection> {
   std::condition_variable changed_;
   std::vector<std::weak_ptr<AwaitedClient>> awaited_;  // as threads wait for `changed_`
   LinkState state_ = LinkState::searching;
-  ClientPointer client_;         // null unless connected
+  Pointer client_;               // null unless connected
   Subscription client_notices_;  // of client_
   Conversation dialling_;        // of the attempt in progress
   bool is_opening_ = false;      // the attempt may block for a while
@@ -173,5 +156,10 @@ class Reconnection : public std::enable_shared_from_this<Reconnection> {
 
   std::thread thread_;
 };
+
+/// Returns what ends the thread when it is released.
+inline std::shared_ptr<Link> owner_of(const std::shared_ptr<Reconnection>& reconnection) {
+  return {reconnection.get(), [reconnection](Link*) { reconnection->finish(); }};
+}
 
 }  // namespace sbgc::detail

@@ -4,6 +4,10 @@
 ///     if (!client) return fail(client.error().message);
 ///     auto angles = client->get_angles();
 ///
+/// or to one whose line may break:
+///
+///     auto client = sbgc::Client::connect("/dev/ttyUSB0", sbgc::ReconnectOptions{});
+///
 /// Include the messages you use, such as <sbgc/messages/realtime.hpp>.
 ///
 /// Commands can move the camera: after motors_on() it may jump to its target angle, after
@@ -11,9 +15,10 @@
 #pragma once
 
 #include <chrono>
+#include <concepts>
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -21,9 +26,10 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/calls.hpp>
 #include <sbgc/client/clock.hpp>
-#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/raw_request.hpp>
+#include <sbgc/client/reconnect_options.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/stream_requests.hpp>
@@ -35,37 +41,47 @@
 
 namespace sbgc {
 
-namespace detail {
-
-struct ClientMaker;
-
-/// Drives a task to completion on the calling thread.
-void drive(const Conversation& conversation, TaskMachine& task, Clock& clock);
-
-}  // namespace detail
-
-/// A connected board. Every function may be called from any thread, also concurrently. No function
-/// throws or waits longer than its timeout: the thread that waits ends the wait itself, so it
-/// returns as soon as the system lets it run again, also if the client's own thread gets no time.
-/// Only a move that fails may take longer, to stop the camera; see MoveOptions::stop_on_failure.
+/// A board. Every function may be called from any thread, also concurrently. No function throws or
+/// waits longer than its timeout: the thread that waits ends the wait itself, so it returns as soon
+/// as the system lets it run again, also if the client's own thread gets no time. Only a move that
+/// fails may take longer, to stop the camera; see MoveOptions::stop_on_failure.
 ///
 /// Besides call(), each command has a function of its own, named without CMD_:
 /// `client.read_params_3({.profile_id = profile})`; see <sbgc/client/calls.hpp>.
 ///
-/// Handlers run on the client's own thread, one at a time, and must not wait for the client: a call
+/// Handlers run one at a time, on threads of the client, and must not wait for the client: a call
 /// from a handler fails with ErrorCode::invalid.
+///
+/// Connected with ReconnectOptions, the client restores its connection after the line was lost, the
+/// board restarted, or a data stream fell silent because the board lost its power:
+///
+/// - A USB adapter is found again under another name, by its vendor, product and serial number. One
+///   without a serial number is taken only if exactly one such adapter is plugged in.
+/// - The board must be the same: see ReconnectOptions::other_board.
+/// - Subscriptions and data streams go on as soon as the connection is restored.
+/// - A call during an outage fails with ErrorCode::not_connected, or waits: see
+///   ReconnectOptions::calls. A call or task that the outage interrupts fails in any case, because
+///   the board may have executed it.
 class Client : public TaskCalls<Client> {
  public:
   /// Opens the address, detects the settings of a serial port whose address does not give them, and
   /// reads the identity of the board. Addresses, see <sbgc/io/open.hpp>: "/dev/ttyUSB0",
   /// "serial:/dev/ttyUSB0?baud=115200&parity=even", "tcp:host:port", "udp:host:port".
   static Result<Client> connect(const std::string& address, const ConnectOptions& options = {});
+  /// The same, and connects again whenever the connection breaks. The first connection must
+  /// succeed. The options have to be named: `{}` means ConnectOptions.
+  template <std::same_as<ReconnectOptions> Options>
+  static Result<Client> connect(const std::string& address, const Options& options) {
+    return keep_connected(address, options);
+  }
 
+  /// Over a link; see <sbgc/client/own_transport.hpp>.
+  explicit Client(std::shared_ptr<detail::Link> link) noexcept : link_(std::move(link)) {}
   Client(Client&&) noexcept = default;
   Client& operator=(Client&&) noexcept = default;
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
-  /// Closes the line; see close().
+  /// Closes the line and ends the search for another one; see close().
   ~Client() = default;
 
   /// Sends a request and waits for the response that the protocol specifies: a message,
@@ -80,41 +96,50 @@ class Client : public TaskCalls<Client> {
   /// which may not be decodable.
   template <Callable M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
-    return conversation_.call(conversation_.prepare(request, options), options);
+    return link_->call(
+        [&](const detail::Conversation& board) { return board.prepare(request, options); },
+        options);
   }
 
   /// Calls `handler` with every M that the board sends, solicited or not.
   template <Message M>
   Subscription subscribe(std::function<void(const M&)> handler) {
-    return conversation_.subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
+    return link_->subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
   }
 
   /// Calls `handler` for all other events: resets, errors, the loss of the line.
   Subscription on_notice(std::function<void(const Notice&)> handler) {
-    return conversation_.on_notice(std::move(handler));
+    return link_->on_notice(std::move(handler));
+  }
+  /// Calls `handler` with each change of the state of the connection; without reconnection, with
+  /// its loss.
+  Subscription on_change(std::function<void(const LinkChange&)> handler) {
+    return link_->on_change(std::move(handler));
   }
 
   /// Like transact(), for a request that is encoded already; see raw_request().
   Result<Reply> call_raw(RawRequest request, const CallOptions& options = {}) {
-    return conversation_.call(conversation_.prepare(std::move(request)), options);
+    return link_->call(
+        [&](const detail::Conversation&) { return detail::Conversation::prepare(request); },
+        options);
   }
-  /// Sends a request that is encoded already, without waiting. `handler` is called exactly once: on
-  /// the client's thread, or, if the request cannot be sent, at once.
+  /// Sends a request that is encoded already, without waiting, also not for a connection. `handler`
+  /// is called exactly once: on the client's thread, or, if the request cannot be sent, at once.
   void start_raw(RawRequest request, const CallOptions& options,
-                 std::function<void(const Result<Reply>&)> handler) {
-    conversation_.start(conversation_.prepare(std::move(request)), options, std::move(handler));
-  }
+                 std::function<void(const Result<Reply>&)> handler);
 
   /// Calls `handler` with every frame that the board sends, also with those of unknown messages.
   Subscription on_frame(std::function<void(const BoardFrame&)> handler) {
-    return conversation_.on_frame(std::move(handler));
+    return link_->on_frame(std::move(handler));
   }
 
   /// Makes the board send M every `interval` as long as the subscription lives. The shortest
   /// interval is 1 ms. Fails with ErrorCode::invalid if the interval is 0 or longer than a request
   /// can express (about a minute), and with ErrorCode::overload if the line cannot carry the data.
   /// Firmware without data streams is asked for M each time, if a request without content does it,
-  /// at most as often as it answers; NoticeKind::polling reports that.
+  /// at most as often as it answers; NoticeKind::polling reports that. A stream that the board
+  /// refuses when it is started again is reported as a notice, NoticeKind::stream_ended, and tried
+  /// again with the next connection.
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
@@ -130,9 +155,9 @@ class Client : public TaskCalls<Client> {
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    return conversation_.stream(
-        detail::stream_requests<M>(conversation_, std::move(request), options), detail::key_of<M>,
-        detail::typed_handler<M>(std::move(handler)), options);
+    return link_->stream(
+        detail::stream_of<M>(Result<Request>(std::move(request)), std::move(handler), options),
+        options);
   }
 
   /// Makes the board send a data stream of any message, also of one that is not known here:
@@ -142,36 +167,45 @@ class Client : public TaskCalls<Client> {
   Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
-    return conversation_.stream(detail::stream_requests(conversation_, request, options),
-                                detail::raw_key(request),
-                                detail::typed_handler<Frame>(std::move(handler)), options);
+    return link_->stream(detail::raw_stream_of(request, std::move(handler), options), options);
   }
 
-  /// Drives a task to completion. The task waits on `clock` between its calls.
+  /// Drives a task to completion. The task waits on `clock` between its calls, and ends with the
+  /// connection on which it began.
   template <class R>
   R run(Task<R> task, Clock& clock = Clock::system()) {
-    detail::drive(conversation_, task.begin(conversation_.identity()), clock);
+    const auto refusal = link_->run(
+        [&](const BoardIdentity& board) -> TaskMachine& { return task.begin(board); }, clock);
+    if (refusal) return *refusal;
     return std::move(task).result();
   }
 
-  /// What the board reported about itself on connecting.
-  const BoardIdentity& identity() const noexcept { return conversation_.identity(); }
-  /// Describes the line, e.g. "serial port /dev/ttyUSB0, 115200 8N1".
-  std::string description() const { return conversation_.description(); }
-  ClientStatistics statistics() const { return conversation_.statistics(); }
+  /// Asks the board for a sign of life, in the background. Without one, the connection counts as
+  /// lost. For users of start_raw(), whose data streams the client does not know. Does nothing
+  /// without reconnection.
+  void check() { link_->check(); }
 
-  /// Ends every call with ErrorCode::cancelled and closes the line. Later calls fail with
-  /// ErrorCode::not_connected.
-  void close() noexcept { conversation_.close(); }
+  LinkState state() const { return link_->state(); }
+  bool is_connected() const { return state() == LinkState::connected; }
+  /// How many connections have been made; at least 1.
+  std::uint64_t connections() const { return link_->connections(); }
+  /// What the board of the current or the last connection reported about itself.
+  BoardIdentity identity() const { return link_->identity(); }
+  /// Describes the current or the last line, e.g. "serial port /dev/ttyUSB0, 115200 8N1".
+  std::string description() const { return link_->description(); }
+  /// Of the current or the last connection.
+  ClientStatistics statistics() const { return link_->statistics(); }
+
+  /// Ends every call with ErrorCode::cancelled, closes the line and stops searching. Later calls
+  /// fail with ErrorCode::not_connected.
+  void close() noexcept { link_->close(); }
 
  private:
-  friend struct detail::ClientMaker;
+  friend class SpeedControl;
 
-  Client(std::shared_ptr<const void> keeper, detail::Conversation conversation) noexcept
-      : io_thread_(std::move(keeper)), conversation_(std::move(conversation)) {}
+  static Result<Client> keep_connected(const std::string& address, const ReconnectOptions& options);
 
-  std::shared_ptr<const void> io_thread_;  // keeps the I/O thread alive; closes with the client
-  detail::Conversation conversation_;
+  std::shared_ptr<detail::Link> link_;
 };
 
 }  // namespace sbgc

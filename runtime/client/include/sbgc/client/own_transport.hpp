@@ -1,6 +1,7 @@
 /// Connecting over a custom transport.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <memory>
 
@@ -8,7 +9,6 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/options.hpp>
-#include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/io/transport.hpp>
 
@@ -23,9 +23,22 @@ using TransportFactory =
 /// detected unless options.detect_line is false.
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options = {});
 
-/// Like ReconnectingClient::connect(), but over the transports that `make` returns. It is called
-/// for each attempt, on a thread of the client, and may return null if there is no transport now.
-Result<ReconnectingClient> reconnecting_over(const TransportFactory& make,
-                                             const ReconnectOptions& options = {});
+namespace detail {
+Result<Client> keep_connected_over(const TransportFactory& make, const ReconnectOptions& options);
+}
+
+/// The same, and connects again over another transport whenever the connection breaks. `make` is
+/// called for each attempt, on a thread of the client, and may return null if there is no transport
+/// now.
+template <std::same_as<ReconnectOptions> Options>
+Result<Client> connect_over(const TransportFactory& make, const Options& options) {
+  return detail::keep_connected_over(make, options);
+}
+
+/// Use connect_over(). Removed with the next release.
+[[deprecated("use connect_over() with ReconnectOptions")]] inline Result<Client> reconnecting_over(
+    const TransportFactory& make, const ReconnectOptions& options = {}) {
+  return connect_over(make, options);
+}
 
 }  // namespace sbgc

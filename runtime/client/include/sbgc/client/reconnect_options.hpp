@@ -1,4 +1,4 @@
-/// Options and state changes of a ReconnectingClient.
+/// Options and state changes of a client that connects again.
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@ enum class OutagePolicy : std::uint8_t {
   wait,  ///< it waits for a connection, up to its timeout or ConnectOptions::queue_timeout
 };
 
-/// Options of ReconnectingClient::connect().
+/// Options of Client::connect(), for a client that connects again.
 struct ReconnectOptions {
   /// For each connection. The timeout is that of each attempt; a capture gets a new session for
   /// each connection.

@@ -14,9 +14,12 @@
 
 namespace sbgc {
 
-class AsyncReconnectingClient;
+class AsyncClient;
 class Client;
-class ReconnectingClient;
+
+namespace detail {
+class Connection;
+}
 
 /// Options of SpeedControl.
 struct SpeedControlOptions {
@@ -59,7 +62,7 @@ struct SpeedControlOptions {
 /// itself when the line is back. Then set() works again; until then it fails with
 /// ErrorCode::not_connected.
 ///
-/// Over an AsyncReconnectingClient, its executor does the sending instead of a thread. Destruction
+/// Over an AsyncClient, its executor does the sending instead of a thread. Destruction
 /// begins to stop the camera, and does not wait for it; if the client is destroyed before the stop
 /// is sent, SpeedControlOptions::bound ends the motion. Do not call wait() on a thread that the
 /// executor needs. SpeedControlOptions::clock has no effect.
@@ -69,8 +72,7 @@ class SpeedControl {
 
   /// `client` must outlive this object.
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});
-  explicit SpeedControl(ReconnectingClient& client, const SpeedControlOptions& options = {});
-  explicit SpeedControl(AsyncReconnectingClient& client, const SpeedControlOptions& options = {});
+  explicit SpeedControl(AsyncClient& client, const SpeedControlOptions& options = {});
   SpeedControl(const SpeedControl&) = delete;
   SpeedControl& operator=(const SpeedControl&) = delete;
   SpeedControl(SpeedControl&&) = delete;
@@ -95,7 +97,7 @@ class SpeedControl {
 
  private:
   class Worker;
-  using ClientPointer = std::shared_ptr<Client>;
+  using ConnectionPointer = std::shared_ptr<detail::Connection>;
 
   /// The worker of the last connection for which set() was called; null before.
   std::shared_ptr<Worker> worker() const;
@@ -103,12 +105,12 @@ class SpeedControl {
   Result<void> renew();
 
   const SpeedControlOptions options_;
-  /// If the client reconnects: return its current connection, and make a worker for one.
-  const std::function<Result<ClientPointer>()> connected_;
-  const std::function<std::shared_ptr<Worker>(Client&)> make_worker_;
+  /// Return the current connection of the client, and make a worker for one.
+  const std::function<Result<ConnectionPointer>()> connected_;
+  const std::function<std::shared_ptr<Worker>(detail::Connection&)> make_worker_;
   std::mutex renewing_;
   mutable std::mutex mutex_;
-  ClientPointer client_;  // that of the worker, if it reconnects
+  ConnectionPointer connection_;  // that of the worker
   std::shared_ptr<Worker> worker_;
 };
 

@@ -1,10 +1,12 @@
 /// The requests of data streams, for all clients.
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/client/polls.hpp>
 #include <sbgc/client/typed.hpp>
 
@@ -36,6 +38,28 @@ Conversation::StreamRequests stream_requests(const Conversation& conversation, R
     }
   }
   return requests;
+}
+
+/// The data stream of M that `request` starts, or its error.
+template <Message M, Message Request>
+Link::Stream stream_of(const Result<Request>& request, std::function<void(const M&)> handler,
+                       const CallOptions& options) {
+  return {[request, options](const Conversation& conversation) {
+            if (!request) return Conversation::StreamRequests{request.error(), request.error()};
+            return stream_requests<M>(conversation, *request, options);
+          },
+          key_of<M>, typed_handler<M>(std::move(handler)),
+          request ? stream_interval(*request) : std::chrono::microseconds{}};
+}
+
+/// The bytes of the data stream that `request` selects.
+template <Message Request>
+Link::Stream raw_stream_of(const Request& request, std::function<void(const Frame&)> handler,
+                           const CallOptions& options) {
+  return {[request, options](const Conversation& conversation) {
+            return stream_requests(conversation, request, options);
+          },
+          raw_key(request), typed_handler<Frame>(std::move(handler)), stream_interval(request)};
 }
 
 }  // namespace sbgc::detail

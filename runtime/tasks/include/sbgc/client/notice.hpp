@@ -14,7 +14,7 @@ enum class NoticeKind : std::uint8_t {
   unreadable,    ///< a message for a subscriber, such as a sample of a stream, does not decode;
                  ///< repeated only if the message changes
   polling,       ///< the firmware has no data streams: the client requests each message of one
-  stream_ended,  ///< only of ReconnectingClient: a data stream could not be started again
+  stream_ended,  ///< only of a client that connects again: a stream could not be started again
 };
 
 /// Something that has happened outside of any call.
