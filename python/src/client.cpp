@@ -5,15 +5,12 @@
 #include <pybind11/stl.h>
 
 #include <sbgc/client/speed_control.hpp>
-#include <sbgc/io/clock.hpp>
 #include <sbgc/io/ports.hpp>
 #include <sbgc/meta/system.hpp>
 
 #include "arguments.hpp"
-#include "driving/order_of.hpp"
 #include "emulator.hpp"
 #include "link.hpp"
-#include "shared_speed.hpp"
 
 namespace sbgc::python {
 
@@ -30,51 +27,44 @@ OperationPointer call(const LinkPointer& link, const AnyMessage& request,
                             .retries = retries,
                             .expect_confirmation = expects_confirmation,
                             .validate = validates};
-  const detail::Conversation conversation = link->conversation();
-  const CallId id = conversation.start(
-      conversation.prepare(request, options), options, [operation](const Result<Reply>& reply) {
-        const auto result = std::make_shared<Result<std::optional<AnyMessage>>>(
-            detail::read_response<AnyMessage>(reply));
-        operation->end([result] {
-          if (!*result) raise_client(result->error());
-          return py::cast(**result);
-        });
+  using Answer = Result<std::optional<AnyMessage>>;
+  link->start<Answer>(
+      operation,
+      [&](AsyncClient& client, auto token) { client.async_call(request, options, token); },
+      [](Answer answer) -> Operation::Result {
+        return [answer = std::make_shared<Answer>(std::move(answer))] {
+          if (!*answer) raise_client(answer->error());
+          return py::cast(**answer);
+        };
       });
-  operation->set_cancel([conversation, id] { conversation.cancel(id); });
   return operation;
 }
 
-/// A held speed: SpeedControl without a thread of its own.
+/// A held speed.
 class HeldSpeed {
  public:
   HeldSpeed(const LinkPointer& link, Seconds silence)
-      : speed_(std::make_shared<detail::SharedSpeed>(
-            detail::DeadMansSwitch(milliseconds(milliseconds_of(silence, "silence").count()),
-                                   milliseconds(SpeedControlOptions{}.repeat.count())),
-            detail::order_of(link->conversation()))),
-        operation_(link->begin()) {
-    const SpeedControlOptions usual;
-    const auto task = std::make_shared<Task<Result<void>>>(detail::hold_speed(
-        speed_, detail::BoundedTurn(usual.bound, usual.lookahead), usual.ends_when_stopped));
-    wake_ = link->drive(operation_, task->begin(link->conversation().identity()),
-                        [operation = operation_, task] {
-                          const Result<void> result = std::move(*task).result();
-                          operation->end([result] { return to_python(result); });
-                        });
-    operation_->set_cancel([speed = speed_, wake = wake_] {
-      speed->close();
-      wake();
+      : operation_(link->begin()), held_(std::make_shared<Held>(link, silence)) {
+    // The client's thread must not be the one that releases the client.
+    operation_->set_cancel([held = std::weak_ptr(held_), weak = std::weak_ptr(operation_)] {
+      const auto one = held.lock();
+      if (!one) return;
+      one->control->close([weak](const Result<void>& result) {
+        const auto operation = weak.lock();
+        if (operation) operation->end([result] { return to_python(result); });
+      });
     });
+    link->add(operation_);
   }
 
   void set(double roll, double pitch, double yaw) {
     const Axes<msg::ControlSpeed> speeds{quantity_of<msg::ControlSpeed>(roll, "roll"),
                                          quantity_of<msg::ControlSpeed>(pitch, "pitch"),
                                          quantity_of<msg::ControlSpeed>(yaw, "yaw")};
-    done(speed_->set(speeds, operation_->now()));
+    done(held_->control->set(speeds));
   }
-  void refresh() { done(speed_->refresh(operation_->now())); }
-  void stop() { done(speed_->stop()); }
+  void refresh() { done(held_->control->refresh()); }
+  void stop() { done(held_->control->stop()); }
   /// Stops the camera; the operation ends when it stands still.
   OperationPointer close() {
     operation_->cancel();
@@ -82,14 +72,29 @@ class HeldSpeed {
   }
 
  private:
-  void done(const Result<void>& changed) {
+  static void done(const Result<void>& changed) {
     if (!changed) raise_client(changed.error());
-    wake_();
   }
 
-  std::shared_ptr<detail::SharedSpeed> speed_;
+  /// It stops the camera, and so needs its client, unless this is a forked child.
+  struct Held {
+    Held(LinkPointer of, Seconds silence)
+        : link(std::move(of)),
+          control(std::make_unique<SpeedControl>(
+              link->client(),
+              SpeedControlOptions{.silence = milliseconds_of(silence, "silence")})) {}
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    ~Held() {
+      if (link->is_forked()) static_cast<void>(control.release());
+    }
+
+    LinkPointer link;
+    std::unique_ptr<SpeedControl> control;
+  };
+
   OperationPointer operation_;
-  std::function<void()> wake_{};
+  std::shared_ptr<Held> held_;
 };
 
 py::list list_ports() {
@@ -132,7 +137,7 @@ OperationPointer connect_to_board(Link& link, const std::shared_ptr<Emulation>& 
 
 /// Its board, firmware and serial number as texts, and the messages that say more.
 py::tuple identity_of(const Link& link) {
-  const BoardIdentity board = link.identity();
+  const BoardIdentity board = link.client().identity();
   std::optional<AnyMessage> details;
   if (board.details) details = any_of(*board.details);
   return py::make_tuple(board.board_version(), board.firmware_version(), board.serial_number(),
@@ -163,8 +168,8 @@ void bind_client(py::module_& module) {
       .def_property_readonly("descriptor", [](Link& one) { return one.bell()->descriptor(); })
       .def("drain", [](Link& one) { one.bell()->drain(); })
       .def("now", [](Link& one) { return static_cast<double>(one.now().us) / 1e6; })
-      .def("description", &Link::description)
-      .def("is_connected", &Link::is_connected)
+      .def("description", [](const Link& one) { return one.client().description(); })
+      .def("is_connected", [](const Link& one) { return one.client().is_connected(); })
       .def("identity", &identity_of)
       .def("call", &call);
   py::class_<HeldSpeed>(module, "HeldSpeed")

@@ -1,13 +1,11 @@
 #include "link.hpp"
 
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
+#include <asio/bind_executor.hpp>
 #include <sys/eventfd.h>
 #include <unistd.h>
-
-#include "conversation/state.hpp"
 
 namespace sbgc::python {
 
@@ -37,13 +35,12 @@ Link::Link() : process_(getpid()), state_(std::make_unique<State>()) {
 }
 
 Link::~Link() {
-  if (process_ != getpid()) {
+  if (is_forked()) {
     static_cast<void>(state_.release());
     return;
   }
   close();
-  state_->blocked.clear();  // joins
-  if (state_->reconnecting) state_->reconnecting->finish();
+  state_->client.reset();
   state_->work.reset();  // what still runs ends soon, because the line is closed
   state_->thread.join();
 }
@@ -52,93 +49,47 @@ std::shared_ptr<Operation> Link::connect(const std::string& address, const Trans
                                          const ConnectOptions& options, bool reconnects) {
   auto operation = std::make_shared<Operation>(state_->bell);
   State& state = *state_;
-  const auto connected = [&state](const auto& place, const auto& made) {
-    const std::scoped_lock lock(state.mutex);
-    state.*place = made;
-    state.is_connected = !state.is_closed;
+  state.client = std::make_unique<AsyncClient>(state.executor());
+  operation->set_cancel([&client = *state.client] { client.close(); });
+  add(operation);
+  const auto connected = [&state, operation](const Result<void>& result) {
+    {
+      const std::scoped_lock lock(state.mutex);
+      state.is_connected = result && !state.is_closed;
+      if (state.is_connected) {
+        state.changes = state.client->on_change([bell = state.bell](const auto&) { bell->ring(); });
+      }
+    }
+    operation->end([result] { return to_python(result); });
+  };
+  const auto begin = [&](const auto& chosen) {
+    // Virtual time does not pass until the board is found.
+    auto token = asio::bind_executor(state.context, connected);
+    if (make) return state.client->async_connect_over(make, chosen, token);
+    state.client->async_connect(address, chosen, token);
   };
   if (reconnects) {
-    const auto client =
-        std::make_shared<Reconnecting>(address, make, ReconnectOptions{.connection = options});
-    operation->set_cancel([client] { client->close(); });
-    add(operation);
-    block(operation, [&state, client, connected] {
-      state.changes = client->on_change([bell = state.bell](const auto&) { bell->ring(); });
-      const Result<void> result = client->start();
-      if (result) connected(&State::reconnecting, client);
-      return [result] { return to_python(result); };
-    });
-    return operation;
+    begin(ReconnectOptions{.connection = options});
+  } else {
+    begin(options);
   }
-  operation->set_cancel([&state] {
-    const std::scoped_lock lock(state.mutex);
-    state.is_closed = true;
-    if (state.conversation) state.conversation.close();
-  });
-  add(operation);
-  block(operation, [&state, address, make, options, connected] {
-    const auto opener =
-        make ? detail::opener_of(make, options) : detail::opener_of(address, options);
-    const auto begun = [&state](const detail::Conversation& conversation) {
-      const std::scoped_lock lock(state.mutex);
-      state.conversation = conversation;
-      if (state.is_closed) conversation.close();
-    };
-    auto found = detail::connect(state.executor(), opener, options, begun);
-    if (found) connected(&State::conversation, *found);
-    const Result<void> result = found ? Result<void>() : std::move(found).error();
-    return [result] { return to_python(result); };
-  });
   return operation;
 }
 
-void Link::block(const std::shared_ptr<Operation>& operation,
-                 std::function<Operation::Result()> work) {
-  std::erase_if(state_->blocked, [](const std::future<void>& one) {
-    return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  });
-  state_->blocked.push_back(std::async(
-      std::launch::async, [operation, work = std::move(work)] { operation->end(work()); }));
-}
+bool Link::is_forked() const noexcept { return process_ != getpid(); }
 
-std::shared_ptr<Reconnecting> Link::reconnecting() const {
-  if (process_ != getpid()) {
+AsyncClient& Link::client() const {
+  if (is_forked()) {
     raise_client({ErrorCode::invalid, "the client belongs to the process that forked this one"});
   }
-  const std::scoped_lock lock(state_->mutex);
   if (!state_->is_connected) {
     raise_client({ErrorCode::not_connected, "the client is not connected"});
   }
-  return state_->reconnecting;
-}
-
-detail::Conversation Link::conversation() const {
-  if (const auto client = reconnecting()) {
-    const auto current = client->current({});
-    if (!current) raise_client(current.error());
-    return detail::ClientMaker::conversation(**current);
-  }
-  const std::scoped_lock lock(state_->mutex);
-  return state_->conversation;
-}
-
-bool Link::is_connected() const {
-  if (const auto client = reconnecting()) return client->state() == LinkState::connected;
-  return !conversation().state()->end_reason();
-}
-
-BoardIdentity Link::identity() const {
-  const auto client = reconnecting();
-  return client ? client->identity() : conversation().identity();
-}
-
-std::string Link::description() const {
-  const auto client = reconnecting();
-  return client ? client->description() : conversation().description();
+  return *state_->client;
 }
 
 std::shared_ptr<Operation> Link::begin() {
-  static_cast<void>(conversation());
+  static_cast<void>(client());
   return std::make_shared<Operation>(state_->bell, state_->time);
 }
 
@@ -148,33 +99,16 @@ void Link::add(const std::shared_ptr<Operation>& operation) {
   state_->running.push_back(operation);
 }
 
-std::function<void()> Link::drive(const std::shared_ptr<Operation>& operation, TaskMachine& task,
-                                  std::function<void()> done) {
-  const auto driver = std::make_shared<detail::AsioDriver>(state_->executor(), conversation(), task,
-                                                           std::move(done));
-  const auto put = [weak = std::weak_ptr(driver)](detail::TaskDriver::Input input) {
-    if (const auto running = weak.lock()) running->put(std::move(input));
-  };
-  operation->set_cancel([put] { put([](TaskMachine& one) { one.cancel(); }); });
-  add(operation);
-  driver->start();
-  return [put] { put([](TaskMachine& one) { one.wake(); }); };
-}
-
 void Link::close() {
-  if (process_ != getpid()) return;
+  if (is_forked()) return;
   // A camera stops within this time, unless the line is lost.
   constexpr Duration patience = seconds(1);
   std::vector<std::weak_ptr<Operation>> running;
-  detail::Conversation conversation;
-  std::shared_ptr<Reconnecting> reconnecting;
   {
     const std::scoped_lock lock(state_->mutex);
     state_->is_connected = false;
     state_->is_closed = true;
     running.swap(state_->running);
-    conversation = state_->conversation;
-    reconnecting = state_->reconnecting;
   }
   const Instant until = now() + patience;
   for (const auto& weak : running) {
@@ -183,9 +117,8 @@ void Link::close() {
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->wait_until(until);
   }
-  if (reconnecting) reconnecting->close();
-  if (!conversation) return;
-  conversation.close();
+  if (!state_->client) return;
+  state_->client->close();
   // What the board hears last; otherwise, the thread sees to it.
   if (state_->time) state_->time->run([] { return false; }, now() + milliseconds(250));
 }

@@ -13,7 +13,7 @@ namespace sbgc::python {
 
 namespace {
 
-/// Samples that wait for Python. Beyond a limit, the oldest are dropped.
+/// TakeSample that wait for Python. Beyond a limit, the oldest are dropped.
 class SampleQueue {
  public:
   SampleQueue(std::shared_ptr<Bell> bell, VirtualTimePointer time)
@@ -69,24 +69,23 @@ class SampleQueue {
 
 using QueuePointer = std::shared_ptr<SampleQueue>;
 
+using TakeSample = std::function<void(AnyMessage)>;
+using Started = Link::Token<Result<Subscription>>;
+
 /// A message that boards stream.
 struct StreamKind {
   const char* name = "";
-  detail::MessageKey key{};
-  detail::Conversation::StreamRequests (*requests)(const detail::Conversation&,
-                                                   const roles::StreamRequest&,
-                                                   const CallOptions&){};
-  AnyMessage (*copy)(const void* sample){};
+  void (*start)(AsyncClient&, const roles::StreamRequest&, const CallOptions&, const TakeSample&,
+                Started){};
 };
 
 template <class M>
 constexpr StreamKind kind_of{
-    Meta<M>::info.name, detail::key_of<M>,
-    [](const detail::Conversation& conversation, const roles::StreamRequest& request,
-       const CallOptions& options) {
-      return detail::stream_requests<M>(conversation, request, options);
-    },
-    [](const void* sample) { return any_of(*static_cast<const M*>(sample)); }};
+    Meta<M>::info.name, [](AsyncClient& client, const roles::StreamRequest& request,
+                           const CallOptions& options, const TakeSample& take, Started started) {
+      client.async_stream<M>(
+          request, [take](const M& sample) { take(any_of(sample)); }, options, std::move(started));
+    }};
 
 const StreamKind& kind_named(const std::string& name) {
   const StreamKind* found = nullptr;
@@ -108,15 +107,6 @@ roles::StreamRequest request_of(Seconds interval, const AnyMessage* request) {
   return result;
 }
 
-Operation::Result result_of(const QueuePointer& queue, Result<Subscription> started) {
-  const Result<void> result = started ? Result<void>() : started.error();
-  if (started) queue->own(*std::move(started));
-  return [queue, result] {
-    if (!result) raise_client(result.error());
-    return py::cast(queue);
-  };
-}
-
 /// Starts the stream of the message with this name; its result is a SampleQueue.
 std::shared_ptr<Operation> stream(const std::shared_ptr<Link>& link, const std::string& name,
                                   Seconds interval, const AnyMessage* given,
@@ -126,25 +116,22 @@ std::shared_ptr<Operation> stream(const std::shared_ptr<Link>& link, const std::
   const StreamKind& kind = kind_named(name);
   const roles::StreamRequest request = request_of(interval, given);
   const auto queue = std::make_shared<SampleQueue>(link->bell(), link->time());
-  const auto take = [queue, copy = kind.copy](const void* sample) { queue->put(copy(sample)); };
-  if (const auto client = link->reconnecting()) {
-    const auto prepare = [&kind, request, options](const detail::Conversation& conversation) {
-      return kind.requests(conversation, request, options);
-    };
-    const std::chrono::microseconds every(std::int64_t{roles::stream_interval_us} *
-                                          roles::stream_interval(request).raw());
-    link->block(operation, [client, prepare, key = kind.key, take, every, options, queue] {
-      return result_of(queue, client->keep_stream(prepare, key, take, every, options));
-    });
-    return operation;
-  }
-  const detail::Conversation conversation = link->conversation();
-  const CallId id =
-      conversation.start_stream(kind.requests(conversation, request, options), kind.key, take,
-                                options, [operation, queue](Result<Subscription> started) {
-                                  operation->end(result_of(queue, std::move(started)));
-                                });
-  operation->set_cancel([conversation, id] { conversation.cancel(id); });
+  using Begun = Result<Subscription>;
+  link->start<Begun>(
+      operation,
+      [&](AsyncClient& client, auto token) {
+        kind.start(
+            client, request, options, [queue](AnyMessage one) { queue->put(std::move(one)); },
+            std::move(token));
+      },
+      [queue](Begun begun) -> Operation::Result {
+        const Result<void> result = begun ? Result<void>() : begun.error();
+        if (begun) queue->own(*std::move(begun));
+        return [queue, result] {
+          if (!result) raise_client(result.error());
+          return py::cast(queue);
+        };
+      });
   return operation;
 }
 

@@ -263,8 +263,10 @@ class Methods {
   template <class R, class... Arguments>
   const Methods& def(const char* name, Task<R> (*make)(Arguments...)) const {
     link_.def(name, [make](Link& link, Arguments... arguments) {
-      return link.run(make(std::forward<Arguments>(arguments)...),
-                      [](const R& result) { return result_of(result); });
+      OperationPointer operation = link.begin();
+      link.run(operation, make(std::forward<Arguments>(arguments)...),
+               [](const R& result) { return result_of(result); });
+      return operation;
     });
     return *this;
   }
@@ -273,9 +275,10 @@ class Methods {
   const Methods& def(const char* name,
                      Task<R> (*make)(const OperationPointer&, Arguments...)) const {
     link_.def(name, [make](Link& link, Arguments... arguments) {
-      const OperationPointer operation = link.begin();
-      return link.run(operation, make(operation, std::forward<Arguments>(arguments)...),
-                      [](const R& result) { return result_of(result); });
+      OperationPointer operation = link.begin();
+      link.run(operation, make(operation, std::forward<Arguments>(arguments)...),
+               [](const R& result) { return result_of(result); });
+      return operation;
     });
     return *this;
   }

@@ -23,6 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/async_client.hpp>
+#include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages.hpp>
@@ -147,6 +148,14 @@ TEST_F(AsyncReconnecting, ALineThatIsLostComesBack) {
   EXPECT_EQ(client->connections(), 2U);
   EXPECT_THAT(changes.wait_for(3),
               ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
+}
+
+TEST_F(AsyncReconnecting, TheFormerNameDoesIt) {
+  AsyncReconnectingClient former(context.get_executor());
+  ASSERT_TRUE(former.async_connect_over(cable(), asio::use_future).get());
+  board.unplug();
+  while (former.connections() < 2) std::this_thread::sleep_for(Ms(1));
+  on_executor([&] { former.close(); });
 }
 
 TEST_F(AsyncReconnecting, OperationsCanWaitForTheConnection) {

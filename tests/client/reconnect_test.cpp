@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages.hpp>
 
@@ -135,6 +136,14 @@ TEST_F(Reconnecting, ALineThatIsLostComesBack) {
   EXPECT_TRUE(client.is_connected());
   EXPECT_EQ(client.connections(), 2U);
   EXPECT_THAT(states(), ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
+}
+
+TEST_F(Reconnecting, TheFormerNameDoesIt) {
+  ReconnectingClient client = *reconnecting_over(cable(), quick_reconnect());
+  pull();
+  while (client.is_connected()) std::this_thread::sleep_for(Ms(1));
+  is_plugged = true;
+  while (client.connections() < 2) std::this_thread::sleep_for(Ms(1));
 }
 
 TEST_F(Reconnecting, CallsCanWaitForTheConnection) {

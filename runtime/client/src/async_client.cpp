@@ -27,16 +27,20 @@ class AsyncClient::Links {
   Links(const Links&) = delete;
   Links& operator=(const Links&) = delete;
   ~Links() {
-    end(true);
+    end();
     if (worker_) worker_->join();
   }
 
   void connect(const detail::Opener& opener, const ConnectOptions& options, const Done& done) {
+    const std::uint64_t attempt = end();
     if (!worker_) worker_.emplace(1);
-    asio::post(*worker_, [this, opener, options, done] {
-      end(false);
-      auto conversation =
-          detail::connect(executor_, opener, options, [this](const auto& begun) { adopt(begun); });
+    asio::post(*worker_, [this, attempt, opener, options, done] {
+      const auto adopt = [this, attempt](const detail::Conversation& begun) {
+        const std::lock_guard lock(mutex_);
+        dialling_ = begun;
+        if (attempt != ends_) begun.close();
+      };
+      auto conversation = detail::connect(executor_, opener, options, adopt);
       if (!conversation) return done(std::move(conversation).error());
       set(std::make_shared<detail::Connection>(nullptr, executor_, *std::move(conversation)));
       done({});
@@ -59,18 +63,20 @@ class AsyncClient::Links {
     return link_;
   }
 
-  /// Closes the link, and ends connect().
-  void end(bool for_good) noexcept {
+  /// Closes the link, and ends connect(). Returns how often it has been called.
+  std::uint64_t end() noexcept {
     detail::Conversation dialling;
     Link link;
+    std::uint64_t ends = 0;
     {
       const std::lock_guard lock(mutex_);
-      is_closed_ = is_closed_ || for_good;
+      ends = ++ends_;
       dialling = dialling_;
       link = link_;
     }
     dialling.close();
     if (link) link->close();
+    return ends;
   }
 
  private:
@@ -78,21 +84,12 @@ class AsyncClient::Links {
     const std::lock_guard lock(mutex_);
     return std::exchange(link_, std::move(link));
   }
-  void adopt(const detail::Conversation& begun) {
-    bool is_closed = false;
-    {
-      const std::lock_guard lock(mutex_);
-      dialling_ = begun;
-      is_closed = is_closed_;
-    }
-    if (is_closed) begun.close();
-  }
 
   const asio::any_io_executor executor_;
   mutable std::mutex mutex_;
   Link link_;
   detail::Conversation dialling_;
-  bool is_closed_ = false;                     // permanently: the client is being destroyed
+  std::uint64_t ends_ = 0;
   std::optional<asio::thread_pool> worker_{};  // opening a line can block
 };
 
@@ -105,7 +102,7 @@ detail::Stop AsyncClient::connect(const std::shared_ptr<Links>& links, const std
   links->connect(make ? detail::opener_of(make, options) : detail::opener_of(address, options),
                  options, done);
   return [weak = std::weak_ptr(links)] {
-    if (const auto connecting = weak.lock()) connecting->end(false);
+    if (const auto connecting = weak.lock()) connecting->end();
   };
 }
 
@@ -161,6 +158,6 @@ ClientStatistics AsyncClient::statistics() const {
   return link ? link->statistics() : ClientStatistics{};
 }
 
-void AsyncClient::close() noexcept { links_->end(false); }
+void AsyncClient::close() noexcept { links_->end(); }
 
 }  // namespace sbgc

@@ -1,7 +1,10 @@
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <asio/any_io_executor.hpp>
 
@@ -21,6 +24,34 @@ namespace sbgc {
 
 using detail::DeadMansSwitch;
 
+/// The end of the task, and the functions that wait for it.
+class SpeedControl::End {
+ public:
+  using Done = std::function<void(const Result<void>&)>;
+
+  void reach(const Result<void>& result) {
+    std::vector<Done> waiting;
+    {
+      const std::scoped_lock lock(mutex_);
+      result_ = result;
+      waiting.swap(waiting_);
+    }
+    for (const Done& done : waiting) done(result);
+  }
+  void on_reached(Done done) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!result_) return waiting_.push_back(std::move(done));
+    }
+    done(*result_);  // does not change any more
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Result<void>> result_{};
+  std::vector<Done> waiting_{};
+};
+
 /// Drives the task: on a thread of its own or, with an executor, there.
 class SpeedControl::Worker {
  public:
@@ -37,14 +68,18 @@ class SpeedControl::Worker {
     TaskMachine& machine = task_->begin(conversation.identity());
     if (executor) {
       now_ = [clock = io::detail::ExecutorClock(executor)] { return clock.now(); };
-      const auto driver =
-          std::make_shared<detail::AsioDriver>(executor, conversation, machine, [task = task_] {});
+      const auto driver = std::make_shared<detail::AsioDriver>(
+          executor, conversation, machine,
+          [task = task_, end = end_] { end->reach(std::move(*task).result()); });
       driver->start();
       driver_ = driver;
     } else {
       now_ = [&clock = options.clock] { return io::from_chrono(clock.now()); };
       driver_ = std::make_shared<detail::TaskDriver>(conversation, machine);
-      thread_ = std::thread([this, &clock = options.clock] { driver_->run(clock); });
+      thread_ = std::thread([this, &clock = options.clock] {
+        driver_->run(clock);
+        end_->reach(std::move(*task_).result());
+      });
     }
   }
   Worker(const Worker&) = delete;
@@ -72,6 +107,11 @@ class SpeedControl::Worker {
     wake();
     return stopped;
   }
+  void close(End::Done done) {
+    end_->on_reached(std::move(done));
+    speed_->close();
+    wake();
+  }
   Result<void> wait() {
     return speed_->wait([this] { return now(); });
   }
@@ -86,6 +126,7 @@ class SpeedControl::Worker {
 
   std::shared_ptr<detail::SharedSpeed> speed_;
   std::shared_ptr<Task<Result<void>>> task_;
+  const std::shared_ptr<End> end_ = std::make_shared<End>();
   std::function<Instant()> now_;  // the time of the task
   std::shared_ptr<detail::TaskDriver> driver_;
   std::thread thread_;
@@ -143,6 +184,11 @@ Result<void> SpeedControl::refresh() {
 Result<void> SpeedControl::stop() {
   const auto current = worker();
   return current ? current->stop() : Result<void>();
+}
+
+void SpeedControl::close(std::function<void(const Result<void>&)> done) {
+  if (const auto current = worker()) return current->close(std::move(done));
+  done({});
 }
 
 Result<void> SpeedControl::wait() {

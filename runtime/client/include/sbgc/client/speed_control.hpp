@@ -88,6 +88,9 @@ class SpeedControl {
   Result<void> refresh();
   /// Stops the camera. Use wait() to wait until it has stopped.
   Result<void> stop();
+  /// Stops the camera for good, without waiting. `done` is called once, on a thread of the client,
+  /// when the camera has stopped, or with what prevented that.
+  void close(std::function<void(const Result<void>&)> done);
   /// Waits until nothing remains to be sent immediately.
   Result<void> wait();
   /// True if wait() would return at once. After stop(), the camera has then stopped.
@@ -96,6 +99,7 @@ class SpeedControl {
   [[nodiscard]] State state() const;
 
  private:
+  class End;
   class Worker;
   using ConnectionPointer = std::shared_ptr<detail::Connection>;
 
