@@ -115,9 +115,7 @@ def build_wheel(
 ) -> str:
     """Write the wheel, and return the name of its file."""
     package = _compile()
-    files = {f"sbgc/{p.name}": p.read_bytes() for p in package.iterdir() if p.is_file()}
-    for path in (package / "msg").glob("*.py"):
-        files[f"sbgc/msg/{path.name}"] = path.read_bytes()
+    files = {f"sbgc/{p.relative_to(package)}": p.read_bytes() for p in _files(package)}
     info = f"{_name()}.dist-info"
     files.update({f"{info}/{name}": data for name, data in _information().items()})
     record = "".join(f"{name},{_hash(data)},{len(data)}\n" for name, data in sorted(files.items()))

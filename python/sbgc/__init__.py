@@ -13,7 +13,7 @@ the field beside them with the suffix `_raw` is the number on the wire.
 from sbgc import aio, msg
 from sbgc.bode import BodeRecording, ResponsePoint, read_bode
 from sbgc.captures import read_capture
-from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
+from sbgc.client import Gimbal, Stream, connect
 from sbgc.codec import (
     Direction,
     Frame,
@@ -38,9 +38,10 @@ from sbgc.errors import (
     GimbalError,
     GimbalTimeout,
 )
+from sbgc.link import Calibration, Identity, Move, SpeedControl
 from sbgc.message import Contexts, Message
 from sbgc.msg.protocol import Framing
-from sbgc.parameters import Profile
+from sbgc.parameters import Profile, diff
 from sbgc.search import Found, Port, Usb, find, ports
 
 __all__ = [
