@@ -50,15 +50,22 @@ def _name() -> str:
 
 def _metadata() -> str:
     project = _project()
-    lines = {
-        "Metadata-Version": "2.1",
-        "Name": project["name"],
-        "Version": _version(),
-        "Summary": project["description"],
-        "License": project["license"]["text"],
-        "Requires-Python": project["requires-python"],
-    }
-    return "".join(f"{key}: {value}\n" for key, value in lines.items())
+    lines = [
+        ("Metadata-Version", "2.1"),
+        ("Name", project["name"]),
+        ("Version", _version()),
+        ("Summary", project["description"]),
+        ("License", project["license"]["text"]),
+        ("Keywords", ",".join(project["keywords"])),
+        *(("Classifier", classifier) for classifier in project["classifiers"]),
+        ("Requires-Python", project["requires-python"]),
+        ("Description-Content-Type", "text/markdown"),
+    ]
+    for extra, packages in project["optional-dependencies"].items():
+        lines.append(("Provides-Extra", extra))
+        lines += [("Requires-Dist", f'{package}; extra == "{extra}"') for package in packages]
+    head = "".join(f"{key}: {value}\n" for key, value in lines)
+    return f"{head}\n{(ROOT / project['readme']).read_text(encoding='utf-8')}"
 
 
 def _tag() -> str:
