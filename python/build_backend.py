@@ -50,15 +50,22 @@ def _name() -> str:
 
 def _metadata() -> str:
     project = _project()
-    lines = {
-        "Metadata-Version": "2.1",
-        "Name": project["name"],
-        "Version": _version(),
-        "Summary": project["description"],
-        "License": project["license"]["text"],
-        "Requires-Python": project["requires-python"],
-    }
-    return "".join(f"{key}: {value}\n" for key, value in lines.items())
+    lines = [
+        ("Metadata-Version", "2.1"),
+        ("Name", project["name"]),
+        ("Version", _version()),
+        ("Summary", project["description"]),
+        ("License", project["license"]["text"]),
+        ("Keywords", ",".join(project["keywords"])),
+        *(("Classifier", classifier) for classifier in project["classifiers"]),
+        ("Requires-Python", project["requires-python"]),
+        ("Description-Content-Type", "text/markdown"),
+    ]
+    for extra, packages in project["optional-dependencies"].items():
+        lines.append(("Provides-Extra", extra))
+        lines += [("Requires-Dist", f'{package}; extra == "{extra}"') for package in packages]
+    head = "".join(f"{key}: {value}\n" for key, value in lines)
+    return f"{head}\n{(ROOT / project['readme']).read_text(encoding='utf-8')}"
 
 
 def _tag() -> str:
@@ -115,9 +122,7 @@ def build_wheel(
 ) -> str:
     """Write the wheel, and return the name of its file."""
     package = _compile()
-    files = {f"sbgc/{p.name}": p.read_bytes() for p in package.iterdir() if p.is_file()}
-    for path in (package / "msg").glob("*.py"):
-        files[f"sbgc/msg/{path.name}"] = path.read_bytes()
+    files = {f"sbgc/{p.relative_to(package)}": p.read_bytes() for p in _files(package)}
     info = f"{_name()}.dist-info"
     files.update({f"{info}/{name}": data for name, data in _information().items()})
     record = "".join(f"{name},{_hash(data)},{len(data)}\n" for name, data in sorted(files.items()))

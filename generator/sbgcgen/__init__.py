@@ -11,5 +11,5 @@ Packages, each of which imports only those above it:
 
 `build.py` loads and checks a spec, `output.py` writes the output of the targets, `record.py`
 recognizes a run with nothing to do, `library.py` knows the version and the headers of the C++ library,
-`cli.py` is the command line.
+`blocking.py` makes the blocking client of the Python package, `cli.py` is the command line.
 """

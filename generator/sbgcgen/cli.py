@@ -138,7 +138,7 @@ def _load(spec_dir: Path) -> Protocol | None:
 
 def _generate(options: argparse.Namespace, root: Path, spec_dir: Path) -> int:
     folder: Path = (options.output or root / "generated").resolve()
-    record = Record(root / "build" / "generator", spec_dir, folder)
+    record = Record(root, spec_dir, folder)
     unchanged = record.unchanged()
     try:
         if unchanged:
@@ -156,7 +156,7 @@ def _generate(options: argparse.Namespace, root: Path, spec_dir: Path) -> int:
             count, spec_files = len(output.files), protocol.spec.files
             record.write(output.files, spec_files)
         if options.depfile:
-            _write_depfile(options.depfile, options.stamp, spec_files + inputs())
+            _write_depfile(options.depfile, options.stamp, spec_files + inputs(root))
         if options.stamp:
             options.stamp.parent.mkdir(parents=True, exist_ok=True)
             options.stamp.touch()

@@ -13,28 +13,30 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from sbgcgen.blocking import source_of
+
 _HERE = Path(__file__).resolve().parent
 
 
-def inputs() -> list[Path]:
-    """Files of the generator that its output depends on."""
-    files = [*_files_in(_HERE), *_files_in(_HERE.parent / "schema")]
+def inputs(project: Path) -> list[Path]:
+    """Files that the output depends on, besides the spec."""
+    files = [*_files_in(_HERE), *_files_in(_HERE.parent / "schema"), *source_of(project)]
     return [path for path in files if "__pycache__" not in path.parts]
 
 
 class Record:
-    """The record for one spec folder and one output folder.
+    """The record for one spec folder and one output folder of a project.
 
     It must be made before the spec is read: if a file changes meanwhile, the next run reads it again.
     """
 
-    def __init__(self, folder: Path, spec_dir: Path, output: Path) -> None:
+    def __init__(self, project: Path, spec_dir: Path, output: Path) -> None:
         self._output = output
         name = _digest({"spec": bytes(spec_dir), "output": bytes(output)})[:16]
-        self._path = folder / f"{name}.txt"
+        self._path = project / "build" / "generator" / f"{name}.txt"
         self._inputs = ""
         with suppress(OSError):  # loading the spec reports it
-            generator = {"": sys.version.encode(), **_contents(_HERE, inputs())}
+            generator = {"": sys.version.encode(), **_contents(_HERE, inputs(project))}
             spec = _contents(spec_dir, _files_in(spec_dir))
             self._inputs = f"{_digest(generator)} {_digest(spec)}"
 

@@ -10,10 +10,13 @@
 the field beside them with the suffix `_raw` is the number on the wire.
 """
 
-from sbgc import aio, msg
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from sbgc import msg
 from sbgc.bode import BodeRecording, ResponsePoint, read_bode
 from sbgc.captures import read_capture
-from sbgc.client import Calibration, Gimbal, Identity, Move, SpeedControl, Stream, connect, diff
+from sbgc.client import Gimbal, Stream, connect
 from sbgc.codec import (
     Direction,
     Frame,
@@ -38,10 +41,26 @@ from sbgc.errors import (
     GimbalError,
     GimbalTimeout,
 )
+from sbgc.link import Calibration, Identity, Move, SpeedControl
 from sbgc.message import Contexts, Message
 from sbgc.msg.protocol import Framing
-from sbgc.parameters import Profile
+from sbgc.parameters import Profile, diff
 from sbgc.search import Found, Port, Usb, find, ports
+
+if TYPE_CHECKING:
+    from sbgc import aio
+
+    __version__: str
+else:
+
+    def __getattr__(name: str) -> object:
+        """What takes long to import, when it is used: asyncio, and the description of the package."""
+        if name == "aio":
+            return import_module("sbgc.aio")
+        if name == "__version__":
+            return import_module("importlib.metadata").version("sbgc")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "Angles",

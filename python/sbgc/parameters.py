@@ -55,6 +55,11 @@ def profile_index(profile: int) -> int:
     return profile - 1
 
 
+def diff(before: str, after: str) -> str:
+    """The differences of two backups, as text; "" if there are none."""
+    return _core.diff(before, after)
+
+
 class Edit:
     """Changes of a profile, which are written at the end."""
 

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import Optional, Union
 
 from sbgc import _core
-from sbgc.client import Identity, connect
+from sbgc.client import connect
 from sbgc.emulator import Board
 from sbgc.errors import GimbalError
+from sbgc.link import Identity
 
 # Each is opened at the same time.
 _MOST_PORTS = 128

@@ -162,7 +162,7 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     commands = [*(ROOT / "tools").rglob("*.cpp"), *(ROOT / "gateway").glob("*.cpp")]
     spec += "".join(path.read_text(encoding="utf-8") for path in commands)
     # The Python package, and what Python itself has.
-    package = [*(ROOT / "python/sbgc").glob("*.py"), *(ROOT / "generated/python").rglob("*.py")]
+    package = [*(ROOT / "python/sbgc").rglob("*.py"), *(ROOT / "generated/python").rglob("*.py")]
     spec += "".join(path.read_text(encoding="utf-8") for path in package) + " ".join(dir(builtins))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
         known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)

@@ -127,7 +127,7 @@ def test_depfile_lists_all_that_was_read(root: Path, folder: str) -> None:
     assert run(root, "generate", "--depfile", depfile, "--stamp", stamp) == 0
     target, names = depfile_of(depfile.read_text())
     assert target == str(stamp)
-    assert set(names) == {str(p) for p in [*(root / "spec").glob("*.yaml"), *inputs()]}
+    assert set(names) == {str(p) for p in [*(root / "spec").glob("*.yaml"), *inputs(root)]}
     assert len(names) == len(set(names)) and all(Path(name).is_file() for name in names)
     assert sorted(name for name in names if "__pycache__" in name) == []
 

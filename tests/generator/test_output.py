@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from sbgcgen import blocking
 from sbgcgen.build import load_protocol
 from sbgcgen.record import inputs
 from sbgcgen.output import Output
@@ -69,6 +70,8 @@ def test_same_bytes_whatever_run_folder_hash_seed_zone_and_locale(tmp_path: Path
     (moved / "spec").mkdir(parents=True)
     for path in (PROJECT / "spec").glob("*.yaml"):
         (moved / "spec" / path.name).write_bytes(path.read_bytes())
+    (moved / blocking.SOURCE).parent.mkdir(parents=True)
+    (moved / blocking.SOURCE).write_bytes((PROJECT / blocking.SOURCE).read_bytes())
     second = generate(moved, tmp_path / "two", "4711", "Pacific/Auckland")
     assert first == second
     assert "simplebgc.json" in first
@@ -158,11 +161,12 @@ def test_drift_names_what_differs_is_missing_or_stale(tmp_path: Path) -> None:
 
 
 def test_inputs_are_all_files_that_decide(tmp_path: Path) -> None:
-    names = set(inputs())
+    names = set(inputs(PROJECT))
     assert set((GENERATOR / "sbgcgen").rglob("*.py")) <= names
     templates = {path for target in targets() for path in target.templates.rglob("*")}
     assert {path for path in templates if path.is_file()} <= names
     assert set((GENERATOR / "schema").glob("*.json")) <= names
+    assert PROJECT / blocking.SOURCE in names
     assert all(path.is_absolute() and path.is_file() for path in names)
 
 

@@ -113,7 +113,7 @@ def test_changed_generator_runs_again(
 ) -> None:
     file = root / "one.py"
     file.write_text("1")
-    monkeypatch.setattr(sbgcgen.record, "inputs", lambda: [file])
+    monkeypatch.setattr(sbgcgen.record, "inputs", lambda project: [file])
     for count in (1, 1):
         assert generate(root) == 0
         assert len(loads) == count

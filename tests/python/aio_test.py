@@ -28,11 +28,16 @@ def with_gimbal(
 
 
 def test_both_clients_have_the_same_calls() -> None:
-    def calls(type_: type) -> dict[str, list[str]]:
-        public = {n: f for n, f in vars(type_).items() if not n.startswith("_") and n != "close"}
-        return {n: list(inspect.signature(f).parameters) for n, f in public.items()}
+    """One is made of the other, but not the base classes of both."""
 
-    assert calls(aio.Gimbal) == calls(sbgc.Gimbal)
+    def calls(type_: type) -> dict[str, inspect.Signature]:
+        public = inspect.getmembers(type_, inspect.isfunction)
+        return {name: inspect.signature(f) for name, f in public if not name.startswith("_")}
+
+    names = calls(sbgc.Gimbal)
+    assert calls(aio.Gimbal).keys() == names.keys() and len(names) > 30
+    for name in names.keys() - {"edit_profile", "speed_control"}:  # their results differ
+        assert calls(aio.Gimbal)[name] == names[name], name
 
 
 def test_calls_run_concurrently_with_the_loop(board: Board) -> None:
@@ -133,6 +138,19 @@ def test_streams_are_asynchronous_iterators(board: Board) -> None:
                 if len(taken) == 20:
                     samples.close()
         assert len(taken) == 20 and isinstance(taken[0], msg.RealtimeData4)
+
+    with_gimbal(board, use)
+
+
+def test_a_stream_ends_with_its_line_and_says_that_nothing_comes(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        async with await gimbal.stream(msg.RealtimeData4, 10, timeout=0.2) as samples:
+            with pytest.raises(TimeoutError, match="no sample for 0.2 seconds"):
+                while True:
+                    await anext(samples)
+            gimbal.close()
+            with pytest.raises(sbgc.GimbalDisconnected):
+                await anext(samples)
 
     with_gimbal(board, use)
 

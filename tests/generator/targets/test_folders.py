@@ -73,7 +73,8 @@ def run(generator: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def output_of(generator: Path, spec: Path, folder: Path) -> dict[str, bytes]:
-    done = run(generator, "generate", "--spec", str(spec), "--output", str(folder))
+    at = ["--root", str(spec.parent), "--spec", str(spec), "--output", str(folder)]
+    done = run(generator, "generate", *at)
     assert done.returncode == 0, done.stderr
     return {
         path.relative_to(folder).as_posix(): path.read_bytes()

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Optional
 
+from sbgcgen.blocking import MADE, blocking, source_of
 from sbgcgen.model import Layout
 from sbgcgen.oracle.example import Example
 from sbgcgen.spec.diagnostics import Diagnostics
@@ -17,10 +19,15 @@ from sbgcgen.targets.python.reference import reference_of
 
 
 class Python(Target):
-    """Modules of the package `sbgc.msg`; python/ has the rest of the package, written by hand."""
+    """Modules of the package `sbgc.msg`, and the blocking client; python/ has the rest of the package."""
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(names={"homes": words.homes(layout)}, filters=words.FILTERS)
+
+    def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
+        yield from super().files(layout, project)
+        for path in source_of(project):
+            yield MADE, blocking(path.read_text(encoding="utf-8")).encode()
 
     def examples(self, example: Example) -> list[Code]:
         """The code of a host: it encodes what goes to the board, and decodes the rest."""

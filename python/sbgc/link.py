@@ -1,0 +1,208 @@
+"""What the blocking and the asynchronous client have in common."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import weakref
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from numbers import Real
+from typing import Any, Literal, Optional, TypeVar, Union
+
+from sbgc import _core
+from sbgc.emulator import Angles, Board
+from sbgc.errors import GimbalError, GimbalTimeout
+from sbgc.message import Message, wrap
+from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
+
+M = TypeVar("M", bound=Message)
+Path = Union[str, "os.PathLike[str]"]
+Bytes = Union[bytes, bytearray, memoryview]
+# Called with what is done, the total, and the next step.
+Progress = Callable[[int, int, str], object]
+# The board has reported the end, has accepted it and does not report the end, or not even that.
+CalibrationEnd = Literal["finished", "accepted"]
+
+# How long a camera that has to stop may take.
+STOP = 1.0
+
+
+@dataclass(frozen=True)
+class Move:
+    """The state of a move: measured angles, and degrees that remain."""
+
+    angles: Angles
+    remaining: Angles
+    is_close: bool
+    elapsed: float
+
+
+@dataclass(frozen=True)
+class Identity:
+    """What the board has said about itself."""
+
+    board: str
+    firmware: str
+    serial_number: str
+    info: BoardInfo
+    details: Optional[BoardInfo3]
+    """Only of boards that have serial numbers."""
+    firmware_problem: str  # "" unless the firmware is no real version, such as 0.00
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """The state of a calibration. `state` is what the board reports, if it can."""
+
+    has_started: bool
+    elapsed: float
+    state: Optional[CalibInfo]
+
+
+def move_of(found: _core.MoveState) -> Move:
+    angles, remaining, is_close, elapsed = found
+    return Move(Angles(*angles), Angles(*remaining), is_close, elapsed)
+
+
+def calibration_of(found: tuple[Any, ...]) -> Calibration:
+    has_started, elapsed, state = found
+    return Calibration(has_started, elapsed, None if state is None else _as(CalibInfo, state))
+
+
+def _as(type_: type[M], message: _core.AnyMessage) -> M:
+    found = wrap(message)
+    assert isinstance(found, type_)
+    return found
+
+
+def seconds_of(timeout: Optional[float]) -> float:
+    if timeout is None:
+        return float("inf")
+    require_numbers(timeout=timeout)
+    if not timeout >= 0:
+        raise ValueError(f"timeout: {timeout!r} is no number of seconds")
+    return timeout
+
+
+def require_numbers(**values: Optional[float]) -> None:
+    for name, value in values.items():
+        if value is not None and not isinstance(value, Real):
+            raise TypeError(f"{name}: a number is needed, not {value!r}")
+
+
+def name_of(message: type[Message]) -> str:
+    if not (isinstance(message, type) and issubclass(message, Message)):
+        raise TypeError(f"message: the class of a message is needed, not {message!r}")
+    return message.__name__
+
+
+def pairs_of(values: Mapping[str, float]) -> list[tuple[str, float]]:
+    if not isinstance(values, Mapping):
+        raise TypeError(f"values: a dict of names and numbers is needed, not {values!r}")
+    return list(values.items())
+
+
+def out_of_time(timeout: Optional[float]) -> GimbalTimeout:
+    return GimbalTimeout(f"it took more than {timeout:g} s", "timeout", 0)
+
+
+def no_sample(timeout: Optional[float]) -> TimeoutError:
+    return TimeoutError(f"no sample for {timeout:g} seconds")
+
+
+def target_of(place: Union[str, Board]) -> Union[str, _core.Emulation]:
+    if isinstance(place, Board):
+        return place._board
+    if not isinstance(place, str):
+        raise TypeError(f"place: an address or an emulated board is needed, not {place!r}")
+    return place
+
+
+class SpeedControl:
+    """Holds speeds as long as they are refreshed; stops the camera otherwise, and at the end."""
+
+    def __init__(self, held: _core.HeldSpeed) -> None:
+        self._held = held
+
+    def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
+        """Turn with these speeds in degrees per second. Axes without one hold still."""
+        require_numbers(roll=roll, pitch=pitch, yaw=yaw)
+        self._held.set(roll, pitch, yaw)
+
+    def refresh(self) -> None:
+        """Keep the speeds. Raises GimbalError if the camera has been stopped."""
+        self._held.refresh()
+
+    def stop(self) -> None:
+        """Stop the camera."""
+        self._held.stop()
+
+
+class Link:
+    """What the blocking and the asynchronous client have in common."""
+
+    def __init__(self) -> None:
+        self._link = _core.Link()
+        _open.add(self)
+
+    @property
+    def identity(self) -> Identity:
+        """What the board reported about itself on connecting."""
+        board, firmware, serial_number, info, details, problem = self._link.identity()
+        more = None if details is None else _as(BoardInfo3, details)
+        return Identity(board, firmware, serial_number, _as(BoardInfo, info), more, problem)
+
+    @property
+    def description(self) -> str:
+        """The line: "serial port /dev/ttyUSB0, 115200 8N1"."""
+        return self._link.description()
+
+    @property
+    def is_connected(self) -> bool:
+        """False while the line is lost; see the argument `reconnect` of connect()."""
+        return self._link.is_connected()
+
+    @property
+    def scripts(self) -> list[int]:
+        """The sizes of the scripts by slot, 0 for an empty slot; [] if the board does not tell."""
+        details = self.identity.details
+        if details is None:
+            return []
+        slots = [*details.script_slot_size_raw, *details.script_slot_6_to_10_size_raw]
+        return [int(size) for size in slots]
+
+    def _script(self, slot: int, mode: ScriptMode) -> _core.Operation[Optional[_core.AnyMessage]]:
+        if not isinstance(slot, int) or not 1 <= slot <= 255:
+            raise ValueError(f"slot: 1 to 255 are possible, not {slot!r}")
+        sizes = self.scripts
+        if mode == ScriptMode.START and sizes and (slot > len(sizes) or sizes[slot - 1] == 0):
+            raise GimbalError(f"there is no script in slot {slot}", "not_found", 0)
+        request = RunScript(mode=mode, slot=slot - 1)
+        return self._link.confirm(request._message)
+
+    def _rest_of_eeprom(self, address: int) -> Optional[int]:
+        """The number of bytes from the address to the end; None if the board does not tell it."""
+        details = self.identity.details
+        size = 0 if details is None else details.eeprom_size_raw
+        if size == 0:
+            return None
+        if not 0 <= address < size:
+            raise ValueError(f"address: {address} is not in the EEPROM, which has {size} bytes")
+        return size - address
+
+    def _wake(self) -> None:
+        """Let what waits ask again; a blocking client does so by itself."""
+
+    def close(self) -> None:
+        """Stop a camera that a call moves, end all calls, and close the line."""
+        self._link.close()
+
+
+_open: weakref.WeakSet[Link] = weakref.WeakSet()
+
+
+@atexit.register
+def _close_all() -> None:
+    for link in list(_open):
+        link.close()
