@@ -1,4 +1,5 @@
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -235,6 +236,20 @@ TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
     ASSERT_TRUE(control.wait());
   }
   EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+}
+
+TEST_F(SpeedControlTest, ClosingItTellsWhenTheCameraHasStopped) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  std::promise<Result<void>> stopped;
+  control.close([&](const Result<void>& result) { stopped.set_value(result); });
+  EXPECT_TRUE(stopped.get_future().get());
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  EXPECT_EQ(control.set({.yaw = msg::ControlSpeed(100)}).error().code, ErrorCode::cancelled);
+  bool is_told = false;
+  control.close([&](const Result<void>& result) { is_told = bool(result); });
+  EXPECT_TRUE(is_told) << "at once";
 }
 
 TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {

@@ -164,6 +164,7 @@ Result<void> SpeedControl::renew() {
   if (connection_ == *connected) return {};
   auto renewed = make_worker_(**connected);
   const std::scoped_lock lock(mutex_);
+  if (is_closed_) return ClientError{ErrorCode::cancelled, "the speed control is closed"};
   connection_ = *std::move(connected);
   worker_.swap(renewed);
   return {};
@@ -187,6 +188,10 @@ Result<void> SpeedControl::stop() {
 }
 
 void SpeedControl::close(std::function<void(const Result<void>&)> done) {
+  {
+    const std::scoped_lock lock(mutex_);
+    is_closed_ = true;
+  }
   if (const auto current = worker()) return current->close(std::move(done));
   done({});
 }

@@ -116,6 +116,7 @@ class SpeedControl {
   mutable std::mutex mutex_;
   ConnectionPointer connection_;  // that of the worker
   std::shared_ptr<Worker> worker_;
+  bool is_closed_ = false;
 };
 
 }  // namespace sbgc
