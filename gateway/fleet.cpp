@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/detail/characters.hpp>
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/realtime.hpp>
 

@@ -53,7 +53,8 @@ def areas() -> list[tuple[list[str], float]]:
         (
             _files(
                 *(f"runtime/tasks/src/{name}" for name in parameters),
-                *(f"runtime/client/src/{name}.cpp" for name in ("backup", "atomic_file")),
+                "runtime/client/src/backup.cpp",
+                "runtime/io/src/atomic_file.cpp",
             ),
             0.15,
         ),

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"

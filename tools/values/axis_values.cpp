@@ -8,8 +8,8 @@
 
 #include <sbgc/axis_directions.hpp>
 #include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
 
 #include "command/command_error.hpp"
 #include "values/search_words.hpp"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
 
 #include "command/wording.hpp"
 #include "values/field_lookup.hpp"

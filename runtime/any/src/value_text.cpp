@@ -6,8 +6,8 @@
 
 #include <sbgc/detail/parse_number.hpp>
 #include <sbgc/detail/parse_real.hpp>
-#include <sbgc/detail/suggestions.hpp>
 #include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>
