@@ -6,7 +6,7 @@
 #include <asio/ip/address.hpp>
 #include <fmt/format.h>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/internal/suggestions.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/realtime.hpp>

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/internal/own_json.hpp>
 #include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/io/internal/own_file.hpp>

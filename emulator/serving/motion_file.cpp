@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/parse_number.hpp>
 #include <sbgc/io/internal/own_file.hpp>
 
 namespace sbgc::serving {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/io/internal/own_file.hpp>
 #include <sbgc/parse_json.hpp>

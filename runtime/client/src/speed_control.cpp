@@ -10,7 +10,7 @@
 #include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 #include "connect.hpp"
 #include "driving/asio_driver.hpp"

@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sbgc/io/detail/descriptor.hpp>
 #include <sbgc/io/internal/atomic_file.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 namespace sbgc::detail {
 

@@ -1,4 +1,4 @@
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/io/internal/own_file.hpp>
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/backup_tasks.hpp>
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/internal/own_json.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/system.hpp>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/internal/own_json.hpp>
 #include <sbgc/io/internal/own_file.hpp>
 

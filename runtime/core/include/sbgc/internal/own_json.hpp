@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/parse_json.hpp>
 #include <sbgc/result.hpp>
 #include <sbgc/text/values.hpp>

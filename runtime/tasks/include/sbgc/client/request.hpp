@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <sbgc/detail/message_type.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/message_type.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/result.hpp>
