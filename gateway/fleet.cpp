@@ -6,8 +6,8 @@
 #include <asio/ip/address.hpp>
 #include <fmt/format.h>
 
-#include <sbgc/detail/characters.hpp>
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/characters.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/realtime.hpp>
 

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sbgc/client/own_file.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 #include "board/password.hpp"
 #include "command/command_error.hpp"

@@ -17,7 +17,7 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/client/async_client.hpp>
-#include <sbgc/client/error.hpp>
+#include <sbgc/error.hpp>
 
 #include "gateway/fleet.hpp"
 

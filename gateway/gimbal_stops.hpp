@@ -10,7 +10,7 @@
 #include <asio/steady_timer.hpp>
 
 #include <sbgc/any.hpp>
-#include <sbgc/client/result.hpp>
+#include <sbgc/result.hpp>
 
 #include "gateway/gimbal.hpp"
 #include "move/owed_stop.hpp"

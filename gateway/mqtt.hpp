@@ -13,7 +13,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 #include "gateway/fleet.hpp"
 #include "gateway/tls.hpp"

@@ -8,7 +8,7 @@
 
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/profiles.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "values/field_lookup.hpp"
 

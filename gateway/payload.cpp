@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/parse_json.hpp>
 
 #include "command/wording.hpp"

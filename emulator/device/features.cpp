@@ -1,6 +1,6 @@
 #include "device/features.hpp"
 
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/meta/system.hpp>
 

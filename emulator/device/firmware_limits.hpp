@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include <sbgc/availability.hpp>
-#include <sbgc/detail/walk.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/meta/all.hpp>
 
 namespace sbgc::emulator {

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board_options.hpp>
+#include <sbgc/internal/parse_number.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 

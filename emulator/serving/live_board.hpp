@@ -12,7 +12,7 @@
 #include <asio/any_io_executor.hpp>
 
 #include <sbgc/emulator/emulator.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 #include "hosts/host_ports.hpp"
 

@@ -13,9 +13,10 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
-#include <sbgc/client/own_file.hpp>
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
+#include <sbgc/internal/own_json.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/parameters.hpp>

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/emulator/board_options.hpp>
 #include <sbgc/emulator/memory.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::serving {
 

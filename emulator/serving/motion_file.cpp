@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/own_file.hpp>
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 namespace sbgc::serving {
 

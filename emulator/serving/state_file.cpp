@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 
 namespace sbgc::serving {
 

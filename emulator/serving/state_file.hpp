@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 #include "serving/memory_file.hpp"
 

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/wire.hpp>
 

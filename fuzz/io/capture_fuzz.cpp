@@ -30,7 +30,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/replay.hpp>
 #include <sbgc/parser.hpp>

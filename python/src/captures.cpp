@@ -12,7 +12,7 @@
 #include <pybind11/stl.h>
 
 #include <sbgc/io/capture.hpp>
-#include <sbgc/io/detail/arrival_times.hpp>
+#include <sbgc/io/internal/arrival_times.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parser.hpp>

@@ -13,7 +13,7 @@
 #include <asio/post.hpp>
 
 #include <sbgc/client/own_transport.hpp>
-#include <sbgc/io/detail/virtual_time.hpp>
+#include <sbgc/io/internal/virtual_time.hpp>
 #include <sbgc/io/memory.hpp>
 
 #include "hosts/host.hpp"

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include <sbgc/io/detail/virtual_time.hpp>
+#include <sbgc/io/internal/virtual_time.hpp>
 
 #include "binding.hpp"
 

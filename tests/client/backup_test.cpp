@@ -13,8 +13,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/parameters.hpp>
 #include <sbgc/meta/system.hpp>

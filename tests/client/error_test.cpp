@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/client/error.hpp>
+#include <sbgc/error.hpp>
 #include <sbgc/io/error.hpp>
 #include <sbgc/ostream.hpp>
 

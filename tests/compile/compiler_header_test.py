@@ -1,4 +1,4 @@
-"""What is peculiar to a compiler or processor is in one header, sbgc/detail/compiler.hpp."""
+"""What is peculiar to a compiler or processor is in one header, sbgc/internal/compiler.hpp."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from compiler import ROOT
 
-HEADER = "runtime/core/include/sbgc/detail/compiler.hpp"
+HEADER = "runtime/core/include/sbgc/internal/compiler.hpp"
 PECULIAR = re.compile(
     r"__builtin|__attribute__|__restrict|\b(?:gnu|clang|msvc)::"
     r"|__(?:GNUC|clang|SSE|x86_64|arm|aarch64|BYTE_ORDER)|_MSC_VER|_WIN32|#pragma (?!once)"

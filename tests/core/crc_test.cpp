@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/crc.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc::test {
 namespace {

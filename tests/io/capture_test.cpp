@@ -19,7 +19,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/wire.hpp>
 

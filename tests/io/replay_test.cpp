@@ -9,7 +9,7 @@
 #include <asio/io_context.hpp>
 #include <gmock/gmock.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/io/replay.hpp>
 #include <sbgc/wire.hpp>
 

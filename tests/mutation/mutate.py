@@ -53,7 +53,8 @@ def areas() -> list[tuple[list[str], float]]:
         (
             _files(
                 *(f"runtime/tasks/src/{name}" for name in parameters),
-                *(f"runtime/client/src/{name}.cpp" for name in ("backup", "atomic_file")),
+                "runtime/client/src/backup.cpp",
+                "runtime/io/src/atomic_file.cpp",
             ),
             0.15,
         ),
@@ -99,7 +100,8 @@ def compile_flags() -> list[str]:
     folders += [
         f"runtime/{layer}/include" for layer in ("core", "session", "any", "tasks", "io", "client")
     ]
-    folders += ["runtime/tasks/src", "runtime/client/src", "runtime/io", "runtime/io/src"]
+    folders += ["runtime/tasks/internal", "runtime/tasks/src"]
+    folders += ["runtime/client/src", "runtime/io", "runtime/io/src"]
     definitions = ["ASIO_STANDALONE", "ASIO_NO_DEPRECATED", "FMT_HEADER_ONLY"]
     return [f"-I{ROOT / folder}" for folder in folders] + [f"-D{name}" for name in definitions]
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/own_file.hpp>
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 #include "command/command_error.hpp"
 

@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/own_file.hpp>
+#include <sbgc/internal/own_json.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 namespace sbgc::tools {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 
 #include "board/connection.hpp"
 #include "command/command_error.hpp"

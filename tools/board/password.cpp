@@ -14,7 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 #include <sbgc/messages/system.hpp>
 
 #include "command/background_output.hpp"

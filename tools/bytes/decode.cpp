@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/text/values.hpp>

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>

@@ -23,8 +23,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/observer.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>

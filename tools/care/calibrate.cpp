@@ -9,8 +9,8 @@
 
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/calibrations.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"

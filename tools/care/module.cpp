@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/modules.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/transport.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/modules.hpp>

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "command/background_output.hpp"
 #include "command/colors.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 namespace sbgc::tools {
 

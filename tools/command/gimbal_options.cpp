@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/io/open.hpp>
 
 #include "command/duration.hpp"

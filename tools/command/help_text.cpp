@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/parse_number.hpp>
 
 #include "command/command_line_facts.hpp"
 #include "command/gimbal_options.hpp"

@@ -3,7 +3,7 @@
 
 #include <sys/types.h>
 
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 namespace sbgc::tools {
 

@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "command/command_error.hpp"
 #include "command/command_line_facts.hpp"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 
 namespace sbgc::tools {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 namespace sbgc::tools {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <sbgc/io/capture.hpp>
-#include <sbgc/io/detail/arrival_times.hpp>
+#include <sbgc/io/internal/arrival_times.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 

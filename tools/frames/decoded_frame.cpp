@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/explain.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>
 #include <sbgc/text.hpp>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/parse_json.hpp>
 #include <sbgc/validate.hpp>
 

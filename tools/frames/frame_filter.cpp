@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/value_text.hpp>
 

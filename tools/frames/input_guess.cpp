@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/parser.hpp>
 
 #include "frames/pasted_text.hpp"

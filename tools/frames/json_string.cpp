@@ -1,6 +1,6 @@
 #include "frames/json_string.hpp"
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/json/text_sink.hpp>
 
 namespace sbgc::tools {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/words.hpp>
 #include <sbgc/framing.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "frames/hex_text.hpp"
 #include "frames/text_scan.hpp"

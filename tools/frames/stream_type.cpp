@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>

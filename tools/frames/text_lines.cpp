@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "frames/text_scan.hpp"
 

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/reference.hpp>
 #include <sbgc/text.hpp>

@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/bode.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/meta/calibration.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/validate.hpp>

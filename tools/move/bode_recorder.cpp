@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/motion.hpp>
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/parse_number.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
 

@@ -4,7 +4,7 @@
 #include <sys/types.h>
 
 #include <sbgc/client/parameters.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 namespace sbgc::tools {
 

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>

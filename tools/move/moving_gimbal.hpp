@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <sbgc/client/client.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 #include "board/connection.hpp"
 #include "command/interruption.hpp"

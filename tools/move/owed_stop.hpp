@@ -7,7 +7,7 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/client/motion.hpp>
-#include <sbgc/client/result.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::tools {
 

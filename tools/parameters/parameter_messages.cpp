@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/text.hpp>

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
-#include <sbgc/client/own_file.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 #include <sbgc/parse_json.hpp>
 
 #include "board/connection.hpp"

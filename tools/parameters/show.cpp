@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/profiles.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 

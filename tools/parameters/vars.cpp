@@ -9,8 +9,8 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/variables.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <sbgc/client/board_identity.hpp>
-#include <sbgc/client/result.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::tools {
 

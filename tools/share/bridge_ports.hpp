@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/client/error.hpp>
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/error.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <sbgc/client/atomic_file.hpp>
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/version.hpp>
 
 #include "command/command_line_facts.hpp"

@@ -10,7 +10,7 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 #include "hosts/endpoint.hpp"
 #include "move/guard.hpp"

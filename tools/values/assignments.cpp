@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/suggestions.hpp>
+#include <sbgc/internal/suggestions.hpp>
 
 #include "command/command_error.hpp"
 #include "command/duration.hpp"

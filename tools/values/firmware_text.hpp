@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/detail/parse_number.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/internal/parse_number.hpp>
 
 namespace sbgc::tools {
 

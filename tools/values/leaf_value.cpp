@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/json/values.hpp>
 
 namespace sbgc::tools {

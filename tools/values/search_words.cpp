@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 
 namespace sbgc::tools {
 

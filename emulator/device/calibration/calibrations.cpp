@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <sbgc/detail/find_by.hpp>
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/find_by.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/meta/calibration.hpp>
 #include <sbgc/meta/parameters.hpp>
 

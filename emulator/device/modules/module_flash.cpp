@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 
 namespace sbgc::emulator {
 

@@ -1,6 +1,6 @@
 #include "device/parameters/gimbal_tuning.hpp"
 
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 
 namespace sbgc::emulator {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/meta/parameters.hpp>
 
 #include "device/control/menu.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/meta/storage.hpp>
 
 namespace sbgc::emulator {

@@ -1,7 +1,7 @@
 #include "device/storage/eeprom_records.hpp"
 
-#include <sbgc/detail/crc32.hpp>
 #include <sbgc/framing.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/wire.hpp>
 
 namespace sbgc::emulator {

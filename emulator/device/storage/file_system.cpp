@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <sbgc/detail/crc32.hpp>
-#include <sbgc/detail/find_by.hpp>
+#include <sbgc/internal/crc32.hpp>
+#include <sbgc/internal/find_by.hpp>
 #include <sbgc/units.hpp>
 #include <sbgc/wire.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "device/handlers.hpp"
 
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/meta/realtime.hpp>
 #include <sbgc/roles.hpp>
 

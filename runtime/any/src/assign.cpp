@@ -2,8 +2,8 @@
 #include <string>
 
 #include <sbgc/any.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/text.hpp>
 
 #include "field_setter.hpp"

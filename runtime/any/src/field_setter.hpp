@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include <sbgc/detail/compiler.hpp>
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/walk.hpp>
+#include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/value_text.hpp>
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/detail/scalar_info.hpp>
-#include <sbgc/detail/walk.hpp>
 #include <sbgc/field_type.hpp>
+#include <sbgc/internal/scalar_info.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/wire_size.hpp>
 

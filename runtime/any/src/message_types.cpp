@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include <sbgc/any.hpp>
-#include <sbgc/detail/check.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/check.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>

@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/parse_real.hpp>
-#include <sbgc/detail/suggestions.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/parse_real.hpp>
+#include <sbgc/internal/suggestions.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>

@@ -9,7 +9,7 @@
 
 #include <asio/strand.hpp>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/line.hpp>

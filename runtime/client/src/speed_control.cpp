@@ -12,7 +12,7 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/clock.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 #include "connection.hpp"
 #include "driving/asio_driver.hpp"

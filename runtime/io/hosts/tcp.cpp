@@ -10,7 +10,7 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-#include <sbgc/io/detail/stream_transport.hpp>
+#include <sbgc/io/internal/stream_transport.hpp>
 
 #include "hosts/fewer_reports.hpp"
 #include "hosts/host.hpp"

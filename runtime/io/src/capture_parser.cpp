@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/wire.hpp>
 

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/pcapng.hpp>
 #include <sbgc/wire.hpp>

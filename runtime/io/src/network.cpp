@@ -14,9 +14,9 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include <sbgc/detail/compiler.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
-#include <sbgc/io/detail/stream_transport.hpp>
+#include <sbgc/internal/compiler.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
+#include <sbgc/io/internal/stream_transport.hpp>
 #include <sbgc/io/network.hpp>
 
 namespace sbgc::io {

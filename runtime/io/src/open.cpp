@@ -8,9 +8,9 @@
 
 #include <sys/stat.h>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/words.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/words.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 #include <sbgc/io/network.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>

@@ -7,8 +7,8 @@
 #include <asio/posix/stream_descriptor.hpp>
 #include <fcntl.h>
 
-#include <sbgc/io/detail/descriptor.hpp>
-#include <sbgc/io/detail/stream_transport.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
+#include <sbgc/io/internal/stream_transport.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 
 #include "termios.hpp"

@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 
 #include <sbgc/io/capture.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 #include <sbgc/io/replay.hpp>
 
 namespace sbgc::io {

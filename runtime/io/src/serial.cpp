@@ -15,8 +15,8 @@
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
-#include <sbgc/io/detail/descriptor.hpp>
-#include <sbgc/io/detail/stream_transport.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
+#include <sbgc/io/internal/stream_transport.hpp>
 #include <sbgc/io/ports.hpp>
 #include <sbgc/io/serial.hpp>
 

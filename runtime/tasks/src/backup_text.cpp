@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/backup_tasks.hpp>
-#include <sbgc/client/own_json.hpp>
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
+#include <sbgc/internal/own_json.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/system.hpp>
 #include <sbgc/parse_json.hpp>

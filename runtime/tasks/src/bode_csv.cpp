@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/bode.hpp>
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/parse_real.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/parse_real.hpp>
 
 namespace sbgc {
 namespace {

@@ -5,7 +5,7 @@
 #include <sbgc/any.hpp>
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/calibrations.hpp>
-#include <sbgc/detail/find_by.hpp>
+#include <sbgc/internal/find_by.hpp>
 #include <sbgc/meta/calibration.hpp>
 
 namespace sbgc {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/parameters.hpp>
-#include <sbgc/detail/find_by.hpp>
+#include <sbgc/internal/find_by.hpp>
 
 #include "parameters_kind.hpp"
 

@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/wire.hpp>
 
 #include "memory_bytes.hpp"

@@ -14,6 +14,7 @@ INCLUDES = [ROOT / "emulator", ROOT / "emulator/include", ROOT / "tools"]
 INCLUDES += [
     *ROOT.glob("runtime/*/include"),
     ROOT / "runtime/client/src",
+    ROOT / "runtime/tasks/internal",
     ROOT / "runtime/tasks/src",
 ]
 # A value that no enum has.

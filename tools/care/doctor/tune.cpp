@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include <sbgc/client/parameters.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/own_file.hpp>
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
+#include <sbgc/internal/own_json.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 #include "command/command_error.hpp"
 

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/analysis/spectrum.hpp>
-#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"

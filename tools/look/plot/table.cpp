@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/detail/parse_number.hpp>
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/words.hpp>
 
 #include "command/command_error.hpp"
 #include "command/wording.hpp"

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/codec.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/response.hpp>

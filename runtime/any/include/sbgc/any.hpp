@@ -20,11 +20,11 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/detail/message_type.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/field_type.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/from_json.hpp>
+#include <sbgc/internal/message_type.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/surplus.hpp>
 #include <sbgc/text/leaves.hpp>

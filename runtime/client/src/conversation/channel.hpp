@@ -15,7 +15,7 @@
 #include <asio/strand.hpp>
 
 #include <sbgc/frame.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 #include <sbgc/io/transport.hpp>
 #include <sbgc/time.hpp>
 

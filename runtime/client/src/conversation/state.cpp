@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <sbgc/detail/words.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/io/clock.hpp>
 
 #include "introduction.hpp"

@@ -16,7 +16,7 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/detector.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 #include <sbgc/io/transport.hpp>
 
 #include "calls/polls.hpp"

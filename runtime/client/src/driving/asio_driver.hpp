@@ -7,7 +7,7 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/strand.hpp>
 
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 #include "driving/task_driver.hpp"
 

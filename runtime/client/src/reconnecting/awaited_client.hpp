@@ -11,7 +11,7 @@
 #include <asio/strand.hpp>
 
 #include <sbgc/client/link.hpp>
-#include <sbgc/io/detail/timer.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 namespace sbgc::detail {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

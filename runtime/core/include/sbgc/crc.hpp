@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/crc_fold.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {

@@ -4,7 +4,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

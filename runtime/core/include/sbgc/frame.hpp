@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/framing.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/status.hpp>
 
 namespace sbgc {

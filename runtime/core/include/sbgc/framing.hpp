@@ -11,7 +11,7 @@
 
 #include <sbgc/checksum.hpp>
 #include <sbgc/crc.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/protocol.hpp>
 
 namespace sbgc {

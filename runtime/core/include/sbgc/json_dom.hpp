@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json/reader.hpp>
 #include <sbgc/json/writer.hpp>

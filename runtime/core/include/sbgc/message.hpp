@@ -9,10 +9,10 @@
 
 #include <sbgc/checksum.hpp>
 #include <sbgc/codec.hpp>
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/layout.hpp>
 #include <sbgc/detail/value_sum.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

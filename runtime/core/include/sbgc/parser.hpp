@@ -6,9 +6,9 @@
 #include <span>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/framing.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

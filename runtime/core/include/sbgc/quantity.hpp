@@ -7,8 +7,8 @@
 #include <limits>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/exponential.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/types.hpp>
 
 namespace sbgc {

@@ -6,7 +6,7 @@
 #include <span>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/parser.hpp>
 
 namespace sbgc {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/digits.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-#include <sbgc/detail/check.hpp>
+#include <sbgc/internal/check.hpp>
 #include <sbgc/violation.hpp>
 
 namespace sbgc {

@@ -5,9 +5,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/visitor.hpp>
 
 namespace sbgc {

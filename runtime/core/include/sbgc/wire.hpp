@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc::wire {
 

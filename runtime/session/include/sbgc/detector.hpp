@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/line_facts.hpp>
 #include <sbgc/parser.hpp>

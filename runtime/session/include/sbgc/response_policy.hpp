@@ -9,8 +9,8 @@
 #include <span>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

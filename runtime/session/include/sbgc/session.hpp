@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc {
 

@@ -1,4 +1,4 @@
-#include "pending_calls.hpp"
+#include "calls/pending_calls.hpp"
 
 #include <algorithm>
 #include <atomic>

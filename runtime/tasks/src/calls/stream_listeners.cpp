@@ -1,4 +1,4 @@
-#include "stream_listeners.hpp"
+#include "calls/stream_listeners.hpp"
 
 namespace sbgc::detail {
 

@@ -1,4 +1,4 @@
-#include "delivery.hpp"
+#include "conversation/delivery.hpp"
 
 #include <utility>
 

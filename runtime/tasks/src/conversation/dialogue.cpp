@@ -1,4 +1,4 @@
-#include "dialogue.hpp"
+#include "conversation/dialogue.hpp"
 
 #include <algorithm>
 #include <memory>

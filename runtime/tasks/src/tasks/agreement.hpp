@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::detail {
 

@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/messages/control.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::detail {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/memory.hpp>
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/meta/storage.hpp>
 
 #include "tasks/agreement.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/modules.hpp>
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 #include <sbgc/text.hpp>
 
 #include "tasks/tools.hpp"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/variables.hpp>
-#include <sbgc/detail/find_by.hpp>
-#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/internal/find_by.hpp>
+#include <sbgc/internal/meta_limits.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>

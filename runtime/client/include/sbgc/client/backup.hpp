@@ -2,23 +2,17 @@
 /// <sbgc/client/backup_tasks.hpp> describes.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include <sbgc/client/backup_tasks.hpp>
-#include <sbgc/client/result.hpp>
+#include <sbgc/io/existing.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc {
 
 /// Returns the current time of the host in the format of Backup::created.
 std::string utc_now();
-
-/// What to do if the file already exists.
-enum class Existing : std::uint8_t {
-  keep,     ///< fail with ErrorCode::invalid
-  replace,  ///< replace it atomically
-};
 
 /// Writes a backup file atomically: at any moment, and after any failure, the path holds either
 /// what it held before or the complete new file. The file is flushed to disk on return.

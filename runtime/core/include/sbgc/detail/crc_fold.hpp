@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/checksum.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 #if SBGC_HAS_CARRYLESS_MULTIPLICATION
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 
 namespace sbgc::detail {
 

@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/layout.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/wire_size.hpp>
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <sbgc/detail/walk.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/meta/variables.hpp>
 
 namespace sbgc::detail {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/parse_number.hpp>
 
 namespace sbgc::detail {
 

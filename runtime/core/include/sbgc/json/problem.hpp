@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include <sbgc/detail/characters.hpp>
+#include <sbgc/internal/characters.hpp>
 
 namespace sbgc {
 

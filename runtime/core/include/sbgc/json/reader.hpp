@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/compiler.hpp>
-#include <sbgc/detail/walk.hpp>
 #include <sbgc/field_path.hpp>
+#include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <version>
 
-#include <sbgc/detail/characters.hpp>
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/characters.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/text_output.hpp>
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include <sbgc/detail/parse_real.hpp>
+#include <sbgc/internal/parse_real.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>

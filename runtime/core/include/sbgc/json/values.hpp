@@ -11,8 +11,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include <sbgc/detail/characters.hpp>
-#include <sbgc/detail/parse_number.hpp>
+#include <sbgc/internal/characters.hpp>
+#include <sbgc/internal/parse_number.hpp>
 
 namespace sbgc::detail {
 

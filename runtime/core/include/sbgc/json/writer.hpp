@@ -11,7 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <sbgc/detail/walk.hpp>
+#include <sbgc/internal/walk.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/number.hpp>

@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <vector>
 
-#include <sbgc/detail/scalar_info.hpp>
 #include <sbgc/detail/walk_members.hpp>
 #include <sbgc/field_path.hpp>
+#include <sbgc/internal/scalar_info.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/text/values.hpp>
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/detail/characters.hpp>
 #include <sbgc/detail/part.hpp>
+#include <sbgc/internal/characters.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>

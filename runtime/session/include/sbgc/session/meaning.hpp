@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/session/event.hpp>

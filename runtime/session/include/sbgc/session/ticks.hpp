@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <sbgc/detail/compiler.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::detail {

@@ -34,8 +34,8 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/progress.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc {
 

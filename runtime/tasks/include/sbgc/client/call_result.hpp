@@ -6,10 +6,10 @@
 #include <type_traits>
 #include <variant>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/response.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/type_list.hpp>
 
 namespace sbgc {

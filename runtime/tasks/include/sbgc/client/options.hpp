@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include <sbgc/client/error.hpp>
+#include <sbgc/error.hpp>
 #include <sbgc/frame.hpp>
 
 namespace sbgc {

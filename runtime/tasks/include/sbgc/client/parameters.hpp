@@ -35,9 +35,9 @@
 #include <vector>
 
 #include <sbgc/client/progress.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/parameters.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc {
 

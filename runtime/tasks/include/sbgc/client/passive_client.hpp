@@ -29,9 +29,9 @@
 #include <sbgc/client/notice.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/raw_request.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/subscription.hpp>
 #include <sbgc/client/task.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc {

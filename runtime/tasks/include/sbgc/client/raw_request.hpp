@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/response_policy.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/session/event.hpp>
 
 namespace sbgc {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <sbgc/codec.hpp>
-#include <sbgc/detail/message_type.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/message_type.hpp>
 
 namespace sbgc {
 

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include <sbgc/client/result.hpp>
-#include <sbgc/detail/message_type.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/message_type.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/response_policy.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc {
 

@@ -34,8 +34,8 @@
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/request.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/typed.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc {

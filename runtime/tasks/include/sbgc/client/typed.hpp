@@ -13,8 +13,8 @@
 #include <sbgc/client/call_result.hpp>
 #include <sbgc/client/message_key.hpp>
 #include <sbgc/client/reply.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc::detail {

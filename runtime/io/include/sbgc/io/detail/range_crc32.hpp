@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <sbgc/detail/crc32.hpp>
+#include <sbgc/internal/crc32.hpp>
 
 namespace sbgc::io::detail {
 

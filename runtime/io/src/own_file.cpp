@@ -1,7 +1,6 @@
-#include <fmt/format.h>
-
-#include <sbgc/client/atomic_file.hpp>
-#include <sbgc/client/own_file.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
+#include <sbgc/io/internal/own_file.hpp>
 
 namespace sbgc::detail {
 
@@ -9,12 +8,12 @@ Result<std::string> read_text_file(const std::filesystem::path& file, std::size_
   Result<std::string> text = read_whole_file(file, most);
   const std::string_view kind = text ? foreign_kind(*text) : "";
   if (!kind.empty()) {
-    return ClientError{ErrorCode::bad_file, fmt::format("{}: this is {}", file.string(), kind)};
+    return ClientError{ErrorCode::bad_file, file.string() + ": this is " + std::string(kind)};
   }
   if (!text) return text;
   if (text->find('\0') != std::string::npos) {
     return ClientError{ErrorCode::bad_file,
-                       fmt::format("{} has NUL bytes: it is no text in UTF-8", file.string())};
+                       file.string() + " has NUL bytes: it is no text in UTF-8"};
   }
   if (text->starts_with("\xEF\xBB\xBF")) text->erase(0, 3);
   for (std::size_t at = 0; (at = text->find("\r\n", at)) != std::string::npos;) text->erase(at, 1);

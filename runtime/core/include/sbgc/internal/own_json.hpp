@@ -1,18 +1,23 @@
+/// JSON of this project.
+#pragma once
+
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include <sbgc/client/own_json.hpp>
-#include <sbgc/detail/foreign_kind.hpp>
+#include <sbgc/internal/foreign_kind.hpp>
 #include <sbgc/parse_json.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/text/values.hpp>
 
 namespace sbgc::detail {
 
-Result<Json> parse_own_json(std::string_view text, const char* format, const char* what) {
+/// Parses a JSON object with the `format`. Fails with ErrorCode::bad_file if it is anything else
+/// than `what`, such as "an sbgc backup".
+inline Result<Json> parse_own_json(std::string_view text, const char* format, const char* what) {
   const auto refused = [&](std::string_view kind) {
-    return ClientError{ErrorCode::bad_file, fmt::format("this is {}, not {}", kind, what)};
+    return ClientError{ErrorCode::bad_file, "this is " + std::string(kind) + ", not " + what};
   };
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (const std::string_view kind = foreign_kind(text); !kind.empty()) return refused(kind);
@@ -26,7 +31,7 @@ Result<Json> parse_own_json(std::string_view text, const char* format, const cha
   const auto& name = said->get_ref<const std::string&>();
   constexpr std::size_t longest = 32;  // that an error quotes
   if (name != format)
-    return refused(fmt::format("JSON of the format {}", detail::quoted(name.substr(0, longest))));
+    return refused("JSON of the format " + detail::quoted(name.substr(0, longest)));
   return std::move(document.value);
 }
 

@@ -13,9 +13,9 @@
 
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/progress.hpp>
-#include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::detail {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/kind.hpp>
 #include <sbgc/field_path.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/meta.hpp>
 
 namespace sbgc::detail {

@@ -1,15 +1,17 @@
+/// Suggestions for mistyped words.
+#pragma once
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-
-#include <sbgc/detail/suggestions.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace sbgc::detail {
 
-namespace {
-
 /// The number of letters to insert, remove, replace or swap with the next one.
-std::size_t distance(std::string_view a, std::string_view b) {
+inline std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
@@ -28,13 +30,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
-std::string_view without_dashes(std::string_view word) {
+inline std::string_view without_dashes(std::string_view word) {
   return word.substr(std::min(word.find_first_not_of('-'), word.size()));
 }
 
-}  // namespace
-
-std::vector<std::string> nearest(std::string_view word, const std::vector<std::string>& known) {
+/// Returns the words of `known` that are nearest to `word`, if any is near: it begins with the
+/// word, or few letters differ. Ignores leading dashes.
+inline std::vector<std::string> nearest(std::string_view word,
+                                        const std::vector<std::string>& known) {
   word = without_dashes(word);
   constexpr std::size_t longest = 64;
   if (word.empty() || word.size() > longest) return {};
@@ -54,7 +57,9 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
   return result;
 }
 
-std::string alternatives(const std::vector<std::string>& words, bool quoted, const char* last) {
+/// Joins words to "a", "a or b", "a, b or c", optionally quoted; `last` is the conjunction.
+inline std::string alternatives(const std::vector<std::string>& words, bool quoted,
+                                const char* last = "or") {
   std::string result;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i != 0) result += i + 1 == words.size() ? std::string(" ") + last + " " : ", ";
@@ -63,7 +68,10 @@ std::string alternatives(const std::vector<std::string>& words, bool quoted, con
   return result;
 }
 
-std::string did_you_mean(const std::vector<std::string>& words, const std::string& otherwise) {
+/// Returns "; did you mean 'a' or 'b'?". Without words, returns "; " and `otherwise`, or "" if that
+/// is empty too.
+inline std::string did_you_mean(const std::vector<std::string>& words,
+                                const std::string& otherwise = "") {
   if (!words.empty()) return "; did you mean " + alternatives(words, true) + "?";
   return otherwise.empty() ? "" : "; " + otherwise;
 }

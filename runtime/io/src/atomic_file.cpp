@@ -6,13 +6,12 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sbgc/client/atomic_file.hpp>
-#include <sbgc/io/detail/descriptor.hpp>
+#include <sbgc/io/internal/atomic_file.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 
 namespace sbgc::detail {
 
@@ -29,7 +28,7 @@ namespace {
 ClientError io_error(const std::string& what, const std::filesystem::path& file, int number) {
   const std::string reason = std::generic_category().message(number);
   const ErrorCode code = number == ENOENT ? ErrorCode::not_found : ErrorCode::io;
-  return {code, fmt::format("{} {}: {}", what, file.string(), reason), number};
+  return {code, what + " " + file.string() + ": " + reason, number};
 }
 
 using io::detail::Descriptor;
@@ -58,7 +57,7 @@ constexpr std::string_view ending = ".sbgc-tmp";
 std::filesystem::path name_beside(const std::filesystem::path& file) {
   static std::atomic<unsigned> number{0};
   std::filesystem::path result = file;
-  result += fmt::format(".{}-{}{}", ::getpid(), number++, ending);
+  result += "." + std::to_string(::getpid()) + "-" + std::to_string(number++) + std::string(ending);
   return result;
 }
 
@@ -159,7 +158,7 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   if (!is_present && errno == ELOOP) return io_error("cannot write", name, ELOOP);
   if (is_present && !S_ISREG(present.st_mode)) {
     // A device, a named pipe or a folder must not become a file.
-    return ClientError{ErrorCode::invalid, fmt::format("{} is not a regular file", file.string())};
+    return ClientError{ErrorCode::invalid, file.string() + " is not a regular file"};
   }
   remove_leftovers(folder_of(file));
   std::filesystem::path path;
@@ -177,7 +176,7 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0
                                                                 : errno;
   if (error == EEXIST) {
-    return ClientError{ErrorCode::invalid, fmt::format("{} already exists", file.string())};
+    return ClientError{ErrorCode::invalid, file.string() + " already exists"};
   }
   if (error != 0) return io_error("cannot write", file, error);
   return sync_folder(folder_of(file));
@@ -202,7 +201,7 @@ Result<std::string> read_whole_file(const std::filesystem::path& file, std::size
   struct stat about {};
   if (::fstat(opened.get(), &about) != 0) return io_error("cannot read", file, errno);
   if (!S_ISREG(about.st_mode)) {
-    return ClientError{ErrorCode::bad_file, fmt::format("{} is not a regular file", file.string())};
+    return ClientError{ErrorCode::bad_file, file.string() + " is not a regular file"};
   }
   std::string content;
   std::array<char, 65536> block{};
@@ -214,7 +213,7 @@ Result<std::string> read_whole_file(const std::filesystem::path& file, std::size
     content.append(block.data(), static_cast<std::size_t>(size));
     if (content.size() > most) {
       return ClientError{ErrorCode::bad_file,
-                         fmt::format("{} has more than {} bytes", file.string(), most)};
+                         file.string() + " has more than " + std::to_string(most) + " bytes"};
     }
   }
 }

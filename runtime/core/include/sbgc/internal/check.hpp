@@ -7,9 +7,9 @@
 #include <limits>
 #include <type_traits>
 
-#include <sbgc/detail/compiler.hpp>
 #include <sbgc/detail/named_values.hpp>
 #include <sbgc/detail/walk_members.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/violation.hpp>
 
 namespace sbgc::detail {

@@ -8,7 +8,7 @@
 #include <asio/steady_timer.hpp>
 
 #include <sbgc/io/clock.hpp>
-#include <sbgc/io/detail/virtual_time.hpp>
+#include <sbgc/io/internal/virtual_time.hpp>
 
 namespace sbgc::io::detail {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages/system.hpp>
+#include <sbgc/result.hpp>
 
 namespace sbgc::detail {
 
