@@ -60,7 +60,7 @@ TEST_F(VirtualTime, TheSameMoveTwiceTakesTheSameTime) {
 }
 
 TEST_F(VirtualTime, ACancelledMoveStopsTheCamera) {
-  const Instant end = client.now() + milliseconds(700);
+  const Instant end = client.now() + sbgc::milliseconds(700);
   const auto moved = client.run(tasks::move_to({.yaw = 120_deg}, {.speed = 20_deg_per_s}),
                                 [&, is_cancelled = false](TaskMachine& task) mutable {
                                   if (is_cancelled || client.now() < end) return;

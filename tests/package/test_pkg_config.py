@@ -41,6 +41,7 @@ def build(compiler: str, package: str, source: str, moved: Path, *options: str) 
         ("sbgc-any", "any.cpp"),
         ("sbgc-tasks", "tasks.cpp"),
         ("sbgc-analysis", "analysis.cpp"),
+        ("sbgc-doctor", "doctor.cpp"),
         ("sbgc-emulator", "emulator.cpp"),
         ("sbgc-client", "client.cpp"),
     ],

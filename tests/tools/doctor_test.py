@@ -1,4 +1,4 @@
-"""Tests of sbgc doctor over lines; doctor_test.cpp tests its judgment."""
+"""Tests of sbgc doctor over lines; tests/doctor tests its judgment."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def test_it_only_reads(shaking: EmulatedGimbal) -> None:
     }
 
 
-# What polls measure depends on how fast the machine answers; doctor_test.cpp tests it in virtual
+# What polls measure depends on how fast the machine answers; tests/doctor tests it in virtual
 # time.
 
 

@@ -152,8 +152,8 @@ std::string progress_text(const CalibrationProgress& progress) {
 }
 
 /// What has to be true before the calibration begins.
-Readiness::Options readiness_of(const CalibrateOptions& command, const Chosen& chosen) {
-  Readiness::Options options{
+ReadinessAtTerminal::Options readiness_of(const CalibrateOptions& command, const Chosen& chosen) {
+  ReadinessAtTerminal::Options options{
       .conditions = chosen.conditions,
       .of_frame = chosen.options.imu == msg::CalibImu::frame,
       .can_ask = !command.arming.yes && is_terminal(stdin) && is_terminal(stderr),
@@ -227,7 +227,7 @@ int calibrate(const CalibrateOptions& command, const CommandContext& context) {
   Client client = connect(context.gimbal);
   require_possible(client, chosen.request);
   arm(command.arming, sentences(chosen));
-  Readiness readiness(client, readiness_of(command, chosen));
+  ReadinessAtTerminal readiness(client, readiness_of(command, chosen));
   do {
     readiness.require();
     run_once(client, chosen);

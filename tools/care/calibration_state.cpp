@@ -1,37 +1,21 @@
 #include "care/calibration_state.hpp"
 
-#include <array>
 #include <cstdio>
-#include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/client/calibration.hpp>
+#include <sbgc/client/sensor_motion.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/meta/enums.hpp>
 
 #include "board/connection.hpp"
-#include "care/sensor_motion.hpp"
 #include "command/help_text.hpp"
 
 namespace sbgc::tools {
 
 namespace {
-
-constexpr std::array directions{
-    std::pair{msg::CalibratedLimit::plus_x, "+X"}, std::pair{msg::CalibratedLimit::minus_x, "-X"},
-    std::pair{msg::CalibratedLimit::plus_y, "+Y"}, std::pair{msg::CalibratedLimit::minus_y, "-Y"},
-    std::pair{msg::CalibratedLimit::plus_z, "+Z"}, std::pair{msg::CalibratedLimit::minus_z, "-Z"}};
-
-std::string positions(const msg::CalibInfo& state, bool are_done) {
-  std::string names;
-  for (const auto& [limit, name] : directions) {
-    if (state.acc_limits_info.has(limit) != are_done) continue;
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  }
-  return names;
-}
 
 void print_line(const char* name, const std::string& text) {
   constexpr std::size_t column = 15;
@@ -41,6 +25,12 @@ void print_line(const char* name, const std::string& text) {
 std::string temperature_text(bool is_on, msg::Temperature from, msg::Temperature to) {
   if (!is_on) return "not over temperature";
   return fmt::format("over temperature from {:.0f} to {:.0f} degC", from.real(), to.real());
+}
+
+/// For example "shakes by 0.05 deg/s, turns by 0.01 deg/s".
+std::string motion_text(const SensorMotion& motion) {
+  return fmt::format("shakes by {:.2f} deg/s, turns by {:.2f} deg/s", motion.shaking,
+                     motion.turning);
 }
 
 /// Prints a paragraph about one IMU. A board without a second one refuses its state.
@@ -63,13 +53,6 @@ void print_imu(Client& client, msg::SelectedImu imu, const char* name) {
 
 }  // namespace
 
-std::string calibrated_positions(const msg::CalibInfo& state) {
-  const std::string done = positions(state, true);
-  return done.empty() ? "none" : done;
-}
-
-std::string missing_positions(const msg::CalibInfo& state) { return positions(state, false); }
-
 void print_calibration_state(Client& client) {
   const msg::RealtimeData3 data =
       value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
@@ -84,7 +67,7 @@ void print_calibration_state(Client& client) {
     }
   }
   print_line("errors", problems.empty() ? "none of a calibration" : problems);
-  print_line("motion", motion_text(motion_of(client, false)));
+  print_line("motion", motion_text(value_of(client.run(tasks::watch_sensor(false)))));
   if (!is_supported<msg::CalibInfoRequest>(client.identity().versions())) return;
   print_imu(client, msg::SelectedImu::main, "main IMU");
   print_imu(client, msg::SelectedImu::frame, "frame IMU");

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include <sbgc/client/calibrations.hpp>
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/readiness.hpp>
 
 namespace sbgc::tools {
 
 /// Checks a gimbal before a calibration.
-class Readiness {
+class ReadinessAtTerminal {
  public:
   struct Options {
     CalibrationConditions conditions{};
@@ -21,18 +21,16 @@ class Readiness {
     bool checks = true;               ///< otherwise, that is all
   };
 
-  Readiness(Client& client, const Options& options) : client_(client), options_(options) {}
+  ReadinessAtTerminal(Client& client, const Options& options)
+      : client_(client), options_(options) {}
 
   /// Throws CommandError that says what is not as it should be. Asks the user where only the user
   /// knows.
   void require();
 
  private:
-  void require_motors_off();
-  void require_sensor();
-  void require_level();
-  void require_motors_that_turn();
-  void require_voltage();
+  /// Returns if the user says yes.
+  void ask(const Question& question) const;
 
   Client& client_;
   Options options_;

@@ -46,6 +46,8 @@ void PassiveClient::connect(std::function<void(const Result<void>&)> done) {
 
 const BoardIdentity& PassiveClient::identity() const noexcept { return state_->identity(); }
 
+SessionStatistics PassiveClient::statistics() const noexcept { return state_->statistics(); }
+
 void PassiveClient::set_identity(const BoardIdentity& board) { state_->identity() = board; }
 
 TaskMachine& PassiveClient::start(TaskMachine& task, std::function<void()> finish) {
@@ -125,9 +127,7 @@ Instant PassiveClient::State::step(Running& running) {
     switch (step.kind) {
       case TaskStep::Kind::done: end(running); return Instant::never;
       case TaskStep::Kind::call: begin(running, std::move(step)); break;
-      case TaskStep::Kind::cancel:
-        if (running.calls.erase(step.call) != 0) cancel(step.call);
-        break;
+      case TaskStep::Kind::cancel: cancel(running, step.call); break;
       case TaskStep::Kind::wait: return step.until;
     }
   }
@@ -135,7 +135,8 @@ Instant PassiveClient::State::step(Running& running) {
 
 void PassiveClient::State::end(Running& running) {
   calls_->order().leave(running.joined);
-  for (const CallId id : running.calls) cancel(id);
+  while (!running.calls.empty()) cancel(running, *running.calls.begin());
+  while (!running.streams.empty()) leave_stream(running, running.streams.begin()->first);
   running.is_over = true;
   has_news_ = true;
   running.notices.reset();
@@ -148,6 +149,7 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
   const CallId id = step.call;
   if (!step.request) return task.replied(id, std::move(step.request).error());
   if (step.request->is_motion) join_order(running);
+  if (step.stream_end) begin_stream(running, step);
   step.options.on_confirmation = [this, &task, id](unsigned) {
     has_news_ = true;
     task.confirmed(id);
@@ -159,12 +161,22 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
   const auto replied = [this, &running, id](Result<Reply> reply) {
     has_news_ = true;
     running.calls.erase(id);
+    // The board may have received the request, so the stream must be ended as well.
+    const bool may_run = reply || reply.error().code == ErrorCode::timeout;
+    const auto stream = running.streams.find(id);
+    if (stream != running.streams.end()) {
+      if (may_run) streams_.set_running(stream->second.key);
+      if (!reply) leave_stream(running, id);
+    }
     running.machine->replied(id, std::move(reply));
   };
   const detail::CallPointer call =
       detail::make_call(id, *std::move(step.request), step.options, options_, now_, replied);
   call->task = task.number();
-  if (auto refusal = calls_.begin(call)) return task.replied(id, *std::move(refusal));
+  if (auto refusal = calls_.begin(call)) {
+    leave_stream(running, id);
+    return task.replied(id, *std::move(refusal));
+  }
   running.calls.insert(id);
 }
 
@@ -180,8 +192,41 @@ void PassiveClient::State::join_order(Running& running) {
   });
 }
 
-void PassiveClient::State::cancel(CallId id) {
-  if (const auto call = calls_->take(id)) dialogue_.forget(*call);
+void PassiveClient::State::begin_stream(Running& running, TaskStep& step) {
+  const auto key = detail::StreamListeners::key_of(*step.request);
+  streams_.join(key, *std::move(step.stream_end));
+  const detail::MessageKey wanted{.id = step.request->policy.stream.command, .is_raw = true};
+  auto take = [this, &running, id = step.call](const Frame& frame) {
+    has_news_ = true;
+    running.machine->received(id, {frame.body.begin(), frame.body.end()});
+  };
+  running.streams[step.call] = {
+      key, delivery_.subscribe(wanted, detail::typed_handler<Frame>(std::move(take)))};
+}
+
+void PassiveClient::State::cancel(Running& running, CallId id) {
+  running.calls.erase(id);
+  if (const auto call = calls_->take(id)) {
+    dialogue_.forget(*call);
+    const auto stream = running.streams.find(id);
+    const bool may_run = stream != running.streams.end() && call->was_sent;
+    if (may_run) streams_.set_running(stream->second.key);
+  }
+  leave_stream(running, id);
+}
+
+/// Ends the stream of a call, if it has one.
+void PassiveClient::State::leave_stream(Running& running, CallId id) {
+  const auto stream = running.streams.extract(id);
+  if (!stream) return;
+  const auto key = stream.mapped().key;
+  auto end = streams_.leave(key);
+  if (!end) return;
+  has_news_ = true;
+  const auto ended = [this, key](const Result<Reply>&) { streams_.end_sent(key); };
+  const detail::CallPointer call =
+      detail::make_call(detail::next_call_id(), *std::move(end), {}, options_, now_, ended);
+  if (calls_.begin(call)) streams_.end_sent(key);
 }
 
 }  // namespace sbgc

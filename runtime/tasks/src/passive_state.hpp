@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include <sbgc/client/passive_client.hpp>
 
+#include "calls/stream_listeners.hpp"
 #include "conversation/delivery.hpp"
 #include "conversation/dialogue.hpp"
 #include "conversation/shared_calls.hpp"
@@ -32,12 +34,17 @@ class PassiveClient::State {
   const ConnectOptions& options() const noexcept { return options_; }
   BoardIdentity& identity() noexcept { return identity_; }
   detail::Delivery& delivery() noexcept { return delivery_; }
+  SessionStatistics statistics() const noexcept { return dialogue_.statistics(); }
   /// The order of the tasks, for a held speed.
   detail::MotionOrder& order() const { return calls_->order(); }
   /// The number of calls that have not ended.
   std::size_t pending() const { return calls_->size(); }
 
  private:
+  struct Stream {
+    detail::StreamListeners::Key key{};
+    detail::Delivery::Registration samples{};
+  };
   struct Running {
     TaskMachine* machine{};
     std::function<void()> finish{};
@@ -45,6 +52,7 @@ class PassiveClient::State {
     detail::Delivery::Registration strays{};
     TaskNumber joined{};       // under which the order of motion knows the task; or 0
     std::set<CallId> calls{};  // that have not ended
+    std::map<CallId, Stream> streams{};
     bool is_over = false;
   };
 
@@ -52,8 +60,10 @@ class PassiveClient::State {
   Instant step(Running& running);
   void end(Running& running);
   void begin(Running& running, TaskStep step);
+  void begin_stream(Running& running, TaskStep& step);
   void join_order(Running& running);
-  void cancel(CallId id);
+  void cancel(Running& running, CallId id);
+  void leave_stream(Running& running, CallId id);
 
   const ConnectOptions options_;
   const bool line_may_repeat_;
@@ -64,6 +74,7 @@ class PassiveClient::State {
   bool is_writing_ = false;
   detail::SharedCalls calls_;
   detail::Delivery delivery_{};
+  detail::StreamListeners streams_{};
   detail::Dialogue dialogue_{options_, calls_, delivery_};
   std::vector<std::shared_ptr<Running>> running_{};
 };

@@ -4,9 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <sbgc/analysis/vibration.hpp>
 #include <sbgc/text.hpp>
-
-#include "signal/vibration.hpp"
 
 namespace sbgc::tools {
 
@@ -77,7 +76,7 @@ void add_vibration(LiveValues& values, const std::deque<PerAxis>& rates, double 
   std::vector<double> samples(rates.size());
   for (std::size_t axis = 0; axis < values.vibration.size(); ++axis) {
     for (std::size_t i = 0; i < rates.size(); ++i) samples[i] = rates[i][axis];
-    const Vibration found = vibration_of(samples, rate);
+    const analysis::Vibration found = analysis::vibration_of(samples, rate);
     if (!found.is_known()) return;
     values.vibration[axis] = found.rms;
     values.slowest_vibration = found.slowest;

@@ -13,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/analysis/frequencies.hpp>
 #include <sbgc/analysis/spectrum.hpp>
+#include <sbgc/doctor/frequency_text.hpp>
 #include <sbgc/io/internal/atomic_file.hpp>
 
 #include "board/connection.hpp"
@@ -31,7 +33,6 @@
 #include "frames/stream_type.hpp"
 #include "look/plot/drawing.hpp"
 #include "look/plot/table.hpp"
-#include "signal/frequencies.hpp"
 #include "values/field_patterns.hpp"
 #include "values/stream_interval.hpp"
 
@@ -126,20 +127,22 @@ Curve over_time(const std::vector<double>& times, const Series& series) {
   return {series.path, series.unit, "s", times, series.values, ""};
 }
 
-std::string peaks_text(const Vibration& vibration, const std::string& unit) {
+std::string peaks_text(const analysis::Vibration& vibration, const std::string& unit) {
   constexpr std::size_t most = 3;
-  std::vector<Frequency> strong = frequencies_of(vibration);
-  std::erase_if(strong, [](const Frequency& one) { return one.peak.contrast < least_contrast; });
+  std::vector<analysis::Frequency> strong = frequencies_of(vibration);
+  std::erase_if(strong, [](const analysis::Frequency& one) {
+    return one.peak.contrast < analysis::least_contrast;
+  });
   if (strong.empty()) return "no frequency is strong";
   std::string text = "strongest: ";
   for (std::size_t i = 0; i < std::min(strong.size(), most); ++i) {
-    const Peak& peak = strong[i].peak;
+    const analysis::Peak& peak = strong[i].peak;
     text += fmt::format("{}{:.1f} Hz with {:.3g}{}{}", i == 0 ? "" : ", ", peak.frequency,
                         peak.amplitude, unit.empty() ? "" : " ", unit);
   }
   if (strong.front().others.empty()) return text;
   return text + fmt::format("; {:.1f} Hz may be an alias of {}", strong.front().peak.frequency,
-                            others_text(strong.front()));
+                            doctor::others_text(strong.front()));
 }
 
 Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
@@ -160,15 +163,16 @@ Curve spectrum_of(const std::vector<Series>& columns, const Series& series) {
   const std::size_t length = analysis::segment_length(samples.values.size() / 2);
   const analysis::PowerSpectrum spectrum =
       analysis::power_spectrum(samples.values, samples.rate, length);
-  const auto last =
-      static_cast<std::size_t>(highest_share * samples.rate / std::max(spectrum.resolution, 1e-12));
+  const auto last = static_cast<std::size_t>(analysis::highest_share * samples.rate /
+                                             std::max(spectrum.resolution, 1e-12));
   if (spectrum.segments == 0 || last < 2) {
     throw CommandError(fmt::format("no spectrum of {}: {} samples are too few", series.path,
                                    samples.values.size()));
   }
-  Curve curve{series.path, series.unit.empty() ? "1/sqrt(Hz)" : series.unit + "/sqrt(Hz)",
-              "Hz",        {},
-              {},          peaks_text(vibration_of(samples.values, samples.rate), series.unit)};
+  Curve curve{
+      series.path, series.unit.empty() ? "1/sqrt(Hz)" : series.unit + "/sqrt(Hz)",
+      "Hz",        {},
+      {},          peaks_text(analysis::vibration_of(samples.values, samples.rate), series.unit)};
   for (std::size_t bin = 0; bin <= last; ++bin) {
     curve.places.push_back(static_cast<double>(bin) * spectrum.resolution);
     curve.values.push_back(std::sqrt(spectrum.density[bin]));

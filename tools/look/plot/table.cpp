@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/analysis/uniform_samples.hpp>
 #include <sbgc/internal/parse_number.hpp>
 #include <sbgc/internal/words.hpp>
 
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
 #include "signal/chart.hpp"
-#include "signal/uniform_samples.hpp"
 #include "values/field_patterns.hpp"
 
 namespace sbgc::tools {
@@ -208,7 +208,7 @@ UniformSeries uniform(const std::vector<double>& times, const std::vector<double
     const auto number = static_cast<std::int64_t>(std::llround(steps));
     numbers[i] = i + 1 < at.size() ? std::min(number, numbers[i + 1] - 1) : number;
   }
-  UniformSamples samples(distance);
+  analysis::UniformSamples samples(distance);
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (!std::isnan(values[i])) samples.add(numbers[i], {values[i], 0, 0});
   }

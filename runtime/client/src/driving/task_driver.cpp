@@ -51,6 +51,7 @@ TaskStep TaskDriver::advance(const std::function<Instant()>& now) {
       begin_call(std::move(step));
     } else if (step.kind == TaskStep::Kind::cancel) {
       if (deadlines_.erase(step.call) != 0) conversation_.cancel(step.call);
+      streams_.erase(step.call);
     } else {
       follow_overhearing();
       return step;
@@ -81,6 +82,10 @@ void TaskDriver::begin_call(TaskStep step) {
   const CallId id = step.call;
   Conversation::State& state = *conversation_.state();
   if (state.runs_in_this_thread()) return task_.replied(id, handler_waits_error());
+  if (step.stream_end) {
+    deadlines_[id] = begin_stream(std::move(step));
+    return;
+  }
   if (step.request && step.request->is_motion) join_order();
   step.options.on_confirmation = [self = shared_from_this(), id](unsigned) {
     self->put([id](TaskMachine& task) { task.confirmed(id); });
@@ -99,6 +104,33 @@ void TaskDriver::begin_call(TaskStep step) {
   };
   deadlines_[id] =
       state.start(id, std::move(step.request), step.options, std::move(replied), task_.number());
+}
+
+/// Returns when the call that starts the stream ends at the latest.
+Instant TaskDriver::begin_stream(TaskStep step) {
+  const CallId id = step.call;
+  MessageKey key{.is_raw = true};
+  if (step.request) key.id = step.request->policy.stream.command;
+  auto take = [weak = weak_from_this(), id](const Frame& frame) {
+    const auto self = weak.lock();
+    if (!self) return;
+    self->put([id, body = std::vector(frame.body.begin(), frame.body.end())](
+                  TaskMachine& task) mutable { task.received(id, std::move(body)); });
+  };
+  auto started = [self = shared_from_this(), id](Result<Subscription> stream) {
+    // Shared, because a function must be copyable.
+    self->put(
+        [&from = *self, id,
+         stream = std::make_shared<Result<Subscription>>(std::move(stream))](TaskMachine& task) {
+          const bool is_wanted = from.deadlines_.erase(id) != 0;
+          if (!*stream) return task.replied(id, stream->error());
+          if (is_wanted) from.streams_.emplace(id, std::move(**stream));
+          task.replied(id, Reply{});
+        });
+  };
+  return conversation_.state()->start_stream(
+      id, {std::move(step.request), *std::move(step.stream_end)}, key,
+      typed_handler<Frame>(std::move(take)), step.options, std::move(started));
 }
 
 /// Before its motion can be superseded, the task must be known.
@@ -144,6 +176,7 @@ void TaskDriver::end() {
   notices_.cancel();
   overhearing_.cancel();
   for (const auto& [call, deadline] : std::exchange(deadlines_, {})) conversation_.cancel(call);
+  streams_.clear();
 }
 
 void drive(const Conversation& conversation, TaskMachine& task, Clock& clock) {

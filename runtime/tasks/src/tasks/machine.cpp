@@ -71,12 +71,14 @@ void TaskMachine::overheard(std::uint8_t id) {
   if (overhearing_) overhearing_(id);
 }
 
-CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options) {
+CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options,
+                               std::optional<detail::Request> stream_end) {
   const CallId id = detail::next_call_id();
-  calls_.emplace(id, Call{});
+  calls_.emplace(id, Call{.is_stream = stream_end.has_value()});
   steps_.push_back({.kind = TaskStep::Kind::call,
                     .call = id,
                     .request = std::move(request),
+                    .stream_end = std::move(stream_end),
                     .options = options});
   return id;
 }
@@ -100,7 +102,7 @@ const Result<Reply>* TaskMachine::reply(CallId id) const {
 void TaskMachine::end(CallId id) {
   const auto call = calls_.find(id);
   if (call == calls_.end()) return;
-  if (!call->second.reply) {
+  if (!call->second.reply || call->second.is_stream) {
     steps_.push_back({.kind = TaskStep::Kind::cancel, .call = id});
   }
   calls_.erase(call);

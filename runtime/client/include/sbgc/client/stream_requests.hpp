@@ -16,10 +16,8 @@ namespace sbgc::detail {
 template <Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation,
                                              const Request& request, const CallOptions& options) {
-  Request end = request;
-  auto& interval = roles::stream_interval(end);
-  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
-  return {conversation.prepare(request, options), conversation.prepare(end, options)};
+  return {conversation.prepare(request, options),
+          conversation.prepare(stream_end(request), options)};
 }
 
 /// Returns the requests that start and end the data stream of M; `request` starts it. Where the

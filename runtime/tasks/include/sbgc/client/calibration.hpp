@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include <sbgc/client/task.hpp>
 #include <sbgc/messages/calibration.hpp>
@@ -45,6 +46,11 @@ enum class CalibrationEnd : std::uint8_t {
   finished,  ///< the board has reported the end
   accepted,  ///< the board has accepted it, and does not report the end
 };
+
+/// The directions of the accelerometer that are calibrated, such as "+X, -Z", or "none".
+std::string calibrated_positions(const msg::CalibInfo& state);
+/// Those that are not; "" if all six are.
+std::string missing_positions(const msg::CalibInfo& state);
 
 namespace detail {
 

@@ -52,6 +52,8 @@ class PassiveClient {
   /// it is known fail for boards and firmware that lack a command.
   void connect(std::function<void(const Result<void>&)> done);
   const BoardIdentity& identity() const noexcept;
+  /// Counters since it was made.
+  SessionStatistics statistics() const noexcept;
   /// Sets an identity that is known otherwise.
   void set_identity(const BoardIdentity& board);
 

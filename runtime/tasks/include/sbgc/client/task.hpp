@@ -35,6 +35,7 @@
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/client/typed.hpp>
+#include <sbgc/internal/message_type.hpp>
 #include <sbgc/result.hpp>
 #include <sbgc/time.hpp>
 
@@ -52,6 +53,9 @@ struct TaskStep {
   Kind kind{};
   CallId call{};
   Result<detail::Request> request = ClientError{};
+  /// For a `call` that starts a data stream: the request that ends it. Pass the frames of the
+  /// stream to TaskMachine::received(); `cancel` ends it, also after the reply.
+  std::optional<detail::Request> stream_end{};
   CallOptions options{};
   Instant until = Instant::never;
   /// For `wait`: true if TaskMachine::wake() ends it.
@@ -74,7 +78,7 @@ class TaskMachine {
   void replied(CallId id, Result<Reply> reply);
   /// Reports a confirmation of a call that has not ended yet.
   void confirmed(CallId id);
-  /// Reports a message of the series that precedes the response to a call.
+  /// Reports a message of the series that precedes the response to a call, or of its data stream.
   void received(CallId id, std::vector<std::uint8_t> body);
   void notice(const Notice& notice);
   /// Reports a message of the board that belongs to no call, if overhears().
@@ -115,13 +119,26 @@ class TaskMachine {
     }
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
+  /// Starts a data stream of M, which runs until end(), or until the end of the task: `request` has
+  /// its interval and configuration. Its frames are a series. Fails for firmware without streams.
+  template <Message M, Message Request>
+  CallId begin_stream(Request request, const CallOptions& options = {}) {
+    detail::choose_stream<M>(request);
+    if (auto refusal = detail::stream_refusal(detail::message_type<M>(), board_.versions())) {
+      return begin_call(*std::move(refusal), options);
+    }
+    auto end = detail::prepare(detail::stream_end(request), board_.versions(), options.validate);
+    if (!end) return begin_call(std::move(end).error(), options);
+    return begin_call(detail::prepare(request, board_.versions(), options.validate), options,
+                      *std::move(end));
+  }
   /// True if the call was confirmed at least once, or a message of its series has arrived.
   bool has_started(CallId id) const;
   /// Returns the bodies of the messages of its series that have arrived since the last time.
   std::vector<std::vector<std::uint8_t>> take_series(CallId id);
   /// Returns the result of a call; null while it is running.
   const Result<Reply>* reply(CallId id) const;
-  /// Drops a call; cancels it if it is running.
+  /// Drops a call; cancels it if it is running, and ends its data stream.
   void end(CallId id);
 
   using NoticeHandler = std::function<void(const Notice&)>;
@@ -151,6 +168,7 @@ class TaskMachine {
     bool has_series{};
     std::vector<std::vector<std::uint8_t>> series{};
     std::optional<Result<Reply>> reply{};
+    bool is_stream{};
 
     bool has_started() const noexcept { return confirmations != 0 || has_series; }
   };
@@ -161,7 +179,8 @@ class TaskMachine {
     coroutine_ = coroutine;
     goes_on_ = static_cast<bool>(coroutine);
   }
-  CallId begin_call(Result<detail::Request> request, const CallOptions& options);
+  CallId begin_call(Result<detail::Request> request, const CallOptions& options,
+                    std::optional<detail::Request> stream_end = {});
   bool is_ready();
 
   BoardIdentity board_;

@@ -9,4 +9,6 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/profiles.hpp>
+#include <sbgc/client/readiness.hpp>
+#include <sbgc/client/sensor_motion.hpp>
 #include <sbgc/client/variables.hpp>

@@ -100,6 +100,14 @@ void choose_stream(Request& request) noexcept {
   }
 }
 
+/// Returns the request that ends the data stream that `request` starts.
+template <Message Request>
+Request stream_end(Request request) noexcept {
+  auto& interval = roles::stream_interval(request);
+  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
+  return request;
+}
+
 /// Returns the interval of the data stream that `request` starts.
 template <Message Request>
 std::chrono::microseconds stream_interval(Request request) noexcept {

@@ -1,8 +1,8 @@
-#include "signal/uniform_samples.hpp"
-
 #include <cmath>
 
-namespace sbgc::tools {
+#include <sbgc/analysis/uniform_samples.hpp>
+
+namespace sbgc::analysis {
 
 void UniformSamples::add(std::int64_t number, const Axes<double>& values) {
   if (!samples_.empty()) {
@@ -46,4 +46,4 @@ std::vector<double> UniformSamples::axis(std::size_t axis) const {
   return result;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -1,10 +1,10 @@
-#include "care/doctor/measurements.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace sbgc::tools {
+#include <sbgc/doctor/measurements.hpp>
+
+namespace sbgc::doctor {
 
 template <class M>
 void Measurements::add_common(const M& data) {
@@ -36,17 +36,23 @@ void Measurements::add(const msg::RealtimeData4& data) {
   if (data.calib_mode != msg::CalibMode{}) task = data.calib_mode;
 }
 
+void Measurements::add(const SessionStatistics& session) {
+  damaged_share = line_quality(session).damaged;
+  unanswered = session.timeouts;
+}
+
 std::optional<Axes<AxisVibration>> Measurements::vibration() const {
   if (!gyro || !gyro->is_usable()) return {};
   Axes<AxisVibration> result;
   for (std::size_t axis = 0; axis < result.size(); ++axis) {
-    const Vibration first = vibration_of(gyro->axis(axis), gyro->rate());
+    const analysis::Vibration first = analysis::vibration_of(gyro->axis(axis), gyro->rate());
     if (!first.is_known()) return {};
-    Vibration second;
-    if (again && again->is_usable()) second = vibration_of(again->axis(axis), again->rate());
+    analysis::Vibration second;
+    if (again && again->is_usable())
+      second = analysis::vibration_of(again->axis(axis), again->rate());
     result[axis] = {first.rms, frequencies_of(first, second)};
   }
   return result;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::doctor

@@ -1,4 +1,4 @@
-/// What the measurements of `sbgc doctor` mean.
+/// What measurements of a gimbal mean.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "care/doctor/measurements.hpp"
+#include <sbgc/doctor/measurements.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::doctor {
 
 /// The limits beyond which a measurement is a finding.
 enum class Limit : std::uint8_t {
@@ -39,7 +39,7 @@ std::span<const Threshold> thresholds();
 double threshold(Limit limit);
 
 /// The frequencies to show.
-inline std::span<const Frequency> strongest(const std::vector<Frequency>& all) {
+inline std::span<const analysis::Frequency> strongest(const std::vector<analysis::Frequency>& all) {
   constexpr std::size_t most = 3;
   return std::span(all).first(std::min(all.size(), most));
 }
@@ -57,4 +57,4 @@ struct Finding {
 /// Judges the measurements. The order of findings is that in which to deal with them.
 std::vector<Finding> findings_of(const Measurements& measured);
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::doctor

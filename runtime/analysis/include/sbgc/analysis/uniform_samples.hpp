@@ -7,7 +7,7 @@
 
 #include <sbgc/types.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 
 /// More lost samples than this would change a spectrum; fewer are interpolated.
 inline constexpr double most_lost = 0.01;
@@ -49,4 +49,4 @@ class UniformSamples {
   double since_ms_ = 0;         ///< of the last sample, since the first
 };
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
-#include "signal/vibration.hpp"
+#include <sbgc/analysis/vibration.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 
 /// Assumption: the filter of a gyroscope stops what is faster, in hertz.
 inline constexpr double fastest_vibration = 400;
@@ -30,11 +29,4 @@ std::vector<Frequency> frequencies_of(const Vibration& vibration);
 /// although both could, is none; so most aliases have one candidate.
 std::vector<Frequency> frequencies_of(const Vibration& first, const Vibration& second);
 
-/// The others, such as "150.0 or 400.0 Hz".
-std::string others_text(const Frequency& frequency);
-
-/// For example "37.0 Hz", "100.0 Hz (or an alias of 150.0 or 400.0 Hz)", or "213.0 Hz (an alias at
-/// 37.0 Hz)".
-std::string frequency_text(const Frequency& frequency);
-
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -1,21 +1,14 @@
-#include "care/sensor_motion.hpp"
-
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
+#include <functional>
 #include <numbers>
-#include <thread>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include <sbgc/availability.hpp>
+#include <sbgc/client/sensor_motion.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-#include "board/connection.hpp"
-
-namespace sbgc::tools {
+namespace sbgc {
 
 namespace {
 
@@ -32,13 +25,17 @@ double length_of(const Axes<double>& vector) {
 }
 
 /// Calls `take` several times within a second.
-template <class Take>
-void for_a_second(const Take& take) {
-  constexpr std::chrono::milliseconds pause{50};
+Task<Result<void>> for_a_second(std::function<Task<Result<void>>()> take) {
+  constexpr Duration pause = milliseconds(50);
+  const TaskMachine& task = co_await tasks::this_task();
   for (int i = 0; i < samples_of_motion; ++i) {
-    if (i != 0) std::this_thread::sleep_for(pause);
-    take();
+    if (i != 0) {
+      const Result<void> waited = co_await tasks::wait_until(task.now() + pause);
+      if (!waited) co_return waited;
+    }
+    if (auto taken = co_await take(); !taken) co_return taken;
   }
+  co_return Result<void>();
 }
 
 /// The mean of acceleration, and how the rates vary.
@@ -74,85 +71,80 @@ class MotionSum {
   int ups_ = 0;
 };
 
-SensorMotion motion_of_camera(Client& client) {
+Task<Result<SensorMotion>> motion_of_camera() {
   MotionSum sum;
-  for_a_second([&] {
-    const auto data =
-        value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
+  const std::function<Task<Result<void>>()> take = [&]() -> Task<Result<void>> {
+    const auto data = co_await tasks::call(msg::RealtimeData3Request{});
+    if (!data) co_return data.error();
     Axes<double> rate{};
     Axes<double> up{};
     for (std::size_t axis = 0; axis < rate.size(); ++axis) {
-      rate[axis] = data.axes[axis].gyro_data.degrees_per_second();
-      up[axis] = data.axes[axis].acc_data.real();
+      rate[axis] = data->axes[axis].gyro_data.degrees_per_second();
+      up[axis] = data->axes[axis].acc_data.real();
     }
     sum.add(rate);
     sum.add_up(up);
-  });
-  return sum.motion();
+    co_return Result<void>();
+  };
+  if (const auto taken = co_await for_a_second(take); !taken) co_return taken.error();
+  co_return sum.motion();
 }
 
 /// Of firmware that sends the sensors of the frame.
-SensorMotion motion_of_frame(Client& client) {
+Task<Result<SensorMotion>> motion_of_frame() {
   using Flag = msg::RealtimeDataCustom2Flag;
-  msg::RealtimeDataCustom2Request request;
-  request.flags = Flag::frame_gyro | Flag::frame_acc;
   MotionSum sum;
   bool is_known = false;
-  for_a_second([&] {
-    const auto data = value_of(Result<msg::RealtimeDataCustom2>(client.call(request)));
-    if (!data.frame_gyro || !data.frame_acc) return;
-    const auto& acc = *data.frame_acc;
+  const std::function<Task<Result<void>>()> take = [&]() -> Task<Result<void>> {
+    msg::RealtimeDataCustom2Request request;
+    request.flags = Flag::frame_gyro | Flag::frame_acc;
+    const auto data = co_await tasks::call(request);
+    if (!data) co_return data.error();
+    if (!data->frame_gyro || !data->frame_acc) co_return Result<void>();
+    const auto& acc = *data->frame_acc;
     const Axes<double> up{acc.roll.real(), acc.pitch.real(), acc.yaw.real()};
     is_known = is_known || length_of(up) > 0;
-    sum.add(in_degrees_per_second(*data.frame_gyro));
+    sum.add(in_degrees_per_second(*data->frame_gyro));
     sum.add_up(up);
-  });
-  if (!is_known) return {.is_known = false};
-  return sum.motion();
+    co_return Result<void>();
+  };
+  if (const auto taken = co_await for_a_second(take); !taken) co_return taken.error();
+  if (!is_known) co_return SensorMotion{.is_known = false};
+  co_return sum.motion();
 }
 
 /// Of older firmware, which sends only its angles: their changes are rates.
-SensorMotion motion_of_frame_angles(Client& client) {
-  using Clock = std::chrono::steady_clock;
+Task<Result<SensorMotion>> motion_of_frame_angles() {
   // A rate of two neighbors would be mostly the rounding of the angles.
   constexpr std::size_t apart = 5;
+  const TaskMachine& task = co_await tasks::this_task();
   std::vector<Axes<double>> angles;
-  std::vector<Clock::time_point> times;
+  std::vector<Instant> times;
   bool is_known = false;
-  for_a_second([&] {
-    const auto data =
-        value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
-    times.push_back(Clock::now());
-    const auto& frame = data.frame_imu_angle;
+  const std::function<Task<Result<void>>()> take = [&]() -> Task<Result<void>> {
+    const auto data = co_await tasks::call(msg::RealtimeData3Request{});
+    if (!data) co_return data.error();
+    times.push_back(task.now());
+    const auto& frame = data->frame_imu_angle;
     angles.push_back({frame.roll.degrees(), frame.pitch.degrees(), frame.yaw.degrees()});
     is_known = is_known || length_of(angles.back()) > 0;
-  });
-  if (!is_known) return {.is_known = false};
+    co_return Result<void>();
+  };
+  if (const auto taken = co_await for_a_second(take); !taken) co_return taken.error();
+  if (!is_known) co_return SensorMotion{.is_known = false};
   MotionSum sum;
   for (std::size_t i = apart; i < angles.size(); ++i) {
-    const double seconds = std::chrono::duration<double>(times[i] - times[i - apart]).count();
+    const double seconds = 1e-6 * static_cast<double>((times[i] - times[i - apart]).us);
     Axes<double> rate{};
     for (std::size_t axis = 0; axis < rate.size(); ++axis) {
       rate[axis] = std::remainder(angles[i][axis] - angles[i - apart][axis], 360) / seconds;
     }
     sum.add(rate);
   }
-  return sum.motion();
+  co_return sum.motion();
 }
 
 }  // namespace
-
-SensorMotion motion_of(Client& client, bool of_frame) {
-  if (!of_frame) return motion_of_camera(client);
-  const bool has_sensors =
-      is_supported<msg::RealtimeDataCustom2Request>(client.identity().versions());
-  return has_sensors ? motion_of_frame(client) : motion_of_frame_angles(client);
-}
-
-std::string motion_text(const SensorMotion& motion) {
-  return fmt::format("shakes by {:.2f} deg/s, turns by {:.2f} deg/s", motion.shaking,
-                     motion.turning);
-}
 
 double angle_to_side(const Axes<double>& up) {
   const double largest =
@@ -168,4 +160,15 @@ std::size_t side_of(const Axes<double>& up) {
   return up[side] < 0 ? side + up.size() : side;
 }
 
-}  // namespace sbgc::tools
+namespace tasks {
+
+Task<Result<SensorMotion>> watch_sensor(bool of_frame) {
+  const Availability versions = (co_await this_task()).identity().versions();
+  if (!of_frame) co_return co_await motion_of_camera();
+  const bool has_sensors = is_supported<msg::RealtimeDataCustom2Request>(versions);
+  if (has_sensors) co_return co_await motion_of_frame();
+  co_return co_await motion_of_frame_angles();
+}
+
+}  // namespace tasks
+}  // namespace sbgc

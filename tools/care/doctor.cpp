@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/doctor/findings.hpp>
+#include <sbgc/doctor/measure.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "care/doctor/findings.hpp"
-#include "care/doctor/measuring.hpp"
 #include "command/choices.hpp"
 #include "command/colors.hpp"
 #include "command/duration.hpp"
@@ -29,6 +29,12 @@
 namespace sbgc::tools {
 
 namespace {
+
+using doctor::AxisVibration;
+using doctor::Finding;
+using doctor::Measurements;
+using doctor::Sampling;
+using doctor::Threshold;
 
 struct DoctorOptions {
   std::optional<std::chrono::milliseconds> time{};
@@ -53,12 +59,12 @@ std::string no_vibration_text(const Examination& examination) {
   if (!gyro || gyro->size() < 2) return "the gyroscope sent no samples";
   if (gyro->is_usable()) return "the samples are too few";
   return fmt::format("{:.1f} % of the samples were lost, more than {:.0f} %",
-                     100 * gyro->lost_share(), 100 * most_lost);
+                     100 * gyro->lost_share(), 100 * analysis::most_lost);
 }
 
 Json threshold_json() {
   Json result = Json::object();
-  for (const Threshold& one : thresholds()) {
+  for (const Threshold& one : doctor::thresholds()) {
     result[one.name] = {{"value", one.value}, {"unit", one.unit}, {"meaning", one.meaning}};
   }
   return result;
@@ -70,7 +76,7 @@ Json finding_json(const Finding& finding) {
               {"advice", finding.advice},
               {"command", finding.command}};
   if (finding.axis) result["axis"] = axis_names[*finding.axis];
-  for (const Threshold& one : thresholds()) {
+  for (const Threshold& one : doctor::thresholds()) {
     if (finding.limit == one.limit) result["threshold"] = one.name;
   }
   return result;
@@ -88,12 +94,12 @@ Json axis_json(const Examination& examination, std::size_t axis) {
   const AxisVibration& vibration = (*examination.vibration)[axis];
   result["vibration_rms"] = vibration.rms;
   result["frequencies"] = Json::array();
-  for (const Frequency& one : strongest(vibration.frequencies)) {
+  for (const analysis::Frequency& one : doctor::strongest(vibration.frequencies)) {
     result["frequencies"].push_back({{"hz", one.is_real ? Json(one.peak.frequency) : Json(nullptr)},
                                      {"seen_at_hz", one.peak.frequency},
                                      {"or_hz", one.others},
                                      {"deg_per_s", one.peak.amplitude},
-                                     {"rms", rms_of(one.peak)}});
+                                     {"rms", doctor::rms_of(one.peak)}});
   }
   return result;
 }
@@ -105,7 +111,7 @@ Json to_json(const Examination& examination) {
     sampling["rate_hz"] = measured.gyro->rate();
     sampling["samples"] = measured.gyro->size();
     sampling["lost_share"] = measured.gyro->lost_share();
-    sampling["highest_hz"] = highest_share * measured.gyro->rate();
+    sampling["highest_hz"] = analysis::highest_share * measured.gyro->rate();
   }
   if (measured.again) sampling["second_rate_hz"] = measured.again->rate();
   if (!examination.vibration) sampling["problem"] = no_vibration_text(examination);
@@ -124,7 +130,7 @@ Json to_json(const Examination& examination) {
     state["battery_alarm_v"] = measured.parameters->bat_threshold_alarm.volts();
     state["battery_stop_v"] = measured.parameters->bat_threshold_motors.volts();
   }
-  if (measured.calibration) state["acc_positions"] = positions_of(*measured.calibration);
+  if (measured.calibration) state["acc_positions"] = doctor::positions_of(*measured.calibration);
   Json axes = Json::object();
   for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
     axes[axis_names[axis]] = axis_json(examination, axis);
@@ -167,7 +173,7 @@ std::string sampling_text(const Examination& examination) {
   if (!examination.vibration) return text + "; no vibration: " + no_vibration_text(examination);
   return text + fmt::format(", {:.1f} % lost, which shows frequencies up to {:.0f} Hz",
                             100 * measured.gyro->lost_share(),
-                            highest_share * measured.gyro->rate());
+                            analysis::highest_share * measured.gyro->rate());
 }
 
 std::string state_text(const Measurements& measured) {
@@ -222,14 +228,14 @@ void print_axes(const Examination& examination) {
   bool has_alias = false;
   row("  strongest, Hz", of_vibration([&](const AxisVibration& one) {
         if (one.frequencies.empty()) return std::string("-");
-        const Frequency& first = one.frequencies.front();
+        const analysis::Frequency& first = one.frequencies.front();
         has_alias = has_alias || !first.others.empty();
         return fmt::format("{:.1f}{}", first.peak.frequency, first.others.empty() ? "" : "?");
       }));
   row("  with, deg/s", of_vibration([](const AxisVibration& one) {
         return one.frequencies.empty()
                    ? std::string("-")
-                   : fmt::format("{:.2f}", rms_of(one.frequencies.front().peak));
+                   : fmt::format("{:.2f}", doctor::rms_of(one.frequencies.front().peak));
       }));
   if (has_alias) {
     fmt::print("{}\n", wrapped("? A higher frequency can look the same at this sample rate.",
@@ -267,7 +273,7 @@ void print_text(const Examination& examination) {
   print_row("battery", battery_text(measured));
   if (measured.calibration) {
     print_row("calibrated", fmt::format("accelerometer in {} of 6 positions",
-                                        positions_of(*measured.calibration)));
+                                        doctor::positions_of(*measured.calibration)));
   }
   print_axes(examination);
   if (!measured.has_motors_on) {
@@ -282,26 +288,35 @@ void print_thresholds() {
                              line_width()));
   const bool is_narrow = line_width() < 60;
   const std::size_t column = is_narrow ? 2 : 34;
-  for (const Threshold& one : thresholds()) {
+  for (const Threshold& one : doctor::thresholds()) {
     const std::string value = fmt::format("{} {}", one.value, one.unit);
     fmt::print("{:20}{:{}}{}{}\n", one.name, value, is_narrow ? 0 : 14, is_narrow ? "\n  " : "",
                wrapped(one.meaning, line_width(), column, column));
   }
 }
 
-/// Like measure(). A board without a real firmware version often answers nothing else, and then the
-/// reason for that matters more than the message that got no answer. Throws CommandError.
-Measurements measure_board(Client& client, std::chrono::milliseconds time,
-                           const std::function<void(double)>& progress) {
-  try {
-    return measure(client, time, progress);
-  } catch (const CommandError& error) {
-    const BoardIdentity board = client.identity();
-    if (board.firmware_problem().empty()) throw;
-    throw CommandError(fmt::format("{}; the board reports firmware {}: {}", error.what(),
-                                   board.firmware_version(), board.firmware_problem()),
-                       error.status());
+/// Like tasks::measure(). A board without a real firmware version often answers nothing else, and
+/// then the reason for that matters more than the message that got no answer. Throws CommandError.
+Measurements measure_board(Client& client, std::chrono::milliseconds time) {
+  const ProgressBar bar;
+  auto measured =
+      client.run(tasks::measure({.time = time, .progress = [&](double seconds) {
+                                   bar.show(fmt::format("measuring for {:.0f} s", seconds));
+                                   return !was_interrupted();
+                                 }}));
+  if (!measured) {
+    ClientError error = measured.error();
+    const BoardIdentity& board = client.identity();
+    if (error.code == ErrorCode::cancelled) {
+      error.message = "interrupted";
+    } else if (!board.firmware_problem().empty()) {
+      error.message += fmt::format("; the board reports firmware {}: {}", board.firmware_version(),
+                                   board.firmware_problem());
+    }
+    fail(error);
   }
+  measured->add(client.statistics().session);
+  return *std::move(measured);
 }
 
 int examine(const DoctorOptions& options, const CommandContext& context) {
@@ -317,20 +332,15 @@ int examine(const DoctorOptions& options, const CommandContext& context) {
   }
   Client client = connect(context.gimbal);
   const Interruption interruption;
-  const ProgressBar bar;
   Examination examination{client.identity().board_version(),
                           client.identity().firmware_version(),
                           client.description(),
-                          measure_board(client, time,
-                                        [&](double seconds) {
-                                          bar.show(fmt::format("measuring for {:.0f} s", seconds));
-                                        }),
+                          measure_board(client, time),
                           {},
                           {}};
-  bar.clear();
   if (was_interrupted()) throw CommandError("interrupted", interrupted);
   examination.vibration = examination.measured.vibration();
-  examination.findings = findings_of(examination.measured);
+  examination.findings = doctor::findings_of(examination.measured);
   if (options.format == "json") {
     fmt::print("{}\n", detail::json_text(to_json(examination), 2));
   } else {

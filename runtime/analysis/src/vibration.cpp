@@ -1,11 +1,10 @@
-#include "signal/vibration.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <sbgc/analysis/spectrum.hpp>
+#include <sbgc/analysis/vibration.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 
 namespace {
 
@@ -35,7 +34,7 @@ Vibration vibration_of(std::span<const double> samples, double rate) {
   // Three segments, so that noise averages out, and an even length.
   constexpr std::size_t longest = 1024;
   const std::size_t length = std::min(samples.size() / 2, longest) / 2 * 2;
-  const analysis::PowerSpectrum spectrum = analysis::power_spectrum(samples, rate, length);
+  const PowerSpectrum spectrum = power_spectrum(samples, rate, length);
   if (spectrum.segments == 0) return {};
   const std::vector<double>& density = spectrum.density;
   const auto bin = [&](double frequency) {
@@ -65,8 +64,9 @@ Vibration vibration_of(std::span<const double> samples, double rate) {
     result.peaks.push_back({(static_cast<double>(at) + shift) * spectrum.resolution,
                             std::sqrt(2 * power), median > 0 ? density[at] / median : 1e9});
   }
-  std::ranges::sort(result.peaks, std::ranges::greater{}, &Peak::amplitude);
+  std::sort(result.peaks.begin(), result.peaks.end(),
+            [](const Peak& one, const Peak& other) { return one.amplitude > other.amplitude; });
   return result;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -1,4 +1,4 @@
-// Tests of `sbgc doctor` on emulated boards in virtual time: a healthy board has no finding, and
+// Tests of sbgc::doctor on emulated boards in virtual time: a healthy board has no finding, and
 // each fault has one.
 
 #include <algorithm>
@@ -13,14 +13,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/doctor/findings.hpp>
+#include <sbgc/doctor/frequency_text.hpp>
+
 #include "../emulator/device/host.hpp"
-#include "care/doctor/findings.hpp"
-#include "care/doctor/polling.hpp"
+#include "polling.hpp"
 #include "serving/faults.hpp"
 
-namespace sbgc::tools {
+namespace sbgc::doctor {
 namespace {
 
+using analysis::Frequency;
+using analysis::UniformSamples;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -221,28 +225,35 @@ TEST(Doctor, WhatTheBoardSaysOfItselfIsJudged) {
 
 /// A board in virtual time, that answers within some time.
 struct SlowBoard {
-  double time = 0;
+  Instant now{};
   double frequency = 0;
   std::function<double(int)> answer_time{};  ///< of the request with this number
   int requests = 0;
-  std::vector<double> intervals{};
 
-  PollingParts parts() {
-    return {.now = [this] { return time; },
-            .wait_until = [this](double until) { time = std::max(time, until); },
-            .ask =
-                [this] {
-                  time += answer_time(requests++);
-                  const double value = std::sin(2 * std::numbers::pi * frequency * time);
-                  return Axes<double>{value, 0, 0};
-                },
-            .must_end = [] { return false; }};
+  Task<Result<Axes<double>>> answer() {
+    const double time = answer_time(requests++);
+    const Instant at = now + microseconds(std::llround(1e6 * time));
+    if (const auto waited = co_await tasks::wait_until(at); !waited) co_return waited.error();
+    const double value =
+        std::sin(2 * std::numbers::pi * frequency * 1e-6 * static_cast<double>(now.us));
+    co_return Axes<double>{value, 0, 0};
+  }
+  Ask ask() {
+    return [this] { return answer(); };
+  }
+  UniformSamples run(Task<Result<UniformSamples>> task) {
+    TaskMachine& machine = task.begin({});
+    for (TaskStep step = machine.step(now); step.kind != TaskStep::Kind::done;
+         step = machine.step(now)) {
+      now = later(now, step.until);
+    }
+    return *std::move(task).result();
   }
 };
 
 TEST(Polling, TakesTheRateThatTheBoardKeepsUpWith) {
   SlowBoard board{.answer_time = [](int) { return 0.0155; }};
-  const UniformSamples samples = poll_often(board.parts(), 2);
+  const UniformSamples samples = board.run(poll_often(board.ask(), seconds(2)));
   EXPECT_DOUBLE_EQ(samples.rate(), 50) << "a quarter more than an answer takes";
   EXPECT_EQ(samples.lost_share(), 0);
   EXPECT_EQ(samples.size(), 100U);
@@ -252,24 +263,24 @@ TEST(Polling, BeginsAgainAtHalfOfTheRate) {
   // Later, each tenth answer takes longer than the interval.
   SlowBoard board{
       .answer_time = [](int number) { return number > 40 && number % 10 == 0 ? 0.030 : 0.0075; }};
-  const UniformSamples samples = poll_often(board.parts(), 2);
+  const UniformSamples samples = board.run(poll_often(board.ask(), seconds(2)));
   EXPECT_DOUBLE_EQ(samples.rate(), 25) << "after 100 and 50";
   EXPECT_TRUE(samples.is_usable());
-  EXPECT_LT(board.time, 3) << "it did not wait for the end of what failed";
+  EXPECT_LT(board.now, Instant{} + seconds(3)) << "it did not wait for the end of what failed";
 }
 
 TEST(Polling, GivesUpOnABoardThatNeverKeepsUp) {
   SlowBoard board{
       .answer_time = [](int number) { return number > 20 && number % 3 == 0 ? 0.4 : 0.001; }};
-  EXPECT_FALSE(poll_often(board.parts(), 2).is_usable());
+  EXPECT_FALSE(board.run(poll_often(board.ask(), seconds(2))).is_usable());
 }
 
 TEST(Polling, AnAliasOfSlowPollsIsKnownAsOne) {
   const auto seen = [](double frequency) {
     SlowBoard board{.frequency = frequency, .answer_time = [](int) { return 0.001; }};
     Measurements measured;
-    measured.gyro = poll_at(board.parts(), 1 / 45.0, 2.5);
-    measured.again = poll_at(board.parts(), 1.25 / 45.0, 2.5);
+    measured.gyro = board.run(poll_at(board.ask(), microseconds(22'222), milliseconds(2500)));
+    measured.again = board.run(poll_at(board.ask(), microseconds(27'778), milliseconds(2500)));
     return measured.vibration()->roll.frequencies.front();
   };
   const Frequency fast = seen(37);  // which appears at 8 Hz
@@ -312,4 +323,4 @@ TEST(Doctor, ThresholdsHaveNamesAndMeanings) {
 }
 
 }  // namespace
-}  // namespace sbgc::tools
+}  // namespace sbgc::doctor

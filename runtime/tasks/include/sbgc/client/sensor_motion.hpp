@@ -3,12 +3,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
-#include <sbgc/client/client.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::tools {
+namespace sbgc {
 
 struct SensorMotion {
   bool is_known = true;  ///< false for a frame whose sensor says nothing
@@ -19,15 +18,15 @@ struct SensorMotion {
   std::optional<Axes<double>> up{};
 };
 
-/// Watches the active sensor, or that of the frame, for a second. Throws CommandError.
-SensorMotion motion_of(Client& client, bool of_frame);
-
-/// For example "shakes by 0.05 deg/s, turns by 0.01 deg/s".
-std::string motion_text(const SensorMotion& motion);
-
 /// The angle between what points up and the nearest axis of the sensor, in degrees.
 double angle_to_side(const Axes<double>& up);
 /// The side of the sensor that points up: 0 to 5.
 std::size_t side_of(const Axes<double>& up);
 
-}  // namespace sbgc::tools
+namespace tasks {
+
+/// Watches the active sensor, or that of the frame, for a second.
+Task<Result<SensorMotion>> watch_sensor(bool of_frame);
+
+}  // namespace tasks
+}  // namespace sbgc

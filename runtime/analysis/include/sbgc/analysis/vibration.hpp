@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 
 /// The highest frequency that is looked at, as a share of the sample rate. At half of it, others
 /// appear in its place.
@@ -37,4 +37,4 @@ struct Vibration {
 /// to highest_share of the rate. It is not known from too few samples.
 Vibration vibration_of(std::span<const double> samples, double rate);
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -1,12 +1,11 @@
-#include "signal/frequencies.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
-#include <fmt/format.h>
+#include <sbgc/analysis/frequencies.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 
 namespace {
 
@@ -27,7 +26,7 @@ bool permits(const Vibration& vibration, double frequency, const Peak& peak, dou
   if (seen < vibration.slowest + tolerance || seen > vibration.fastest - tolerance) return true;
   // The same motion, but its strength may vary.
   constexpr double least_share = 0.5;
-  return std::ranges::any_of(vibration.peaks, [&](const Peak& other) {
+  return std::any_of(vibration.peaks.begin(), vibration.peaks.end(), [&](const Peak& other) {
     return std::abs(other.frequency - seen) <= tolerance &&
            other.amplitude >= least_share * peak.amplitude;
   });
@@ -64,24 +63,4 @@ std::vector<Frequency> frequencies_of(const Vibration& first, const Vibration& s
   });
 }
 
-std::string others_text(const Frequency& frequency) {
-  constexpr std::size_t most = 4;
-  const std::vector<double>& others = frequency.others;
-  const std::size_t shown = std::min(others.size(), most);
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool is_last = i + 1 == others.size();
-    text += fmt::format("{}{:.1f}", i == 0 ? "" : is_last ? " or " : ", ", others[i]);
-  }
-  return text + (shown < others.size() ? " ... Hz" : " Hz");
-}
-
-std::string frequency_text(const Frequency& frequency) {
-  const std::string seen = fmt::format("{:.1f} Hz", frequency.peak.frequency);
-  if (frequency.others.empty()) return seen;
-  const std::string others = others_text(frequency);
-  if (frequency.is_real) return fmt::format("{} (or an alias of {})", seen, others);
-  return fmt::format("{} (an alias at {})", others, seen);
-}
-
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

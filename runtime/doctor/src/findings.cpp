@@ -1,20 +1,19 @@
-#include "care/doctor/findings.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include <sbgc/doctor/findings.hpp>
+#include <sbgc/doctor/frequency_text.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
-#include "command/wording.hpp"
-#include "values/axis_values.hpp"
-
-namespace sbgc::tools {
+namespace sbgc::doctor {
 
 namespace {
+
+constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
 
 constexpr std::array table{
     Threshold{Limit::power, "motor-power", 90, "%", "mean power of a motor"},
@@ -22,7 +21,7 @@ constexpr std::array table{
     Threshold{Limit::vibration, "vibration", 0.5, "deg/s",
               "root mean square of the gyroscope from 1 Hz to 45 % of the sample rate"},
     Threshold{Limit::resonance, "resonance", 0.035, "deg/s", "root mean square of one frequency"},
-    Threshold{Limit::contrast, "resonance-contrast", least_contrast, "",
+    Threshold{Limit::contrast, "resonance-contrast", analysis::least_contrast, "",
               "power of that frequency relative to the median of all"},
     Threshold{Limit::cycle, "cycle-time", 1200, "us", "mean duration of a control cycle"},
     Threshold{Limit::i2c_errors, "i2c-errors", 0.5, "1/s", "errors of the I2C bus"},
@@ -252,7 +251,7 @@ class Judge {
     for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
       const AxisVibration& one = (*vibration)[axis];
       std::string frequencies;
-      for (const Frequency& found : strongest(one.frequencies)) {
+      for (const analysis::Frequency& found : strongest(one.frequencies)) {
         const bool is_resonance = rms_of(found.peak) >= threshold(Limit::resonance) &&
                                   found.peak.contrast >= threshold(Limit::contrast);
         if (!is_resonance) continue;
@@ -283,8 +282,11 @@ class Judge {
 
 std::span<const Threshold> thresholds() { return table; }
 
-double threshold(Limit limit) { return std::ranges::find(table, limit, &Threshold::limit)->value; }
+double threshold(Limit limit) {
+  const auto is_of_limit = [&](const Threshold& one) { return one.limit == limit; };
+  return std::find_if(table.begin(), table.end(), is_of_limit)->value;
+}
 
 std::vector<Finding> findings_of(const Measurements& measured) { return Judge(measured).judge(); }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::doctor

@@ -1,4 +1,4 @@
-/// What `sbgc doctor` measures, before it judges.
+/// Measurements of a gimbal, before anything judges them.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
+#include <sbgc/analysis/frequencies.hpp>
+#include <sbgc/analysis/uniform_samples.hpp>
+#include <sbgc/analysis/vibration.hpp>
+#include <sbgc/client/statistics.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/types.hpp>
 
-#include "signal/frequencies.hpp"
-#include "signal/uniform_samples.hpp"
-#include "signal/vibration.hpp"
-
-namespace sbgc::tools {
+namespace sbgc::doctor {
 
 /// The mean of the samples that were added.
 class Mean {
@@ -58,12 +58,12 @@ enum class Sampling : std::uint8_t { stream, polls };
 
 /// How an axis vibrates.
 struct AxisVibration {
-  double rms{};                          ///< in deg/s
-  std::vector<Frequency> frequencies{};  ///< the strongest first
+  double rms{};                                    ///< in deg/s
+  std::vector<analysis::Frequency> frequencies{};  ///< the strongest first
 };
 
 /// The root mean square of a frequency, to compare with that of all.
-inline double rms_of(const Peak& peak) { return peak.amplitude / std::numbers::sqrt2; }
+inline double rms_of(const analysis::Peak& peak) { return peak.amplitude / std::numbers::sqrt2; }
 
 /// The calibrated positions of the accelerometer, of six.
 inline int positions_of(const msg::CalibInfo& calibration) {
@@ -95,18 +95,19 @@ struct Measurements {
   std::optional<msg::CalibInfo> calibration{};
 
   // Of the line
-  std::uint64_t frames = 0;      ///< that arrived
   double damaged_share = 0;      ///< of frames from the board
   std::uint64_t unanswered = 0;  ///< requests
 
   // Of the gyroscope, in deg/s
   Sampling sampling{};
-  std::optional<UniformSamples> gyro{};
-  std::optional<UniformSamples> again{};  ///< at another rate, which tells aliases
+  std::optional<analysis::UniformSamples> gyro{};
+  std::optional<analysis::UniformSamples> again{};  ///< at another rate, which tells aliases
 
   /// Takes a message of live data.
   void add(const msg::RealtimeData3& data) { add_common(data); }
   void add(const msg::RealtimeData4& data);
+  /// Takes the counters of the line.
+  void add(const SessionStatistics& session);
 
   /// Nothing if too many samples are lost, or too few were taken.
   std::optional<Axes<AxisVibration>> vibration() const;
@@ -124,4 +125,4 @@ Axes<double> gyro_of(const M& data) {
           data.axes.yaw.gyro_data.degrees_per_second()};
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::doctor

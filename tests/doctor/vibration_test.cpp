@@ -6,12 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "signal/frequencies.hpp"
-#include "signal/uniform_samples.hpp"
-#include "signal/vibration.hpp"
+#include <sbgc/analysis/frequencies.hpp>
+#include <sbgc/analysis/uniform_samples.hpp>
+#include <sbgc/analysis/vibration.hpp>
+#include <sbgc/doctor/frequency_text.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::analysis {
 namespace {
+
+using doctor::frequency_text;
 
 Axes<double> value(double one) { return {one, 2 * one, 3 * one}; }
 
@@ -162,4 +165,4 @@ TEST(Frequencies, OneRateLeavesAllOpen) {
 }
 
 }  // namespace
-}  // namespace sbgc::tools
+}  // namespace sbgc::analysis

@@ -1,0 +1,33 @@
+/// Questions of tasks, which only a person can answer.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <sbgc/client/task.hpp>
+
+namespace sbgc {
+
+/// What a task asks.
+struct Question {
+  enum class Kind : std::uint8_t {
+    turn_motors_off,  ///< may the motors lose power? The camera drops to its heavy side
+    is_still,         ///< is the sensor still, although it reports an even turn?
+  };
+
+  Kind kind{};
+  std::string reason{};  ///< a clause, such as "the motors are on"
+};
+
+/// Takes a question, and a function that takes the answer: at once, or later between two steps of
+/// the task, as long as it runs.
+using AskHandler = std::function<void(const Question&, std::function<void(bool)> answer)>;
+
+namespace tasks {
+
+/// Waits for the answer; without a handler, it is no.
+Task<Result<bool>> ask(AskHandler handler, Question question);
+
+}  // namespace tasks
+}  // namespace sbgc
