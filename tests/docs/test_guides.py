@@ -194,6 +194,16 @@ def test_every_folder_of_the_map_exists() -> None:
         assert (ROOT / folder).is_dir(), folder
 
 
+def test_the_ways_through_the_code_exist() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    steps = re.findall(r"^(\d+)\. `([^`]+)`: (.*)$", text, re.MULTILINE)
+    assert [int(step) for step, _, _ in steps] == [*range(1, 14), *range(1, 15)]
+    for _, path, functions in steps:
+        source = (ROOT / path).read_text(encoding="utf-8")
+        for function in re.findall(r"`([^`]+)`", functions):
+            assert re.search(rf"\b{function}\b", source), f"{path}: {function}"
+
+
 def test_a_compiler_is_there() -> None:
     """Without a compiler, the tests above would check nothing."""
     assert shutil.which("g++")
